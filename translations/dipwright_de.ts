@@ -59,10 +59,6 @@
         <translation>Die Datei kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>its links form a loop</source>
-        <translation>ihre Verknüpfungen bilden einen Kreis</translation>
-    </message>
-    <message>
         <source>it is not a regular file</source>
         <translation>es ist keine gewöhnliche Datei</translation>
     </message>
@@ -75,8 +71,12 @@
         <translation>ein anderes Programm schreibt sie gerade; versuchen Sie es noch einmal</translation>
     </message>
     <message>
-        <source>it cannot be flushed to the disk: %1</source>
-        <translation>sie kann nicht auf den Datenträger geschrieben werden: %1</translation>
+        <source>its symbolic links form a loop</source>
+        <translation>ihre symbolischen Verknüpfungen bilden einen Kreis</translation>
+    </message>
+    <message>
+        <source>the disk did not accept its data: %1</source>
+        <translation>der Datenträger hat die Daten nicht angenommen: %1</translation>
     </message>
 </context>
 <context>
@@ -118,7 +118,7 @@
     </message>
     <message>
         <source>the film has too few points to be compared with a film of half as many</source>
-        <translation>der Film hat zu wenige Punkte, um ihn mit einem Film von halb so vielen zu vergleichen</translation>
+        <translation>der Film hat zu wenige Punkte für den Vergleich mit einem Film, der halb so viele Punkte hat</translation>
     </message>
     <message>
         <source>the film with coarser cells does not follow the part</source>
@@ -132,20 +132,8 @@
         <translation>er hat eine unbekannte Ausnahme geworfen</translation>
     </message>
     <message>
-        <source>it gave points an invalid state</source>
-        <translation>er hat Punkten einen ungültigen Zustand gegeben</translation>
-    </message>
-    <message>
-        <source>it gave points an invalid mark</source>
-        <translation>er hat Punkten eine ungültige Marke gegeben</translation>
-    </message>
-    <message>
         <source>it reported impossible convergence values</source>
         <translation>er hat unmögliche Konvergenzwerte gemeldet</translation>
-    </message>
-    <message>
-        <source>it reported an impossible number of steps or descent</source>
-        <translation>er hat eine unmögliche Zahl von Schritten oder einen unmöglichen Weg gemeldet</translation>
     </message>
     <message>
         <source>it makes no progress</source>
@@ -163,16 +151,28 @@
         <source>it created no film</source>
         <translation>er hat keinen Film erzeugt</translation>
     </message>
+    <message>
+        <source>it returned an invalid state for some points</source>
+        <translation>er hat für einige Punkte einen ungültigen Zustand geliefert</translation>
+    </message>
+    <message>
+        <source>it returned an invalid mark for some points</source>
+        <translation>er hat für einige Punkte eine ungültige Marke geliefert</translation>
+    </message>
+    <message>
+        <source>it reported an impossible number of steps or an impossible descent</source>
+        <translation>er hat eine unmögliche Zahl von Schritten oder eine unmögliche Tauchtiefe gemeldet</translation>
+    </message>
 </context>
 <context>
     <name>ColourNote</name>
     <message>
-        <source>%1 is in CMYK and has no ICC profile: its colours are estimated by a formula and can be far off; save it with its profile, or as sRGB</source>
-        <translation>%1 ist in CMYK und hat kein ICC-Profil: Die Farben sind nach einer Formel geschätzt und können weit danebenliegen; speichern Sie das Bild mit seinem Profil oder als sRGB</translation>
-    </message>
-    <message>
         <source>%1 has colours outside BT.2020, the largest colour space used here: %2 % of its pixels are printed less saturated; to control this, save it in a smaller colour space, such as Adobe RGB</source>
         <translation>%1 hat Farben außerhalb von BT.2020, dem größten hier verwendeten Farbraum: %2 % der Pixel werden weniger gesättigt gedruckt; um das selbst zu bestimmen, speichern Sie das Bild in einem kleineren Farbraum wie Adobe RGB</translation>
+    </message>
+    <message>
+        <source>%1 is in CMYK and has no ICC profile, so its colours are only estimated and can be wrong; save it with its profile, or as sRGB</source>
+        <translation>%1 ist in CMYK und hat kein ICC-Profil, daher sind die Farben nur geschätzt und können falsch sein; speichern Sie das Bild mit seinem Profil oder als sRGB</translation>
     </message>
 </context>
 <context>
@@ -188,10 +188,6 @@
     <message>
         <source>%1: the part can slide sideways in its cradle, because its dry surface is too flat; mark its position and fix it there</source>
         <translation>%1: Das Teil kann in seiner Halterung seitlich rutschen, weil seine trockene Fläche zu flach ist; zeichnen Sie seine Lage an, und befestigen Sie es dort</translation>
-    </message>
-    <message>
-        <source>%1: the cradle touches %2 mm² that an earlier dip has painted; line it there with %3 mm of soft felt or foam</source>
-        <translation>%1: Die Halterung berührt %2 mm², die ein früherer Tauchvorgang bemalt hat; legen Sie sie dort mit %3 mm weichem Filz oder Schaum aus</translation>
     </message>
     <message>
         <source>%1: the cradle&apos;s plate has no room for the engraving; write the arrow, the dip number and the job on it</source>
@@ -210,8 +206,12 @@
         <translation>Trocken bleibende Fläche wird gesucht</translation>
     </message>
     <message>
-        <source>%1: the part tips out of its cradle unless it is fixed, because the cradle cannot hold it on all sides of its centre of mass. Fix it through the bore, or turn the part</source>
-        <translation>%1: Das Teil kippt aus seiner Halterung, wenn es nicht befestigt wird, weil die Halterung es nicht auf allen Seiten seines Schwerpunkts halten kann. Befestigen Sie es durch die Bohrung, oder drehen Sie das Teil</translation>
+        <source>%1: the part tips out of its cradle unless it is fastened, because the cradle cannot hold it on all sides of its centre of mass. Fasten the part through the bore in the cradle, or turn the part</source>
+        <translation>%1: Das Teil kippt aus seiner Halterung, wenn es nicht befestigt wird, weil die Halterung es nicht auf allen Seiten seines Schwerpunkts halten kann. Befestigen Sie das Teil durch die Bohrung in der Halterung, oder drehen Sie das Teil</translation>
+    </message>
+    <message>
+        <source>%1: the cradle touches %2 mm² of paint from an earlier dip; line the cradle there with %3 mm of soft felt or foam</source>
+        <translation>%1: Die Halterung berührt %2 mm² Farbe aus einem früheren Tauchvorgang; legen Sie die Halterung dort mit %3 mm weichem Filz oder Schaumstoff aus</translation>
     </message>
 </context>
 <context>
@@ -219,10 +219,6 @@
     <message>
         <source>Dipping</source>
         <translation>Tauchen</translation>
-    </message>
-    <message>
-        <source>The simulation became unstable; choose a smaller time step or contact travel</source>
-        <translation>Die Simulation wurde instabil; wählen Sie einen kleineren Zeitschritt oder Kontaktweg</translation>
     </message>
     <message>
         <source>The solver failed: %1</source>
@@ -270,15 +266,19 @@
     </message>
     <message>
         <source>The part, %1 × %2 mm on the water, reaches past the film on all sides, so no film is left to wrap round it; %3</source>
-        <translation>Das Teil, %1 × %2 mm auf dem Wasser, ragt auf allen Seiten über den Film hinaus, sodass kein Film bleibt, der sich um es legt; %3</translation>
-    </message>
-    <message>
-        <source>%1 of the painted area (%2 %) depend on marked film. %3.</source>
-        <translation>%1 der bemalten Fläche (%2 %) hängen von markiertem Film ab. %3.</translation>
+        <translation>Das Teil, %1 × %2 mm auf dem Wasser, ragt auf allen Seiten über den Film hinaus, sodass kein Film bleibt, der es umhüllt; %3</translation>
     </message>
     <message>
         <source>With these cells the film would have %1 million points, but at most %2 million are allowed; choose larger cells</source>
         <translation>Mit diesen Zellen hätte der Film %1 Millionen Punkte, erlaubt sind höchstens %2 Millionen; wählen Sie größere Zellen</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable; choose a smaller step or time step (Dipping &gt; Accuracy)</source>
+        <translation>Die Simulation wurde instabil; wählen Sie einen kleineren Schritt oder Zeitschritt (Tauchen &gt; Genauigkeit)</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area (%2 %) is painted by film that tore, was released or did not converge. %3.</source>
+        <translation>%1 der bemalten Fläche (%2 %) sind von Film bemalt, der riss, sich löste oder nicht konvergierte. %3.</translation>
     </message>
 </context>
 <context>
@@ -306,13 +306,13 @@
         <source>Preparing the views</source>
         <translation>Ansichten werden vorbereitet</translation>
     </message>
+    <message>
+        <source>Refining the film</source>
+        <translation>Der Film wird verfeinert</translation>
+    </message>
 </context>
 <context>
     <name>DipPlayback</name>
-    <message>
-        <source>%1 (%2 deep)</source>
-        <translation>%1 (%2 tief)</translation>
-    </message>
     <message>
         <source>First contact</source>
         <translation>Erste Berührung</translation>
@@ -328,6 +328,10 @@
     <message>
         <source>Air is trapped under the part</source>
         <translation>Luft wird unter dem Teil eingeschlossen</translation>
+    </message>
+    <message>
+        <source>%1, at depth %2</source>
+        <translation>%1, in %2 Tiefe</translation>
     </message>
 </context>
 <context>
@@ -352,8 +356,8 @@
         <translation>%1: Zellen von %2, %3 × %4 Punkte</translation>
     </message>
     <message>
-        <source>%1, about %2 s</source>
-        <translation>%1, etwa %2 s</translation>
+        <source>%1, simulation time about %2 s</source>
+        <translation>%1, Rechenzeit etwa %2 s</translation>
     </message>
 </context>
 <context>
@@ -474,40 +478,20 @@
         <translation>Ein Filmpunkt berührt das Teil, wenn er dessen Oberfläche so nahe kommt.</translation>
     </message>
     <message>
-        <source>Compressed film gathers where its mean stretch falls below this value; there it hardly resists. This value is a guess; no film was measured.</source>
-        <translation>Gestauchter Film rafft sich, wo seine mittlere Dehnung unter diesen Wert fällt; dort leistet er kaum Widerstand. Dieser Wert ist eine Annahme; kein Film wurde gemessen.</translation>
-    </message>
-    <message>
         <source>Ink exponent</source>
         <translation>Tintenexponent</translation>
-    </message>
-    <message>
-        <source>How ink thins: where film is stretched to J times its area, ink of density D shows D·J^−n. n is 1 for dye and 0 for opaque dots. Used for inks without measured tones; the preset value is a guess.</source>
-        <translation>Wie Tinte dünner wird: Wo der Film auf das J-fache seiner Fläche gedehnt ist, zeigt Tinte der Dichte D noch D·J^−n. n ist 1 für Farbstoff und 0 für deckende Punkte. Gilt für Tinten ohne gemessene Töne; der voreingestellte Wert ist eine Annahme.</translation>
     </message>
     <message>
         <source>Ink exponent, black and white</source>
         <translation>Tintenexponent, Schwarz und Weiß</translation>
     </message>
     <message>
-        <source>The exponent n for black and white ink. CMYK printers use it, because there each ink is compensated by itself, after separation.</source>
-        <translation>Der Exponent n für schwarze und weiße Tinte. Er gilt für CMYK-Drucker, weil dort jede Tinte für sich ausgeglichen wird, nach der Separation.</translation>
-    </message>
-    <message>
         <source>Measured ink</source>
         <translation>Gemessene Tinte</translation>
     </message>
     <message>
-        <source>Measurements of a step wedge for each tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
-        <translation>Messwerte eines Stufenkeils für jeden Ton: Tinte, Dichte, Exponent, Krümmung, größte Dehnung (dipwright-cli profile wedge).</translation>
-    </message>
-    <message>
         <source>Film tears where its length or its area is stretched by more than this factor. Torn film is marked and does not paint.</source>
         <translation>Film reißt, wo seine Länge oder seine Fläche um mehr als diesen Faktor gedehnt wird. Gerissener Film wird markiert und bemalt nichts.</translation>
-    </message>
-    <message>
-        <source>Film adheres to faces that turn upwards by at most this angle; the part releases it on steeper faces.</source>
-        <translation>Film haftet auf Flächen, die sich um höchstens diesen Winkel nach oben wenden; von steileren Flächen löst er sich.</translation>
     </message>
     <message>
         <source>Grip fade range</source>
@@ -524,6 +508,26 @@
     <message>
         <source>The part loses its grip on the film gradually, in this range of angles before the overhang. This value is a guess; no film was measured.</source>
         <translation>Winkelbereich vor dem Überhang, in dem das Teil den Halt am Film allmählich verliert. Dieser Wert ist eine Annahme; kein Film wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>Compressed film gathers where its mean stretch falls below this value. Gathered film hardly resists further compression. This value is a guess; no film was measured.</source>
+        <translation>Gestauchter Film rafft sich, wo seine mittlere Dehnung unter diesen Wert fällt. Geraffter Film leistet weiterer Stauchung kaum Widerstand. Dieser Wert ist eine Annahme; kein Film wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>How ink thins: where film is stretched to J times its area, ink of density D has only the density D·J^−n. n is 1 for dye and 0 for opaque dots. Used for inks without measured tones; the preset value is a guess.</source>
+        <translation>Wie Tinte dünner wird: Wo der Film auf das J-fache seiner Fläche gedehnt ist, hat Tinte der Dichte D nur noch die Dichte D·J^−n. n ist 1 für Farbstoff und 0 für deckende Punkte. Gilt für Tinten ohne gemessene Töne; der voreingestellte Wert ist eine Annahme.</translation>
+    </message>
+    <message>
+        <source>The exponent n for black and white ink. Only CMYK printers use it, because only for them each ink is compensated individually, after colour separation.</source>
+        <translation>Der Exponent n für schwarze und weiße Tinte. Er gilt nur für CMYK-Drucker, weil nur bei ihnen jede Tinte einzeln ausgeglichen wird, nach der Farbseparation.</translation>
+    </message>
+    <message>
+        <source>Values for each tone of a measured step wedge: ink, density, exponent, bend and largest stretch. The command “dipwright-cli profile wedge” computes them.</source>
+        <translation>Werte für jeden Ton eines gemessenen Stufenkeils: Tinte, Dichte, Exponent, Krümmung und größte Dehnung. Der Befehl „dipwright-cli profile wedge“ berechnet sie.</translation>
+    </message>
+    <message>
+        <source>Film adheres to faces that turn up from the vertical by at most this angle. Faces that turn up more release the film.</source>
+        <translation>Film haftet auf Flächen, die sich aus der Senkrechten um höchstens diesen Winkel nach oben wenden. Von Flächen, die sich weiter nach oben wenden, löst er sich.</translation>
     </message>
 </context>
 <context>
@@ -572,14 +576,6 @@
         <translation>Die Ergebnisse können nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>%1 is in the way of the results; move it, or choose another folder</source>
-        <translation>%1 steht den Ergebnissen im Weg; verschieben Sie es oder wählen Sie einen anderen Ordner</translation>
-    </message>
-    <message>
-        <source>The results cannot be read again: %1</source>
-        <translation>Die Ergebnisse lassen sich nicht noch einmal lesen: %1</translation>
-    </message>
-    <message>
         <source>The results cannot be written, because %1 is not a folder</source>
         <translation>Die Ergebnisse können nicht geschrieben werden, weil %1 kein Ordner ist</translation>
     </message>
@@ -604,8 +600,16 @@
         <translation>Nur ein Teil der Ergebnisse wurde in den Ordner verschoben; schließen Sie die Programme, die dort Dateien geöffnet haben, und starten Sie dieses Programm neu, um den Rest zu verschieben</translation>
     </message>
     <message>
-        <source>Earlier results in this folder are incomplete, and another program keeps them from being completed. Close the programs that use files in the folder, or move %1 out of the folder</source>
+        <source>Earlier results in this folder are incomplete, and another program prevents their completion. Close the programs that use files in the folder, or move %1 out of the folder</source>
         <translation>Frühere Ergebnisse in diesem Ordner sind unvollständig, und ein anderes Programm verhindert, dass sie vervollständigt werden. Schließen Sie die Programme, die Dateien in diesem Ordner benutzen, oder verschieben Sie %1 aus dem Ordner</translation>
+    </message>
+    <message>
+        <source>Results that were just written cannot be read: %1</source>
+        <translation>Die eben geschriebenen Ergebnisse lassen sich nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>The results cannot be written, because %1 already exists and cannot be replaced; move it, or choose another folder</source>
+        <translation>Die Ergebnisse können nicht geschrieben werden, weil %1 schon vorhanden ist und nicht ersetzt werden kann; verschieben Sie es, oder wählen Sie einen anderen Ordner</translation>
     </message>
 </context>
 <context>
@@ -769,10 +773,6 @@
         <translation>Stellenpaar entfernen</translation>
     </message>
     <message>
-        <source>Change film on the water</source>
-        <translation>Film auf dem Wasser ändern</translation>
-    </message>
-    <message>
         <source>Keep part</source>
         <translation>Teil behalten</translation>
     </message>
@@ -785,8 +785,12 @@
         <translation>Stärke der Korrektur ändern</translation>
     </message>
     <message>
-        <source>Use the fit</source>
-        <translation>Anpassung übernehmen</translation>
+        <source>Change film measurement</source>
+        <translation>Filmmessung ändern</translation>
+    </message>
+    <message>
+        <source>Use fit in project</source>
+        <translation>Anpassung im Projekt verwenden</translation>
     </message>
 </context>
 <context>
@@ -818,10 +822,6 @@
 <context>
     <name>MarkEdits</name>
     <message>
-        <source>Mark for the seam</source>
-        <translation>Marke für die Naht</translation>
-    </message>
-    <message>
         <source>Mark zone</source>
         <translation>Zone markieren</translation>
     </message>
@@ -832,6 +832,10 @@
     <message>
         <source>Remove marks</source>
         <translation>Marken entfernen</translation>
+    </message>
+    <message>
+        <source>Mark area for the seam</source>
+        <translation>Bereich für die Naht markieren</translation>
     </message>
 </context>
 <context>
@@ -879,20 +883,12 @@
 <context>
     <name>Motion</name>
     <message>
-        <source>The motion template contains the unknown name {%1}; use one of %2</source>
-        <translation>Die Bewegungsvorlage enthält den unbekannten Namen {%1}; verwenden Sie einen von %2</translation>
+        <source>The motion template contains the unknown placeholder {%1}; use one of these: %2</source>
+        <translation>Die Bewegungsvorlage enthält den unbekannten Platzhalter {%1}; verwenden Sie einen von diesen: %2</translation>
     </message>
 </context>
 <context>
     <name>OutOfProcessSolver</name>
-    <message>
-        <source>it crashed (%1)</source>
-        <translation>er ist abgestürzt (%1)</translation>
-    </message>
-    <message>
-        <source>it ended its process (%1)</source>
-        <translation>er hat seinen Prozess beendet (%1)</translation>
-    </message>
     <message>
         <source>its process cannot be started: %1</source>
         <translation>sein Prozess kann nicht gestartet werden: %1</translation>
@@ -902,12 +898,20 @@
         <translation>er hat %1 s lang nicht geantwortet und wurde beendet</translation>
     </message>
     <message>
-        <source>its answer was impossibly long, so it was stopped</source>
-        <translation>seine Antwort war unmöglich lang, daher wurde er beendet</translation>
+        <source>its answer was impossibly long, so its process was stopped</source>
+        <translation>seine Antwort war unmöglich lang, daher wurde sein Prozess beendet</translation>
     </message>
     <message>
-        <source>its process was killed, perhaps for lack of memory</source>
-        <translation>sein Prozess wurde beendet, vielleicht aus Mangel an Speicher</translation>
+        <source>its process was killed, perhaps because the memory was full</source>
+        <translation>sein Prozess wurde abgebrochen, vielleicht weil der Speicher voll war</translation>
+    </message>
+    <message>
+        <source>it crashed (code %1)</source>
+        <translation>er ist abgestürzt (Code %1)</translation>
+    </message>
+    <message>
+        <source>its process ended unexpectedly (exit code %1)</source>
+        <translation>sein Prozess endete unerwartet (Exit-Code %1)</translation>
     </message>
 </context>
 <context>
@@ -947,10 +951,6 @@
     <message>
         <source>max</source>
         <translation>max</translation>
-    </message>
-    <message>
-        <source>axis−diag</source>
-        <translation>Achse−Diag</translation>
     </message>
     <message>
         <source>steps</source>
@@ -1040,6 +1040,10 @@
         <source>The film never touched the body; do not use this solver</source>
         <translation>Der Film hat den Körper nie berührt; verwenden Sie diesen Solver nicht</translation>
     </message>
+    <message>
+        <source>axes − diagonals</source>
+        <translation>Achsen − Diagonalen</translation>
+    </message>
 </context>
 <context>
     <name>Pipeline</name>
@@ -1048,20 +1052,12 @@
         <translation>%1 %2 × %3 mm</translation>
     </message>
     <message>
-        <source>%1 failed and %2 took over: %3</source>
-        <translation>%1 ist gescheitert, %2 hat übernommen: %3</translation>
-    </message>
-    <message>
         <source>Writing the sheet of %1</source>
         <translation>Blatt von %1 wird geschrieben</translation>
     </message>
     <message>
         <source>Writing the film of %1</source>
         <translation>Film von %1 wird geschrieben</translation>
-    </message>
-    <message>
-        <source>Writing the stretch of %1</source>
-        <translation>Dehnung von %1 wird geschrieben</translation>
     </message>
     <message>
         <source>Comparing the sheets</source>
@@ -1081,7 +1077,7 @@
     </message>
     <message>
         <source>Varying the laws</source>
-        <translation>Gesetze werden verändert</translation>
+        <translation>Gesetze des Films werden verändert</translation>
     </message>
     <message>
         <source>Writing the cradle of %1</source>
@@ -1092,10 +1088,6 @@
         <translation>Laufkarte wird geschrieben</translation>
     </message>
     <message>
-        <source>Writing the tolerances of %1</source>
-        <translation>Toleranzen von %1 werden geschrieben</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -1104,44 +1096,12 @@
         <translation>Film %1 wird geschrieben</translation>
     </message>
     <message>
-        <source>Dipping deeper</source>
-        <translation>Tieferer Tauchvorgang</translation>
-    </message>
-    <message>
         <source>The picture on the film</source>
         <translation>Das Bild auf dem Film</translation>
     </message>
     <message>
-        <source>Film %1: %2 × %3 mm, pieces: %4, %5 % used</source>
-        <translation>Film %1: %2 × %3 mm, Stücke: %4, zu %5 % genutzt</translation>
-    </message>
-    <message>
-        <source>Moving the results into place</source>
-        <translation>Ergebnisse werden an ihren Platz gebracht</translation>
-    </message>
-    <message>
         <source>1:1, reduced for swell %1 × %2</source>
         <translation>1:1, verkleinert um Quellung %1 × %2</translation>
-    </message>
-    <message>
-        <source>Two plates of the sheet have the name %1; give each plate its own name</source>
-        <translation>Zwei Platten des Blatts heißen %1; geben Sie jeder Platte einen eigenen Namen</translation>
-    </message>
-    <message>
-        <source>The artwork has %1 spot colours; the limit is %2</source>
-        <translation>Die Gestaltung hat %1 Sonderfarben; die Grenze ist %2</translation>
-    </message>
-    <message>
-        <source>With this setting varied, the film does not follow the part; give the film smaller cells or more points</source>
-        <translation>Mit dieser veränderten Einstellung folgt der Film dem Teil nicht; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
-    </message>
-    <message>
-        <source>Parts of the model are only %1 mm thick. The film may miss them, because the smallest possible cells of the distance field are %2 mm. Make these parts thicker, or dip a smaller piece of the model.</source>
-        <translation>Teile des Modells sind nur %1 mm dick. Der Film kann sie verfehlen, weil die kleinstmöglichen Zellen des Abstandsfelds %2 mm groß sind. Machen Sie diese Teile dicker oder tauchen Sie einen kleineren Abschnitt des Modells.</translation>
-    </message>
-    <message>
-        <source>The model is inside out, at least in parts. Film does not adhere to faces that point inwards. Import the model again; the import turns these faces.</source>
-        <translation>Das Modell ist zumindest teilweise umgestülpt. Film haftet nicht auf Flächen, die nach innen zeigen. Importieren Sie das Modell neu; der Import wendet diese Flächen.</translation>
     </message>
     <message>
         <source>Locating the film on the part</source>
@@ -1164,10 +1124,6 @@
         <translation>Die Blätter brauchen etwa %1 GB Speicher, aber dieser Rechner hat %2 GB; wählen Sie eine niedrigere Auflösung oder einen kleineren Film</translation>
     </message>
     <message>
-        <source>The CPU takes over from %1, which is not available: %2</source>
-        <translation>Die CPU übernimmt für %1, das nicht verfügbar ist: %2</translation>
-    </message>
-    <message>
         <source>The part does not meet the film; move it over the film or choose a larger film</source>
         <translation>Das Teil trifft den Film nicht; schieben Sie es über den Film oder wählen Sie einen größeren Film</translation>
     </message>
@@ -1188,18 +1144,6 @@
         <translation>Das Modell ist nicht geschlossen; Dipwright schätzt, was innen ist</translation>
     </message>
     <message>
-        <source>The model has no texture; its plain colours are printed</source>
-        <translation>Das Modell hat keine Textur; gedruckt werden seine einfachen Farben</translation>
-    </message>
-    <message>
-        <source>The part reaches past the edge of the tank “%1”; move or turn it</source>
-        <translation>Das Teil ragt über den Rand des Beckens „%1“ hinaus; verschieben oder drehen Sie es</translation>
-    </message>
-    <message>
-        <source>The part reaches past the film&apos;s edge; move or turn it, or %1</source>
-        <translation>Das Teil ragt über den Rand des Films hinaus; verschieben oder drehen Sie es, oder %1</translation>
-    </message>
-    <message>
         <source>Writing the motion files</source>
         <translation>Bewegungsdateien werden geschrieben</translation>
     </message>
@@ -1208,20 +1152,80 @@
         <translation>Abdeckungsbild wird geschrieben</translation>
     </message>
     <message>
-        <source>The comparison would need a film of %1 × %2 points, which is too many; halve the number of points to allow the comparison</source>
-        <translation>Der Vergleich bräuchte einen Film von %1 × %2 Punkten; das sind zu viele. Halbieren Sie die Zahl der Punkte, um ihn zu ermöglichen</translation>
+        <source>Simulating a deeper dip</source>
+        <translation>Tieferer Tauchvorgang wird simuliert</translation>
     </message>
     <message>
-        <source>The film&apos;s cells were reduced to %1 mm.</source>
-        <translation>Die Zellen des Films wurden auf %1 mm verkleinert.</translation>
+        <source>%1: the film&apos;s cells were reduced to %2 mm.</source>
+        <translation>%1: Die Zellen des Films wurden auf %2 mm verkleinert.</translation>
     </message>
     <message>
-        <source>The number of film points is fixed, so the film was not refined; set Film &gt; Resolution to cells.</source>
-        <translation>Die Zahl der Filmpunkte ist fest, deshalb wurde der Film nicht verfeinert; stellen Sie Film &gt; Auflösung auf Zellen.</translation>
+        <source>%1: cells of %2 mm might be small enough to print the sheet, but would need about %3 million points × steps; the project allows %4 million. Raise this limit (Film &gt; Work limit), or turn the part.</source>
+        <translation>%1: Mit Zellen von %2 mm ließe sich das Blatt vielleicht drucken. Dafür wären etwa %3 Millionen Punkte × Schritte nötig; das Projekt erlaubt %4 Millionen. Erhöhen Sie diese Grenze (Film &gt; Grenze für den Aufwand), oder drehen Sie das Teil.</translation>
     </message>
     <message>
-        <source>With cells of %1 mm, the sheets might be good enough to print. A dip would then need %2 million points × steps; at most %3 million are allowed. Raise this limit, or turn the part.</source>
-        <translation>Mit Zellen von %1 mm könnten die Blätter vielleicht gedruckt werden. Ein Tauchvorgang bräuchte dann %2 Millionen Punkte × Schritte; erlaubt sind höchstens %3 Millionen. Erhöhen Sie diese Grenze, oder drehen Sie das Teil.</translation>
+        <source>Film %1: %2 × %3 mm, pieces: %4, used area: %5 %</source>
+        <translation>Film %1: %2 × %3 mm, Stücke: %4, genutzte Fläche: %5 %</translation>
+    </message>
+    <message>
+        <source>Moving the results to their folder</source>
+        <translation>Ergebnisse werden in ihren Ordner verschoben</translation>
+    </message>
+    <message>
+        <source>White ink, cut contour and spot colours must have different names, but two of them are named %1; rename one</source>
+        <translation>Weiß, Schneidkontur und Sonderfarben müssen verschieden heißen, aber zwei davon heißen %1; benennen Sie eine um</translation>
+    </message>
+    <message>
+        <source>The artwork has %1 spot colours, more than the limit of %2; remove some</source>
+        <translation>Die Gestaltung hat %1 Sonderfarben, mehr als die höchstens %2; entfernen Sie einige</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable when this setting was varied; give the film smaller cells or more points</source>
+        <translation>Die Simulation wurde instabil, als diese Einstellung verändert wurde; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
+    </message>
+    <message>
+        <source>Some places of the model are only %1 mm thick. The film may miss them, because the smallest possible cells of the distance field are %2 mm. Make these places thicker, or dip a smaller section of the model.</source>
+        <translation>Einige Stellen des Modells sind nur %1 mm dick. Der Film kann sie verfehlen, weil die kleinstmöglichen Zellen des Abstandsfelds %2 mm groß sind. Machen Sie diese Stellen dicker oder tauchen Sie einen kleineren Abschnitt des Modells.</translation>
+    </message>
+    <message>
+        <source>The model is inside out, at least in some places. Film does not adhere to faces that point inwards. Import the model again; the import turns these faces outwards.</source>
+        <translation>Das Modell ist zumindest teilweise umgestülpt. Film haftet nicht auf Flächen, die nach innen zeigen. Importieren Sie das Modell neu; der Import wendet diese Flächen nach außen.</translation>
+    </message>
+    <message>
+        <source>The dip could not be repeated with smaller cells: %1</source>
+        <translation>Der Tauchvorgang konnte nicht mit kleineren Zellen wiederholt werden: %1</translation>
+    </message>
+    <message>
+        <source>The check of the numerical error would need a film of %1 × %2 points, which is too many; halve the number of film points</source>
+        <translation>Die Prüfung des numerischen Fehlers bräuchte einen Film von %1 × %2 Punkten; das sind zu viele. Halbieren Sie die Zahl der Filmpunkte</translation>
+    </message>
+    <message>
+        <source>The CPU is used instead of %1, which is not available: %2</source>
+        <translation>Die CPU wird verwendet, weil %1 nicht verfügbar ist: %2</translation>
+    </message>
+    <message>
+        <source>%2 took over, because %1 failed: %3</source>
+        <translation>%2 hat übernommen, weil %1 gescheitert ist: %3</translation>
+    </message>
+    <message>
+        <source>The model has no texture; the colours of its materials are printed</source>
+        <translation>Das Modell hat keine Textur; gedruckt werden die Farben seiner Materialien</translation>
+    </message>
+    <message>
+        <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
+        <translation>Das Teil ragt über den Rand des Beckens „%1“ hinaus; verschieben oder drehen Sie das Teil</translation>
+    </message>
+    <message>
+        <source>The part reaches past the film&apos;s edge; move or turn the part, or %1</source>
+        <translation>Das Teil ragt über den Rand des Films hinaus; verschieben oder drehen Sie das Teil, oder %1</translation>
+    </message>
+    <message>
+        <source>Writing the stretch maps of %1</source>
+        <translation>Dehnungskarten von %1 werden geschrieben</translation>
+    </message>
+    <message>
+        <source>Writing the tolerance map of %1</source>
+        <translation>Toleranzkarte von %1 wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -1253,14 +1257,6 @@
         <translation>Lagen werden probiert</translation>
     </message>
     <message>
-        <source>part %1 of %2</source>
-        <translation>Teil %1 von %2</translation>
-    </message>
-    <message>
-        <source>This is not a part of a pose search, or it is damaged; make it again</source>
-        <translation>Dies ist kein Teil einer Lagensuche, oder er ist beschädigt; erzeugen Sie ihn neu</translation>
-    </message>
-    <message>
         <source>Choose a number from %1 to %2</source>
         <translation>Wählen Sie eine Zahl von %1 bis %2</translation>
     </message>
@@ -1289,10 +1285,6 @@
         <translation>Gewicht einer Zone</translation>
     </message>
     <message>
-        <source>This part belongs to another search; make all parts from the same project with the same options and solver</source>
-        <translation>Dieser Teil gehört zu einer anderen Suche; erzeugen Sie alle Teile aus demselben Projekt mit denselben Optionen und demselben Solver</translation>
-    </message>
-    <message>
         <source>Narrow overlap</source>
         <translation>Schmale Überlappung</translation>
     </message>
@@ -1303,18 +1295,6 @@
     <message>
         <source>Rating directions by the part&apos;s shape</source>
         <translation>Richtungen werden nach der Form des Teils bewertet</translation>
-    </message>
-    <message>
-        <source>Give each of the %1 parts once; you gave %2</source>
-        <translation>Geben Sie jeden der %1 Teile einmal an; angegeben sind %2</translation>
-    </message>
-    <message>
-        <source>This part does not contain the dips that it should; make it again</source>
-        <translation>Dieser Teil enthält nicht die Tauchvorgänge, die er sollte; erzeugen Sie ihn neu</translation>
-    </message>
-    <message>
-        <source>No pose paints any of the part; choose a larger film</source>
-        <translation>Keine Lage bemalt etwas vom Teil; wählen Sie einen größeren Film</translation>
     </message>
     <message>
         <source>Dip %1</source>
@@ -1347,6 +1327,30 @@
     <message>
         <source>All weights are 0; set at least one weight above 0</source>
         <translation>Alle Gewichte sind 0; setzen Sie mindestens ein Gewicht über 0</translation>
+    </message>
+    <message>
+        <source>This file holds a part of another search; create all files from the same project with the same options and solver</source>
+        <translation>Diese Datei enthält einen Teil einer anderen Suche; erzeugen Sie alle Dateien aus demselben Projekt mit denselben Optionen und demselben Solver</translation>
+    </message>
+    <message>
+        <source>search part %1 of %2</source>
+        <translation>Teil %1 von %2 der Suche</translation>
+    </message>
+    <message>
+        <source>Give each of the %1 result files of the divided search exactly once; you gave %2 files</source>
+        <translation>Geben Sie jede der %1 Ergebnisdateien der aufgeteilten Suche genau einmal an; angegeben sind %2 Dateien</translation>
+    </message>
+    <message>
+        <source>This file does not contain all dips of its part of the search; create it again</source>
+        <translation>Diese Datei enthält nicht alle Tauchvorgänge ihres Teils der Suche; erzeugen Sie sie neu</translation>
+    </message>
+    <message>
+        <source>None of the simulated poses paints the part; choose a larger film</source>
+        <translation>Keine der simulierten Lagen bemalt das Teil; wählen Sie einen größeren Film</translation>
+    </message>
+    <message>
+        <source>This file holds no part of a pose search, or it is damaged; create it again with --shard</source>
+        <translation>Diese Datei enthält keinen Teil einer Lagensuche, oder sie ist beschädigt; erzeugen Sie sie mit --shard neu</translation>
     </message>
 </context>
 <context>
@@ -1478,16 +1482,12 @@
         <translation>Charge</translation>
     </message>
     <message>
-        <source>Use before</source>
-        <translation>Verwendbar bis</translation>
-    </message>
-    <message>
         <source>Behaviour on the water</source>
         <translation>Verhalten auf dem Wasser</translation>
     </message>
     <message>
         <source>Soak time</source>
-        <translation>Weichzeit</translation>
+        <translation>Einweichzeit</translation>
     </message>
     <message>
         <source>Activator time</source>
@@ -1563,20 +1563,12 @@
         <translation>Tiefenkompensierung</translation>
     </message>
     <message>
-        <source>Maps the darkest colour to the darkest that the printer can print, so that shadows stay distinct.</source>
-        <translation>Bildet die dunkelste Farbe auf die dunkelste ab, die der Drucker drucken kann, damit Schatten unterscheidbar bleiben.</translation>
-    </message>
-    <message>
         <source>The highest optical density per channel that the film holds.</source>
         <translation>Die höchste optische Dichte je Kanal, die der Film hält.</translation>
     </message>
     <message>
         <source>Total area coverage</source>
         <translation>Gesamtfarbauftrag</translation>
-    </message>
-    <message>
-        <source>The largest sum of the four inks at one place (TAC), with an ICC profile in CMYK. Cyan, magenta and yellow are reduced; black stays.</source>
-        <translation>Die größte Summe der vier Farben an einer Stelle (TAC), mit einem ICC-Profil in CMYK. Cyan, Magenta und Gelb werden verringert; Schwarz bleibt.</translation>
     </message>
     <message>
         <source>From the ICC profile</source>
@@ -1615,10 +1607,6 @@
         <translation>Das auf den Fotos gemessene Wachstum.</translation>
     </message>
     <message>
-        <source>Growth limit</source>
-        <translation>Grenze des Wachstums</translation>
-    </message>
-    <message>
         <source>The limit of the growth, measured from the photos.</source>
         <translation>Die auf den Fotos gemessene Grenze des Wachstums.</translation>
     </message>
@@ -1629,10 +1617,6 @@
     <message>
         <source>The relaxation time measured from photos of a dipped part.</source>
         <translation>Die auf Fotos eines getauchten Teils gemessene Relaxationszeit.</translation>
-    </message>
-    <message>
-        <source>Average distance between the corners in the photos and the corners computed from these values.</source>
-        <translation>Mittlerer Abstand zwischen den Ecken auf den Fotos und den aus diesen Werten berechneten Ecken.</translation>
     </message>
     <message>
         <source>The SHA-256 checksums of the photo files, to identify them.</source>
@@ -1651,14 +1635,6 @@
         <translation>Ein Datum wie 2027-03-31. Darf leer sein.</translation>
     </message>
     <message>
-        <source>Time from laying the film on the water to the activator.</source>
-        <translation>Zeit vom Auflegen des Films auf das Wasser bis zum Aktivator.</translation>
-    </message>
-    <message>
-        <source>Time from the activator to the dip.</source>
-        <translation>Zeit vom Aktivator bis zum Tauchvorgang.</translation>
-    </message>
-    <message>
         <source>Time from the dip to the rinse.</source>
         <translation>Zeit vom Tauchvorgang bis zum Abspülen.</translation>
     </message>
@@ -1673,10 +1649,6 @@
     <message>
         <source>Mark spacing</source>
         <translation>Abstand der Marken</translation>
-    </message>
-    <message>
-        <source>Printed length divided by true length, across the paper (X) and along its feed (Y). Sheets are scaled down by this factor. “Calibrate printer” measures the factor.</source>
-        <translation>Gedruckte Länge geteilt durch wahre Länge, quer zum Papier (X) und längs seines Einzugs (Y). Blätter werden um diesen Faktor verkleinert. „Drucker kalibrieren“ misst den Faktor.</translation>
     </message>
     <message>
         <source>The margins that the printer cannot reach at the left (L), top (T), right (R) and bottom (B) edge of the paper.</source>
@@ -1705,6 +1677,38 @@
     <message>
         <source>Distance between the tank&apos;s marks, across (X) and along (Y) the tank. The sheet&apos;s registration marks are aligned with the tank&apos;s marks. 0: no marks.</source>
         <translation>Abstand der Marken des Beckens, quer (X) und längs (Y) zum Becken. Die Passmarken des Blatts werden an den Marken des Beckens ausgerichtet. 0: keine Marken.</translation>
+    </message>
+    <message>
+        <source>Printed length divided by intended length, across the paper (X) and along its feed (Y). Sheets are divided by this factor, so that they print at true size. “Calibrate printer” measures the factor.</source>
+        <translation>Gedruckte Länge geteilt durch gewünschte Länge, quer zum Papier (X) und längs seines Einzugs (Y). Blätter werden durch diesen Faktor geteilt, damit sie in wahrer Größe gedruckt werden. „Drucker kalibrieren“ misst den Faktor.</translation>
+    </message>
+    <message>
+        <source>Maps the darkest colour of the image to the darkest colour that the printer can print, so that shadows stay distinct.</source>
+        <translation>Bildet die dunkelste Farbe des Bildes auf die dunkelste Farbe ab, die der Drucker drucken kann, damit Schatten unterscheidbar bleiben.</translation>
+    </message>
+    <message>
+        <source>The largest sum of the four inks at one place (TAC). Where the sum is larger, cyan, magenta and yellow are reduced; black stays. Used only with a CMYK ICC profile.</source>
+        <translation>Die größte Summe der vier Farben an einer Stelle (TAC). Wo die Summe größer ist, werden Cyan, Magenta und Gelb verringert; Schwarz bleibt. Nur mit einem CMYK-ICC-Profil verwendet.</translation>
+    </message>
+    <message>
+        <source>Measured growth limit</source>
+        <translation>Gemessene Grenze des Wachstums</translation>
+    </message>
+    <message>
+        <source>Average distance between the corners of the printed squares in the photos and their positions computed from these values.</source>
+        <translation>Mittlerer Abstand zwischen den Ecken der gedruckten Quadrate auf den Fotos und ihren aus diesen Werten berechneten Positionen.</translation>
+    </message>
+    <message>
+        <source>Use by</source>
+        <translation>Haltbar bis</translation>
+    </message>
+    <message>
+        <source>Time from laying the film on the water to spraying the activator.</source>
+        <translation>Zeit vom Auflegen des Films auf das Wasser bis zum Aufsprühen des Aktivators.</translation>
+    </message>
+    <message>
+        <source>Time from spraying the activator to the dip.</source>
+        <translation>Zeit vom Aufsprühen des Aktivators bis zum Tauchvorgang.</translation>
     </message>
 </context>
 <context>
@@ -1738,16 +1742,8 @@
         <translation>Das ICC-Profil ist kein gültiger Base64-Text; importieren Sie es neu</translation>
     </message>
     <message>
-        <source>%1 is not a date; write it as 2027-03-31</source>
-        <translation>%1 ist kein Datum; schreiben Sie es wie 2027-03-31</translation>
-    </message>
-    <message>
         <source>The profile has version %1 of the file format, but this program reads only up to version %2; open it with a newer Dipwright</source>
         <translation>Das Profil hat die Version %1 des Dateiformats, aber dieses Programm liest nur bis Version %2; öffnen Sie es mit einem neueren Dipwright</translation>
-    </message>
-    <message>
-        <source>This profile has no such value; it has %1</source>
-        <translation>Diesen Wert gibt es in diesem Profil nicht; es gibt %1</translation>
     </message>
     <message>
         <source>Another program is writing the profile (%1); try again</source>
@@ -1758,10 +1754,6 @@
         <translation>Eine Datei dieses Namens ist vorhanden und nicht als Profil lesbar, deshalb wird sie nicht ersetzt; berichtigen oder verschieben Sie sie, oder wählen Sie einen anderen Namen: %1</translation>
     </message>
     <message>
-        <source>There is no %1 profile of this name; there are: %2</source>
-        <translation>Ein Profil für %1 mit diesem Namen gibt es nicht; es gibt: %2</translation>
-    </message>
-    <message>
         <source>Another program has changed the profile since it was read, so it is not saved; read it again and repeat your change</source>
         <translation>Ein anderes Programm hat das Profil geändert, seit es gelesen wurde, deshalb wird es nicht gespeichert; lesen Sie es neu und wiederholen Sie Ihre Änderung</translation>
     </message>
@@ -1770,16 +1762,28 @@
         <translation>Der Ordner für Profile kann nicht angelegt werden; wählen Sie mit DIPWRIGHT_PROFILE_PATH einen anderen</translation>
     </message>
     <message>
-        <source>You have no %1 profile of this name</source>
-        <translation>Sie haben kein Profil für %1 mit diesem Namen</translation>
-    </message>
-    <message>
         <source>There is no such kind of profile; use printer, film or tank</source>
         <translation>Diese Art Profil gibt es nicht; nehmen Sie printer, film oder tank</translation>
     </message>
     <message>
-        <source>The film %1 expired on %2; use a fresh lot, or test this one first</source>
-        <translation>Der Film %1 ist am %2 abgelaufen; nehmen Sie eine frische Charge oder testen Sie zuerst diese</translation>
+        <source>%1 is not a date; write year, month and day, for example 2027-03-31</source>
+        <translation>%1 ist kein Datum; schreiben Sie Jahr, Monat und Tag, zum Beispiel 2027-03-31</translation>
+    </message>
+    <message>
+        <source>This profile has no value of this name; choose one of: %1</source>
+        <translation>Dieses Profil hat keinen Wert dieses Namens; wählen Sie einen von: %1</translation>
+    </message>
+    <message>
+        <source>There is no %1 profile of this name; choose one of: %2</source>
+        <translation>Ein Profil für %1 mit diesem Namen gibt es nicht; wählen Sie eines von: %2</translation>
+    </message>
+    <message>
+        <source>You have no %1 profile of this name; profiles that come with the program cannot be removed</source>
+        <translation>Sie haben kein Profil für %1 mit diesem Namen; mitgelieferte Profile können nicht entfernt werden</translation>
+    </message>
+    <message>
+        <source>The film %1 expired on %2; use a new lot, or test this lot first</source>
+        <translation>Der Film %1 ist am %2 abgelaufen; nehmen Sie eine neue Charge oder testen Sie zuerst diese Charge</translation>
     </message>
 </context>
 <context>
@@ -1829,10 +1833,6 @@
         <translation>Das ist kein Dipwright-Projekt</translation>
     </message>
     <message>
-        <source>there are %1</source>
-        <translation>es gibt %1</translation>
-    </message>
-    <message>
         <source>%1 must be an array of at most %2 entries</source>
         <translation>%1 muss eine Liste mit höchstens %2 Einträgen sein</translation>
     </message>
@@ -1851,10 +1851,6 @@
     <message>
         <source>%1 is not allowed here; expected %2</source>
         <translation>%1 ist hier nicht erlaubt; erwartet wird %2</translation>
-    </message>
-    <message>
-        <source>%1 is not allowed here; expected %2 parts, each of them %3</source>
-        <translation>%1 ist hier nicht erlaubt; erwartet werden %2 Teile, jeder davon %3</translation>
     </message>
     <message>
         <source>There is no film size of this name; use one of %1</source>
@@ -1899,6 +1895,14 @@
     <message>
         <source>“%1” is not a colour; write it as #1a2b3c</source>
         <translation>„%1“ ist keine Farbe; schreiben Sie sie als #1a2b3c</translation>
+    </message>
+    <message>
+        <source>%1 is not allowed here; expected %2 values, each of them %3</source>
+        <translation>%1 ist hier nicht erlaubt; erwartet werden %2 Werte, jeder davon %3</translation>
+    </message>
+    <message>
+        <source>the settings in this section are %1</source>
+        <translation>die Einstellungen dieses Abschnitts sind %1</translation>
     </message>
 </context>
 <context>
@@ -2126,10 +2130,6 @@
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>Margin</source>
-        <translation>Zugabe</translation>
-    </message>
-    <message>
         <source>Limits</source>
         <translation>Grenzen</translation>
     </message>
@@ -2170,20 +2170,12 @@
         <translation>Papier</translation>
     </message>
     <message>
-        <source>As the film</source>
-        <translation>Wie der Film</translation>
-    </message>
-    <message>
         <source>Landscape</source>
         <translation>Querformat</translation>
     </message>
     <message>
         <source>Bleed</source>
         <translation>Beschnitt</translation>
-    </message>
-    <message>
-        <source>On the page</source>
-        <translation>Auf der Seite</translation>
     </message>
     <message>
         <source>Registration marks</source>
@@ -2354,18 +2346,6 @@
         <translation>Schmale Überlappung</translation>
     </message>
     <message>
-        <source>Bare in a zone</source>
-        <translation>Unbemalt in einer Zone</translation>
-    </message>
-    <message>
-        <source>Film&apos;s edge</source>
-        <translation>Rand des Films</translation>
-    </message>
-    <message>
-        <source>No picture</source>
-        <translation>Kein Bild</translation>
-    </message>
-    <message>
         <source>Repaired model</source>
         <translation>Berichtigtes Modell</translation>
     </message>
@@ -2406,14 +2386,6 @@
         <translation>Seitenlänge der Zellen des simulierten Films, wo das Teil in den Film eintaucht. Kleinere Zellen zeigen feinere Einzelheiten und brauchen länger.</translation>
     </message>
     <message>
-        <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice joins only horizontal and vertical neighbours, as in the paper of 2020.</source>
-        <translation>Isotroper Film widersteht Scherung; das Ergebnis hängt nicht von der Richtung des Gitters ab. Das strukturelle Gitter verbindet nur waagerechte und senkrechte Nachbarn, wie in der Arbeit von 2020.</translation>
-    </message>
-    <message>
-        <source>Whether the water supports the floating film. Without it, nothing supports the film.</source>
-        <translation>Ob das Wasser den schwimmenden Film trägt. Sonst trägt ihn nichts.</translation>
-    </message>
-    <message>
         <source>Gap between the cradle and the part that lies in it.</source>
         <translation>Abstand zwischen der Halterung und dem Teil, das in ihr liegt.</translation>
     </message>
@@ -2436,10 +2408,6 @@
     <message>
         <source>Distance to the film</source>
         <translation>Abstand zum Film</translation>
-    </message>
-    <message>
-        <source>Distance from the cradle to all places that the film reaches or that earlier dips have painted.</source>
-        <translation>Abstand der Halterung zu allen Stellen, die der Film erreicht oder die frühere Tauchvorgänge bemalt haben.</translation>
     </message>
     <message>
         <source>Space for felt or foam where the cradle rests on paint.</source>
@@ -2487,7 +2455,7 @@
     </message>
     <message>
         <source>Depth of the engraved arrow, dip number and job number in the plate. 0: no engraving.</source>
-        <translation>Tiefe der Gravur von Pfeil, Tauchvorgang und Auftragsnummer in der Platte. 0: keine Gravur.</translation>
+        <translation>Tiefe, in der Pfeil, Nummer des Tauchvorgangs und Auftragsnummer in die Platte graviert werden. 0: keine Gravur.</translation>
     </message>
     <message>
         <source>Side length of the cells on which the cradle is computed. Smaller cells give a smoother surface, take longer and make larger files.</source>
@@ -2530,10 +2498,6 @@
         <translation>Jacobi korrigiert alle Punkte zugleich und mittelt die Korrekturen. Gauß–Seidel korrigiert einen Punkt nach dem anderen.</translation>
     </message>
     <message>
-        <source>Keeps film from passing through other film.</source>
-        <translation>Verhindert, dass Film durch anderen Film dringt.</translation>
-    </message>
-    <message>
         <source>The name of this dip. It is printed in the job line of its sheet.</source>
         <translation>Der Name dieses Tauchvorgangs. Er wird in der Auftragszeile seines Blatts gedruckt.</translation>
     </message>
@@ -2566,10 +2530,6 @@
         <translation>Wo sich der Film eines Tauchvorgangs über diesen Faktor hinaus dehnt, bemalt der andere Tauchvorgang das Teil, wenn er kann.</translation>
     </message>
     <message>
-        <source>The page that the film image is placed on. “As the film” prints the film itself, edge to edge.</source>
-        <translation>Die Seite, auf die das Filmbild gelegt wird. „Wie der Film“ druckt den Film selbst, von Rand zu Rand.</translation>
-    </message>
-    <message>
         <source>Turns the page on its side.</source>
         <translation>Legt die Seite quer.</translation>
     </message>
@@ -2579,7 +2539,7 @@
     </message>
     <message>
         <source>How far the colour continues beyond the painted area, so that a small position error leaves no bare edge.</source>
-        <translation>Wie weit die Farbe über die bemalte Fläche hinaus weitergeht, damit ein kleiner Lagefehler keinen unbemalten Rand lässt.</translation>
+        <translation>Wie weit die Farbe über die bemalte Fläche hinausreicht, damit ein kleiner Lagefehler keinen unbemalten Rand lässt.</translation>
     </message>
     <message>
         <source>Marks in the corners, for aligning the film in the tank.</source>
@@ -2598,14 +2558,6 @@
         <translation>Farbe des Teils</translation>
     </message>
     <message>
-        <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. For PDF and TIFF in CMYK.</source>
-        <translation>Eine Platte mit weißer Farbe. Zuletzt gedrucktes Weiß berührt das Teil, unter den Farben. Zuerst gedrucktes Weiß liegt außen, über den Farben. Für PDF und TIFF in CMYK.</translation>
-    </message>
-    <message>
-        <source>Tint of the white on the finished part. Where the film stretches, more is printed, up to the full tint.</source>
-        <translation>Tonwert des Weiß auf dem fertigen Teil. Wo sich der Film dehnt, wird mehr gedruckt, bis zum vollen Ton.</translation>
-    </message>
-    <message>
         <source>How far the edge of the white stays inside the edge of the colour, on the film.</source>
         <translation>Wie weit der Rand des Weiß innerhalb des Rands der Farbe bleibt, auf dem Film.</translation>
     </message>
@@ -2622,10 +2574,6 @@
         <translation>Schneidkontur</translation>
     </message>
     <message>
-        <source>A contour for the cutter, as a spot colour in a PDF in CMYK.</source>
-        <translation>Eine Kontur für den Schneideplotter, als Sonderfarbe in einem PDF in CMYK.</translation>
-    </message>
-    <message>
         <source>Around the ink</source>
         <translation>Um die Farbe herum</translation>
     </message>
@@ -2639,7 +2587,7 @@
     </message>
     <message>
         <source>How far the colours continue beyond the cut contour, so that a misplaced cut shows no bare film.</source>
-        <translation>Wie weit die Farben über die Schneidkontur hinaus weitergehen, damit ein verrutschter Schnitt keinen leeren Film zeigt.</translation>
+        <translation>Wie weit die Farben über die Schneidkontur hinausreichen, damit ein verrutschter Schnitt keinen leeren Film zeigt.</translation>
     </message>
     <message>
         <source>Contour name</source>
@@ -2652,10 +2600,6 @@
     <message>
         <source>Correct repeating errors</source>
         <translation>Wiederkehrende Fehler korrigieren</translation>
-    </message>
-    <message>
-        <source>Corrects the sheet by the errors that repeat on the finished parts recorded in the job.</source>
-        <translation>Korrigiert das Blatt um die Fehler, die sich an den im Auftrag erfassten fertigen Teilen wiederholen.</translation>
     </message>
     <message>
         <source>How much of the repeating error is corrected.</source>
@@ -2706,10 +2650,6 @@
         <translation>Wie viel länger oder kürzer als angenommen der schwimmende Film sein darf, als Anteil seiner Länge.</translation>
     </message>
     <message>
-        <source>How much deeper or less deep the part may be dipped.</source>
-        <translation>Wie viel tiefer oder weniger tief das Teil getaucht werden darf.</translation>
-    </message>
-    <message>
         <source>The share of the part&apos;s surface that trapped air may keep dry. Above five times any of these limits, the verdict is “do not print”.</source>
         <translation>Der Anteil der Oberfläche des Teils, den eingeschlossene Luft trocken halten darf. Über dem Fünffachen einer dieser Grenzen lautet das Urteil „Nicht drucken“.</translation>
     </message>
@@ -2738,10 +2678,6 @@
         <translation>Das Urteil für ein einfarbiges Modell ohne Gestaltung.</translation>
     </message>
     <message>
-        <source>The verdict for a model that was repaired, or whose file names something that is missing.</source>
-        <translation>Das Urteil für ein Modell, das berichtigt wurde oder dessen Datei etwas nennt, das fehlt.</translation>
-    </message>
-    <message>
         <source>The verdict for a film whose swell was not measured.</source>
         <translation>Das Urteil für einen Film, dessen Quellung nicht gemessen wurde.</translation>
     </message>
@@ -2756,10 +2692,6 @@
     <message>
         <source>Number of simulated dips with all deviations at once. They check whether the separate effects add up. 0: no check.</source>
         <translation>Anzahl simulierter Tauchvorgänge mit allen Abweichungen zugleich. Sie prüfen, ob sich die einzelnen Wirkungen addieren. 0: keine Prüfung.</translation>
-    </message>
-    <message>
-        <source>Selects the random deviations of these dips. Another number draws other deviations.</source>
-        <translation>Bestimmt die zufälligen Abweichungen dieser Tauchvorgänge. Eine andere Zahl zieht andere Abweichungen.</translation>
     </message>
     <message>
         <source>Seam</source>
@@ -2806,20 +2738,100 @@
         <translation>Breite, auf dem Teil gemessen, des Streifens längs der Naht, den beide Tauchvorgänge bemalen. Die Tauchvorgänge gehen dort ineinander über. Der Streifen ist breiter, wo der Passfehler sichtbar würde.</translation>
     </message>
     <message>
-        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. Empty: the part is light grey, and the ink is as on white.</source>
-        <translation>Farbe des unbemalten Teils, zum Beispiel #1a2b3c. Vorschau und Ansicht zeigen die Druckfarbe darauf. Leer: Das Teil ist hellgrau, die Druckfarbe wie auf Weiß.</translation>
-    </message>
-    <message>
-        <source>Verdict: limits for “check first”</source>
-        <translation>Urteil: Grenzen für „zuerst prüfen“</translation>
-    </message>
-    <message>
         <source>May touch painted areas</source>
         <translation>Darf bemalte Flächen berühren</translation>
     </message>
     <message>
         <source>Whether the cradle may support the part on areas that earlier dips have painted, with padding in between.</source>
         <translation>Ob die Halterung das Teil auf Flächen stützen darf, die frühere Tauchvorgänge bemalt haben, mit Polster dazwischen.</translation>
+    </message>
+    <message>
+        <source>Work limit</source>
+        <translation>Grenze für den Aufwand</translation>
+    </message>
+    <message>
+        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells, but never with more than this many million points × steps. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
+        <translation>Ist der numerische Fehler zu groß, um ein Blatt zu drucken, wird der Tauchvorgang mit kleineren Zellen wiederholt, aber nie mit mehr als so vielen Millionen Punkten × Schritten. 60 dauern auf zwei Kernen etwa 20 s. 0: Der Tauchvorgang wird nicht wiederholt.</translation>
+    </message>
+    <message>
+        <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice connects each point only with its horizontal and vertical neighbours, as in the publication of 2020.</source>
+        <translation>Isotroper Film widersteht Scherung; das Ergebnis hängt nicht von der Richtung des Gitters ab. Das strukturelle Gitter verbindet jeden Punkt nur mit seinen waagerechten und senkrechten Nachbarn, wie in der Veröffentlichung von 2020.</translation>
+    </message>
+    <message>
+        <source>Water: the water supports the floating film. None: nothing supports the film.</source>
+        <translation>Wasser: Das Wasser trägt den schwimmenden Film. Keine: Nichts trägt den Film.</translation>
+    </message>
+    <message>
+        <source>Smallest distance from the cradle to any place that the film reaches or that earlier dips have painted.</source>
+        <translation>Kleinster Abstand der Halterung zu allen Stellen, die der Film erreicht oder die frühere Tauchvorgänge bemalt haben.</translation>
+    </message>
+    <message>
+        <source>Extra depth</source>
+        <translation>Zusätzliche Tiefe</translation>
+    </message>
+    <message>
+        <source>Prevents the film from passing through itself.</source>
+        <translation>Verhindert, dass der Film durch sich selbst dringt.</translation>
+    </message>
+    <message>
+        <source>The page that the film image is placed on. “Same as the film” prints the film itself, edge to edge.</source>
+        <translation>Die Seite, auf die das Filmbild gelegt wird. „Wie der Film“ druckt den Film selbst, von Rand zu Rand.</translation>
+    </message>
+    <message>
+        <source>Same as the film</source>
+        <translation>Wie der Film</translation>
+    </message>
+    <message>
+        <source>Marks and text</source>
+        <translation>Marken und Text</translation>
+    </message>
+    <message>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, and the ink as on white.</source>
+        <translation>Farbe des unbemalten Teils, zum Beispiel #1a2b3c. Vorschau und Ansicht zeigen die Druckfarbe darauf. Wenn leer, zeigen sie ein hellgraues Teil und die Druckfarbe wie auf Weiß.</translation>
+    </message>
+    <message>
+        <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. Only in CMYK files (PDF and TIFF).</source>
+        <translation>Eine Platte mit weißer Farbe. Zuletzt gedrucktes Weiß berührt das Teil, unter den Farben. Zuerst gedrucktes Weiß liegt außen, über den Farben. Nur in CMYK-Dateien (PDF und TIFF).</translation>
+    </message>
+    <message>
+        <source>How dense the white is on the finished part; 100 % is solid white. Where the film stretches, more white is printed, up to 100 %.</source>
+        <translation>Wie dicht das Weiß auf dem fertigen Teil ist; 100 % ist Vollton. Wo sich der Film dehnt, wird mehr Weiß gedruckt, bis zu 100 %.</translation>
+    </message>
+    <message>
+        <source>The line that the cutter follows, as a spot colour in a CMYK PDF.</source>
+        <translation>Die Linie, der der Schneideplotter folgt, als Sonderfarbe in einem CMYK-PDF.</translation>
+    </message>
+    <message>
+        <source>Shifts the image on the sheet so that it cancels the error that repeats on the measured parts.</source>
+        <translation>Verschiebt das Bild auf dem Blatt so, dass es den Fehler ausgleicht, der sich an den gemessenen Teilen wiederholt.</translation>
+    </message>
+    <message>
+        <source>How much higher or lower than intended the water may stand. The part is then dipped deeper or less deep.</source>
+        <translation>Wie viel höher oder tiefer als vorgesehen das Wasser stehen darf. Das Teil wird dann tiefer oder weniger tief getaucht.</translation>
+    </message>
+    <message>
+        <source>Limits beyond which the verdict is “check first”</source>
+        <translation>Grenzen, ab denen das Urteil „zuerst prüfen“ lautet</translation>
+    </message>
+    <message>
+        <source>Unpainted in a zone</source>
+        <translation>Unbemalt in einer Zone</translation>
+    </message>
+    <message>
+        <source>Distance to film&apos;s edge</source>
+        <translation>Abstand zum Filmrand</translation>
+    </message>
+    <message>
+        <source>No texture or artwork</source>
+        <translation>Weder Textur noch Gestaltung</translation>
+    </message>
+    <message>
+        <source>The verdict for a model that was repaired, or that refers to a missing file.</source>
+        <translation>Das Urteil für ein Modell, das berichtigt wurde oder auf eine fehlende Datei verweist.</translation>
+    </message>
+    <message>
+        <source>Start value of the random deviations in the simulated dips. Another value gives other deviations.</source>
+        <translation>Startwert der zufälligen Abweichungen in den simulierten Tauchvorgängen. Ein anderer Wert ergibt andere Abweichungen.</translation>
     </message>
 </context>
 <context>
@@ -2845,10 +2857,6 @@
         <translation>Filmdreiecke über Texturnähten</translation>
     </message>
     <message>
-        <source>Simulated in</source>
-        <translation>Simuliert in</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -2859,10 +2867,6 @@
     <message>
         <source>Width of the overlap</source>
         <translation>Breite der Überlappung</translation>
-    </message>
-    <message>
-        <source>Not reached at %1</source>
-        <translation>Nicht erreicht bei %1</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -2889,10 +2893,6 @@
         <translation>Länge der Naht</translation>
     </message>
     <message>
-        <source>Smaller areas not reached</source>
-        <translation>Kleinere nicht erreichte Flächen</translation>
-    </message>
-    <message>
         <source>Seam</source>
         <translation>Naht</translation>
     </message>
@@ -2909,10 +2909,6 @@
         <translation>Rücklesefehler, Mittel und 95 %</translation>
     </message>
     <message>
-        <source>Too pale for lack of ink</source>
-        <translation>Zu blass mangels Farbe</translation>
-    </message>
-    <message>
         <source>Trapped air</source>
         <translation>Eingeschlossene Luft</translation>
     </message>
@@ -2921,16 +2917,32 @@
         <translation>Nicht konvergierte Schritte</translation>
     </message>
     <message>
-        <source>Most of the film stays empty. %1 (%2 × %3) is large enough.</source>
-        <translation>Der größte Teil des Films bleibt leer. %1 (%2 × %3) ist groß genug.</translation>
-    </message>
-    <message>
         <source>Use this film</source>
         <translation>Diesen Film verwenden</translation>
     </message>
     <message>
-        <source>Painted by torn, released or unconverged film</source>
-        <translation>Von gerissenem, gelöstem oder nicht konvergiertem Film bemalt</translation>
+        <source>Area not reached, at %1</source>
+        <translation>Nicht erreichte Fläche, bei %1</translation>
+    </message>
+    <message>
+        <source>Number of smaller areas not reached</source>
+        <translation>Anzahl kleinerer nicht erreichter Flächen</translation>
+    </message>
+    <message>
+        <source>Area painted by film that tore, was released or did not converge</source>
+        <translation>Fläche, bemalt von Film, der riss, sich löste oder nicht konvergierte</translation>
+    </message>
+    <message>
+        <source>Area too pale because of the ink limit</source>
+        <translation>Wegen des Tintenlimits zu blasse Fläche</translation>
+    </message>
+    <message>
+        <source>Simulation time</source>
+        <translation>Dauer der Simulation</translation>
+    </message>
+    <message>
+        <source>Most of the film stays empty. A film of format %1 (%2 × %3) is large enough.</source>
+        <translation>Der größte Teil des Films bleibt leer. Ein Film im Format %1 (%2 × %3) ist groß genug.</translation>
     </message>
 </context>
 <context>
@@ -3104,10 +3116,6 @@
         <translation>„priority“ in seiner Beschreibung muss eine ganze Zahl von -%1 bis %1 sein</translation>
     </message>
     <message>
-        <source>Its module does not match this program&apos;s solver interface %1, although its description file says so; build it again</source>
-        <translation>Sein Modul passt nicht zur Solverschnittstelle %1 dieses Programms, obwohl seine Beschreibungsdatei das sagt; bauen Sie es neu</translation>
-    </message>
-    <message>
         <source>It cannot run here and does not say why; ask its author</source>
         <translation>Er kann hier nicht laufen und sagt nicht, warum; fragen Sie seinen Hersteller</translation>
     </message>
@@ -3134,6 +3142,10 @@
     <message>
         <source>Its module must be in the same folder as its description; give the file&apos;s name without a path</source>
         <translation>Sein Modul muss im selben Ordner liegen wie seine Beschreibung; geben Sie den Dateinamen ohne Pfad an</translation>
+    </message>
+    <message>
+        <source>Its module does not match this program&apos;s solver interface %1, although its description file says that it does; build it again</source>
+        <translation>Sein Modul passt nicht zur Solverschnittstelle %1 dieses Programms, obwohl seine Beschreibungsdatei das angibt; bauen Sie es neu</translation>
     </message>
 </context>
 <context>
@@ -3194,30 +3206,6 @@
         <translation>Zone %1 wird nicht bemalt.</translation>
     </message>
     <message>
-        <source>A film displaced within its tolerance does not follow the part; give the film smaller cells or more points</source>
-        <translation>Ein innerhalb seiner Toleranz verschobener Film folgt dem Teil nicht; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
-    </message>
-    <message>
-        <source>Dipping with deviations</source>
-        <translation>Tauchen mit Abweichungen</translation>
-    </message>
-    <message>
-        <source>Check: %1 dips with all deviations at once give ±%2; the sum of the contributors gives ±%3. Both agree.</source>
-        <translation>Prüfung: %1 Tauchvorgänge mit allen Abweichungen zugleich ergeben ±%2; die Summe der Beiträge ergibt ±%3. Beides stimmt überein.</translation>
-    </message>
-    <message>
-        <source>Check: %1 dips with all deviations at once give ±%2; the sum of the contributors gives ±%3. They differ: the contributors do not simply add up here.</source>
-        <translation>Prüfung: %1 Tauchvorgänge mit allen Abweichungen zugleich ergeben ±%2; die Summe der Beiträge ergibt ±%3. Beides weicht voneinander ab: Die Beiträge lassen sich hier nicht einfach addieren.</translation>
-    </message>
-    <message>
-        <source>Zone %1 keeps its limit of ±%3: %2 % of the painted area is within it, 95 % is within ±%4. Largest contributor: %5.</source>
-        <translation>Zone %1 hält ihre Grenze von ±%3 ein: %2 % der bemalten Fläche liegen innerhalb der Grenze, 95 % innerhalb von ±%4. Größter Beitrag: %5.</translation>
-    </message>
-    <message>
-        <source>Zone %1 exceeds its limit of ±%3: only %2 % of the painted area is within it, 95 % is within ±%4. Largest contributor: %5.</source>
-        <translation>Zone %1 überschreitet ihre Grenze von ±%3: Nur %2 % der bemalten Fläche liegen innerhalb der Grenze, 95 % innerhalb von ±%4. Größter Beitrag: %5.</translation>
-    </message>
-    <message>
         <source>Position of the part along X</source>
         <translation>Lage des Teils entlang X</translation>
     </message>
@@ -3248,6 +3236,30 @@
     <message>
         <source>Rotation of the film about Y</source>
         <translation>Drehung des Films um Y</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable in a dip with deviations; give the film smaller cells or more points</source>
+        <translation>Die Simulation wurde in einem Tauchvorgang mit Abweichungen instabil; geben Sie dem Film kleinere Zellen oder mehr Punkte</translation>
+    </message>
+    <message>
+        <source>Simulating dips with deviations</source>
+        <translation>Tauchvorgänge mit Abweichungen werden simuliert</translation>
+    </message>
+    <message>
+        <source>Check: with all deviations at once, %1 simulated dips give a displacement of ±%2 (95 % of the painted area). The sum of the contributors gives ±%3. Both agree.</source>
+        <translation>Prüfung: Mit allen Abweichungen zugleich ergeben %1 simulierte Tauchvorgänge eine Verschiebung von ±%2 (95 % der bemalten Fläche). Die Summe der Beiträge ergibt ±%3. Beides stimmt überein.</translation>
+    </message>
+    <message>
+        <source>Check: with all deviations at once, %1 simulated dips give a displacement of ±%2 (95 % of the painted area). The sum of the contributors gives ±%3. The two differ, because the effects of the contributors do not simply add up here.</source>
+        <translation>Prüfung: Mit allen Abweichungen zugleich ergeben %1 simulierte Tauchvorgänge eine Verschiebung von ±%2 (95 % der bemalten Fläche). Die Summe der Beiträge ergibt ±%3. Beides weicht voneinander ab, weil sich die Beiträge hier nicht einfach addieren.</translation>
+    </message>
+    <message>
+        <source>Zone %1 keeps its limit of ±%3: on %2 % of the painted area, the image is displaced by less than this limit, and on 95 % by ±%4 or less. Largest contributor: %5.</source>
+        <translation>Zone %1 hält ihre Grenze von ±%3 ein: Auf %2 % der bemalten Fläche ist das Bild um weniger als diese Grenze verschoben, auf 95 % um höchstens ±%4. Größter Beitrag: %5.</translation>
+    </message>
+    <message>
+        <source>Zone %1 exceeds its limit of ±%3: on only %2 % of the painted area, the image is displaced by less than this limit, and on 95 % by ±%4 or less. Largest contributor: %5.</source>
+        <translation>Zone %1 überschreitet ihre Grenze von ±%3: Nur auf %2 % der bemalten Fläche ist das Bild um weniger als diese Grenze verschoben, auf 95 % um höchstens ±%4. Größter Beitrag: %5.</translation>
     </message>
 </context>
 <context>
@@ -3405,8 +3417,8 @@
         <translation>Das Teil mit dem Bild unten vergleichen.</translation>
     </message>
     <message>
-        <source>After dip %1 the part should look like this (seen from lower edge, right edge, below)</source>
-        <translation>Nach Tauchvorgang %1 soll das Teil so aussehen (von unterer Kante, rechter Kante, unten)</translation>
+        <source>After dip %1 the part should look like this (seen from the lower edge, the right edge and below)</source>
+        <translation>Nach Tauchvorgang %1 soll das Teil so aussehen (von der unteren Kante, der rechten Kante und von unten gesehen)</translation>
     </message>
 </context>
 <context>
@@ -3519,32 +3531,8 @@
         <translation>Diese Stellen zuerst prüfen</translation>
     </message>
     <message>
-        <source>The numerical error is not known: this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Cells).</source>
-        <translation>Der numerische Fehler ist unbekannt: Dieser Tauchvorgang und die gröberen Tauchvorgänge zum Vergleich bemalen keine gemeinsame Stelle. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the part, or dip it twice.</source>
-        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie Film &gt; Zellen auf %3, drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
-        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte), drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
-        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Drehen Sie das Teil, tauchen Sie es zweimal oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Zellen).</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. The steps cause most of it: set a smaller step (Dipping &gt; Step).</source>
-        <translation>Numerischer Fehler: 95 % der bemalten Fläche liegen innerhalb von %1; die Grenze ist %2. Das meiste davon verursachen die Schritte: Setzen Sie einen kleineren Schritt (Tauchen &gt; Schritt).</translation>
-    </message>
-    <message>
         <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places in the list.</source>
         <translation>Der numerische Fehler kann auf %1 % der bemalten Fläche größer als %2 sein. Prüfen Sie die Stellen in der Liste.</translation>
-    </message>
-    <message>
-        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and bare. Set smaller cells (Film &gt; Cells).</source>
-        <translation>Der Rand der bemalten Fläche ist unsicher: Mit anderen Zellen oder Schritten wechseln %1 % des Teils zwischen bemalt und unbemalt. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
     </message>
     <message>
         <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
@@ -3567,20 +3555,12 @@
         <translation>Der Film riss oder löste sich auf %1 % der bemalten Fläche; die Grenze ist %2 %. Drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
     </message>
     <message>
-        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the part to the film&apos;s centre.</source>
-        <translation>Der bemalte Film reicht bis auf %1 an den Rand des Films; mindestens %2 sind nötig. Nehmen Sie einen größeren Film oder rücken Sie das Teil in die Mitte des Films.</translation>
-    </message>
-    <message>
         <source>%1 % of the part is painted by neither dip; the limit is %2 %. Turn the part in one of the dips.</source>
         <translation>%1 % des Teils werden von keinem Tauchvorgang bemalt; die Grenze ist %2 %. Drehen Sie das Teil in einem der Tauchvorgänge.</translation>
     </message>
     <message>
         <source>%1 % of the overlap is too narrow; the limit is %2 %. A small placement error of the second film shows there. Widen the overlap (Seam &gt; Overlap), or turn the part in one of the dips.</source>
         <translation>%1 % der Überlappung sind zu schmal; die Grenze ist %2 %. Dort ist ein kleiner Lagefehler des zweiten Films zu sehen. Verbreitern Sie die Überlappung (Naht &gt; Überlappung) oder drehen Sie das Teil in einem der Tauchvorgänge.</translation>
-    </message>
-    <message>
-        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
-        <translation>Handhabung und numerischer Fehler zusammen: 95 % der bemalten Fläche liegen innerhalb von ±%1; die Grenze ist ±%2. Verringern Sie den größten Beitrag oder drehen Sie das Teil.</translation>
     </message>
     <message>
         <source>%1: numerical error up to %3; the limit is %2</source>
@@ -3591,8 +3571,40 @@
         <translation>%1 % der Zone sind nicht bemalt; die Grenze ist %2 %. Drehen Sie das Teil so, dass Film die Zone erreicht.</translation>
     </message>
     <message>
-        <source>95 % of the sheet is within %1 (numerical error).</source>
-        <translation>95 % des Blatts liegen innerhalb von %1 (numerischer Fehler).</translation>
+        <source>The numerical error is not known, because this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Cells).</source>
+        <translation>Der numerische Fehler ist unbekannt, weil dieser Tauchvorgang und die gröberen Tauchvorgänge zum Vergleich keine gemeinsame Stelle bemalen. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the sheet.</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % des Blatts.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set Film &gt; Cells to %3, turn the part, or dip it twice.</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie Film &gt; Zellen auf %3, drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte), drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Drehen Sie das Teil, tauchen Sie es zweimal oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Most of this error comes from the length of the steps: set a smaller step (Dipping &gt; Step).</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Der größte Teil dieses Fehlers kommt von der Länge der Schritte: Setzen Sie einen kleineren Schritt (Tauchen &gt; Schritt).</translation>
+    </message>
+    <message>
+        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and unpainted. Set smaller cells (Film &gt; Cells).</source>
+        <translation>Der Rand der bemalten Fläche ist unsicher: Mit anderen Zellen oder Schritten wechseln %1 % des Teils zwischen bemalt und unbemalt. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
+    </message>
+    <message>
+        <source>Film that paints the part lies only %1 from the film&apos;s edge; at least %2 are required. Use a larger film, or move the part to the film&apos;s centre.</source>
+        <translation>Film, der das Teil bemalt, liegt nur %1 vom Rand des Films entfernt; mindestens %2 sind nötig. Nehmen Sie einen größeren Film oder rücken Sie das Teil in die Mitte des Films.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
+        <translation>Handhabung und numerischer Fehler zusammen: höchstens ±%1 auf 95 % der bemalten Fläche; die Grenze ist ±%2. Verringern Sie den größten Beitrag oder drehen Sie das Teil.</translation>
     </message>
 </context>
 <context>
@@ -3822,10 +3834,6 @@
         <translation>Verschiebt die Ebene nach unten (Strg+Ab)</translation>
     </message>
     <message>
-        <source>The colour below all layers. White prints no ink. Without a base colour the model keeps its own colours.</source>
-        <translation>Die Farbe unter allen Ebenen. Weiß druckt keine Farbe. Ohne Grundfarbe behält das Modell seine eigenen Farben.</translation>
-    </message>
-    <message>
         <source>Each number gives a different pattern of the same kind.</source>
         <translation>Jede Zahl ergibt ein anderes Muster derselben Art.</translation>
     </message>
@@ -3844,10 +3852,6 @@
     <message>
         <source>Display colour</source>
         <translation>Anzeigefarbe</translation>
-    </message>
-    <message>
-        <source>The colour that stands for the ink where its name is unknown.</source>
-        <translation>Die Farbe, die für die Sonderfarbe steht, wo ihr Name unbekannt ist.</translation>
     </message>
     <message>
         <source>On the outside</source>
@@ -3917,6 +3921,14 @@
         <source>The layer&apos;s centre in the model&apos;s coordinates. A decal is centred at the nearest place on the surface.</source>
         <translation>Die Mitte der Ebene in den Koordinaten des Modells. Ein Abziehbild liegt an der nächsten Stelle der Oberfläche.</translation>
     </message>
+    <message>
+        <source>The colour below all layers. White: no ink is printed. Without a base colour the model keeps its own colours.</source>
+        <translation>Die Farbe unter allen Ebenen. Weiß: Es wird keine Farbe gedruckt. Ohne Grundfarbe behält das Modell seine eigenen Farben.</translation>
+    </message>
+    <message>
+        <source>Programs and printers that do not know the spot colour use this colour instead.</source>
+        <translation>Programme und Drucker, die die Sonderfarbe nicht kennen, verwenden stattdessen diese Farbe.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ArtworkPainter</name>
@@ -3963,10 +3975,6 @@
         <translation>&amp;Verschieben</translation>
     </message>
     <message>
-        <source>&amp;Lay this face down</source>
-        <translation>Diese Fläche nach &amp;unten legen</translation>
-    </message>
-    <message>
         <source>Mark this face as &amp;zone A</source>
         <translation>Diese Fläche als &amp;Zone A markieren</translation>
     </message>
@@ -3979,8 +3987,12 @@
         <translation>Teil verschieben</translation>
     </message>
     <message>
-        <source>Lay face down</source>
-        <translation>Fläche nach unten legen</translation>
+        <source>Turn this face &amp;down</source>
+        <translation>Diese Fläche nach &amp;unten drehen</translation>
+    </message>
+    <message>
+        <source>Turn a face down</source>
+        <translation>Fläche nach unten drehen</translation>
     </message>
 </context>
 <context>
@@ -3993,10 +4005,6 @@
 <context>
     <name>dipwright::Budgets</name>
     <message>
-        <source>The file is larger than %1 MB; reduce it</source>
-        <translation>Die Datei ist größer als %1 MB; verkleinern Sie sie</translation>
-    </message>
-    <message>
         <source>A face of the model has more than %1 corners; cut it into triangles in a modelling program</source>
         <translation>Eine Fläche des Modells hat mehr als %1 Ecken; zerlegen Sie sie in einem Modellierprogramm in Dreiecke</translation>
     </message>
@@ -4005,16 +4013,8 @@
         <translation>Das Modell verweist auf mehr als %1 andere Dateien; verringern Sie ihre Zahl</translation>
     </message>
     <message>
-        <source>The model cannot be read: its parts are nested more than %1 levels deep; merge them in a modelling program</source>
-        <translation>Das Modell kann nicht gelesen werden: Seine Teile sind tiefer als %1 Ebenen verschachtelt; vereinigen Sie sie in einem Modellierprogramm</translation>
-    </message>
-    <message>
         <source>The model has more than %1 materials; reduce their number</source>
         <translation>Das Modell hat mehr als %1 Materialien; verringern Sie ihre Zahl</translation>
-    </message>
-    <message>
-        <source>The file is not opened, because it would unpack to more than %1 MB, far too much for its size; ask its author for another file</source>
-        <translation>Die Datei wird nicht geöffnet, weil sie entpackt mehr als %1 MB ergäbe, viel zu viel für ihre Größe; bitten Sie den Urheber um eine andere Datei</translation>
     </message>
     <message>
         <source>The file is not opened, because it contains more than %1 entries; ask its author for another file</source>
@@ -4037,24 +4037,36 @@
         <translation>Das Projekt enthält mehr als %1 MB an Dateien, die nicht zu ihm gehören; entfernen Sie diese mit einem Archivprogramm</translation>
     </message>
     <message>
-        <source>The texture is more than %1 pixels wide or high; make it smaller</source>
-        <translation>Die Textur ist mehr als %1 Pixel breit oder hoch; verkleinern Sie sie</translation>
+        <source>The file is larger than %1 MB; make it smaller</source>
+        <translation>Die Datei ist größer als %1 MB; verkleinern Sie sie</translation>
     </message>
     <message>
-        <source>The pictures have more than %1 million pixels in total, too many for their file size or for any sheet; make them smaller</source>
-        <translation>Die Bilder haben insgesamt mehr als %1 Millionen Pixel, zu viele für ihre Dateigröße oder für jedes Blatt; verkleinern Sie sie</translation>
+        <source>The model has more than %1 million triangles, which is the limit for a file of its size; reduce their number</source>
+        <translation>Das Modell hat mehr als %1 Millionen Dreiecke; das ist die Grenze für eine Datei dieser Größe. Verringern Sie ihre Zahl</translation>
     </message>
     <message>
-        <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller or save it again</source>
-        <translation>Die Datei zu lesen braucht mehr als %1 MB Speicher, viel zu viel für ihre Größe; verkleinern Sie die Datei oder speichern Sie sie neu</translation>
+        <source>The model cannot be read: its objects are nested more than %1 levels deep; merge them in a modelling program</source>
+        <translation>Das Modell kann nicht gelesen werden: Seine Objekte sind tiefer als %1 Ebenen verschachtelt; vereinigen Sie sie in einem Modellierprogramm</translation>
     </message>
     <message>
-        <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller or save it again</source>
-        <translation>Die Datei zu lesen dauert länger als %1 Sekunden, viel zu lange für ihre Größe; verkleinern Sie die Datei oder speichern Sie sie neu</translation>
+        <source>The file is not opened, because it would take more than %1 MB after unpacking, far too much for its size; ask its author for another file</source>
+        <translation>Die Datei wird nicht geöffnet, weil sie nach dem Entpacken mehr als %1 MB belegen würde, viel zu viel für ihre Größe; bitten Sie den Urheber um eine andere Datei</translation>
     </message>
     <message>
-        <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce their number</source>
-        <translation>Das Modell hat mehr als %1 Millionen Dreiecke, zu viele für eine Datei dieser Größe oder für jeden Rechner; verringern Sie ihre Zahl</translation>
+        <source>The picture is more than %1 pixels wide or high; make it smaller</source>
+        <translation>Das Bild ist mehr als %1 Pixel breit oder hoch; verkleinern Sie es</translation>
+    </message>
+    <message>
+        <source>The pictures have more than %1 million pixels in total, which is the limit for files of their size; make them smaller</source>
+        <translation>Die Bilder haben insgesamt mehr als %1 Millionen Pixel; das ist die Grenze für Dateien dieser Größe. Verkleinern Sie die Bilder</translation>
+    </message>
+    <message>
+        <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller, or save it again in the program that created it</source>
+        <translation>Die Datei zu lesen braucht mehr als %1 MB Speicher, viel zu viel für ihre Größe; verkleinern Sie die Datei, oder speichern Sie sie in dem Programm neu, das sie erzeugt hat</translation>
+    </message>
+    <message>
+        <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller, or save it again in the program that created it</source>
+        <translation>Die Datei zu lesen dauert länger als %1 Sekunden, viel zu lange für ihre Größe; verkleinern Sie die Datei, oder speichern Sie sie in dem Programm neu, das sie erzeugt hat</translation>
     </message>
 </context>
 <context>
@@ -4163,27 +4175,27 @@
         <translation>Die Korrektur ist aus. Das Bild zeigt, wie sie die nächsten Blätter ändern würde.</translation>
     </message>
     <message>
-        <source>Keep the measured part to store with the job its photos, its error and who accepted it.</source>
-        <translation>Behalten Sie das gemessene Teil, um seine Fotos, seinen Fehler und wer es abgenommen hat beim Auftrag zu speichern.</translation>
+        <source>“Keep part” stores in the project: the error of this part, the checksums of its photos and the name of the person who accepts it.</source>
+        <translation>„Teil behalten“ speichert im Projekt: den Fehler dieses Teils, die Prüfsummen seiner Fotos und den Namen der Person, die es abnimmt.</translation>
     </message>
     <message>
-        <source>To keep a part, find its corners on the page “Dipped part”, using pairs whose places lie on the part itself.</source>
-        <translation>Um ein Teil zu behalten, suchen Sie seine Ecken auf der Seite „Getauchtes Teil“, mit Paaren, deren Stellen auf dem Teil selbst liegen.</translation>
+        <source>To keep a part, first find its corners on the page “Dipped part”. The places of the pairs must lie on the part itself, not on the print.</source>
+        <translation>Um ein Teil zu behalten, suchen Sie zuerst seine Ecken auf der Seite „Getauchtes Teil“. Die Stellen der Paare müssen auf dem Teil selbst liegen, nicht auf dem Druck.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BuiltPlaces</name>
     <message>
-        <source>None of the places lies on film that adheres to the part; check that the photos show a part of this job</source>
-        <translation>Keine der Stellen liegt auf Film, der am Teil haftet; prüfen Sie, ob die Fotos ein Teil dieses Auftrags zeigen</translation>
+        <source>None of the measured places lies on film that adheres to the part; check that the photos show a part of this job</source>
+        <translation>Keine der gemessenen Stellen liegt auf Film, der am Teil haftet; prüfen Sie, ob die Fotos ein Teil dieses Auftrags zeigen</translation>
     </message>
     <message>
-        <source>The job can keep at most %1 parts and %2 places; this part would exceed that</source>
-        <translation>Der Auftrag kann höchstens %1 Teile und %2 Stellen behalten; dieses Teil würde das überschreiten</translation>
+        <source>The job can keep at most %1 parts and %2 places; this part would exceed the limit</source>
+        <translation>Der Auftrag kann höchstens %1 Teile und %2 Stellen behalten; dieses Teil würde die Grenze überschreiten</translation>
     </message>
     <message>
-        <source>The job already contains the part in these photos; adding it again would count it as two parts that agree</source>
-        <translation>Der Auftrag enthält das Teil auf diesen Fotos schon; noch einmal hinzugefügt würde es als zwei Teile zählen, die übereinstimmen</translation>
+        <source>The job already contains the part in these photos; a part may be added only once</source>
+        <translation>Der Auftrag enthält das Teil auf diesen Fotos schon; ein Teil darf nur einmal hinzugefügt werden</translation>
     </message>
 </context>
 <context>
@@ -4245,14 +4257,6 @@
         <translation>Drucker werden gesucht</translation>
     </message>
     <message>
-        <source>No printer is set up on this machine. Save the page as PDF and print it elsewhere, at 100 %.</source>
-        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Speichern Sie die Seite als PDF und drucken Sie sie woanders, mit 100 %.</translation>
-    </message>
-    <message>
-        <source>instead of %1 mm</source>
-        <translation>statt %1 mm</translation>
-    </message>
-    <message>
         <source>X %1, Y %2</source>
         <translation>X %1, Y %2</translation>
     </message>
@@ -4265,24 +4269,12 @@
         <translation>Gedruckt auf %1. Lassen Sie die Seite trocknen, dann messen Sie.</translation>
     </message>
     <message>
-        <source>Handed to the queue of %1</source>
-        <translation>An die Warteschlange von %1 übergeben</translation>
-    </message>
-    <message>
         <source>calibration</source>
         <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Wrote %1. Print it at 100 %, without “fit to page”.</source>
         <translation>%1 geschrieben. Drucken Sie die Seite mit 100 %, ohne „An Seite anpassen“.</translation>
-    </message>
-    <message>
-        <source>%1 now has the scale X %2, Y %3. Print the second page to verify it.</source>
-        <translation>%1 hat jetzt den Maßstab X %2, Y %3. Drucken Sie zum Prüfen die zweite Seite.</translation>
-    </message>
-    <message>
-        <source>The printers that are set up on this machine.</source>
-        <translation>Die Drucker, die auf diesem Rechner eingerichtet sind.</translation>
     </message>
     <message>
         <source>The measured length of the printed ruler, to 0.1 mm.</source>
@@ -4325,20 +4317,40 @@
         <translation>Druckt Lineale ohne Korrektur, zum Messen.</translation>
     </message>
     <message>
-        <source>Prints the same rulers with the correction. Each must now have its nominal length.</source>
-        <translation>Druckt dieselben Lineale mit der Korrektur. Jedes muss nun seine Solllänge haben.</translation>
-    </message>
-    <message>
         <source>2. Measure the rulers</source>
         <translation>2. Lineale messen</translation>
     </message>
     <message>
-        <source>Print the page. Measure both rulers from the first to the last line, to 0.1 mm, and type the lengths. Then verify with the second page.</source>
-        <translation>Drucken Sie die Seite. Messen Sie beide Lineale vom ersten bis zum letzten Strich auf 0,1 mm und geben Sie die Längen ein. Prüfen Sie danach mit der zweiten Seite.</translation>
-    </message>
-    <message>
         <source>Save page</source>
         <translation>Seite speichern</translation>
+    </message>
+    <message>
+        <source>The printers that are set up on this computer.</source>
+        <translation>Die Drucker, die auf diesem Rechner eingerichtet sind.</translation>
+    </message>
+    <message>
+        <source>Prints the same rulers with the correction. Each ruler must now have its nominal length.</source>
+        <translation>Druckt dieselben Lineale mit der Korrektur. Jedes Lineal muss nun seine Solllänge haben.</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Save the page as PDF and print it elsewhere, at 100 %.</source>
+        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Speichern Sie die Seite als PDF und drucken Sie sie anderswo mit 100 %.</translation>
+    </message>
+    <message>
+        <source>nominal length: %1 mm</source>
+        <translation>Solllänge: %1 mm</translation>
+    </message>
+    <message>
+        <source>Print the page. Measure both rulers from the first to the last line, to 0.1 mm. Type the lengths and save the scale. Then print the page again to verify the scale.</source>
+        <translation>Drucken Sie die Seite. Messen Sie beide Lineale vom ersten bis zum letzten Strich auf 0,1 mm. Geben Sie die Längen ein und übernehmen Sie den Maßstab. Drucken Sie die Seite dann noch einmal, um den Maßstab zu prüfen.</translation>
+    </message>
+    <message>
+        <source>Sent to the print queue of %1</source>
+        <translation>An die Druckwarteschlange von %1 gesendet</translation>
+    </message>
+    <message>
+        <source>%1 now has the scale X %2, Y %3. Print the page again to verify the scale.</source>
+        <translation>%1 hat jetzt den Maßstab X %2, Y %3. Drucken Sie die Seite noch einmal, um den Maßstab zu prüfen.</translation>
     </message>
 </context>
 <context>
@@ -4411,10 +4423,6 @@
         <translation>&amp;Schließen</translation>
     </message>
     <message>
-        <source>Figure</source>
-        <translation>Kennzahl</translation>
-    </message>
-    <message>
         <source>Difference</source>
         <translation>Unterschied</translation>
     </message>
@@ -4447,12 +4455,16 @@
         <translation>Beide Teile in ihre Ansichten einpassen</translation>
     </message>
     <message>
-        <source>Figures of both states</source>
-        <translation>Zahlen beider Zustände</translation>
-    </message>
-    <message>
         <source>Close the comparison (Escape)</source>
         <translation>Den Vergleich schließen (Escape)</translation>
+    </message>
+    <message>
+        <source>Values of both states</source>
+        <translation>Werte beider Zustände</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
     </message>
 </context>
 <context>
@@ -4508,35 +4520,43 @@
         <translation>Ergebnisse veraltet: vor den letzten Änderungen berechnet.</translation>
     </message>
     <message>
-        <source>Draft with %1 × %2 points</source>
-        <translation>Entwurf mit %1 × %2 Punkten</translation>
-    </message>
-    <message>
-        <source>95 % within about %1</source>
-        <translation>95 % auf etwa %1 genau</translation>
-    </message>
-    <message>
         <source>being refined</source>
         <translation>wird verfeinert</translation>
-    </message>
-    <message>
-        <source>run the dip to print</source>
-        <translation>zum Drucken den Tauchvorgang starten</translation>
-    </message>
-    <message>
-        <source>These results were saved without the course of the dip. The dip is simulated again to play it; the results stay the same.</source>
-        <translation>Diese Ergebnisse wurden ohne den Verlauf des Tauchvorgangs gespeichert. Er wird noch einmal simuliert, um ihn abzuspielen; die Ergebnisse bleiben gleich.</translation>
     </message>
     <message>
         <source>The dip can be played when the running job has ended.</source>
         <translation>Der Tauchvorgang kann abgespielt werden, wenn der laufende Auftrag zu Ende ist.</translation>
     </message>
+    <message>
+        <source>The saved results contain no recording of the dip. To play the dip, it is simulated again; the results stay the same.</source>
+        <translation>Die gespeicherten Ergebnisse enthalten keine Aufzeichnung des Tauchvorgangs. Um ihn abzuspielen, wird er noch einmal simuliert; die Ergebnisse bleiben gleich.</translation>
+    </message>
+    <message>
+        <source>The film is being refined until the sheet can be printed. Cancel keeps this result.</source>
+        <translation>Der Film wird verfeinert, bis das Blatt gedruckt werden kann. „Abbrechen“ behält dieses Ergebnis.</translation>
+    </message>
+    <message>
+        <source>The numerical error is too large. Run the dip again to refine the film.</source>
+        <translation>Der numerische Fehler ist zu groß. Starten Sie den Tauchvorgang noch einmal, um den Film zu verfeinern.</translation>
+    </message>
+    <message>
+        <source>Draft with %1 × %2 film points</source>
+        <translation>Entwurf mit %1 × %2 Filmpunkten</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet accurate to about %1</source>
+        <translation>95 % des Blatts auf etwa %1 genau</translation>
+    </message>
+    <message>
+        <source>run the dip before printing</source>
+        <translation>vor dem Drucken den Tauchvorgang starten</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::DipView</name>
     <message>
-        <source>The 3D view needs OpenGL 3.2, but no such context could be created. Everything else works.</source>
-        <translation>Die 3D-Ansicht braucht OpenGL 3.2, aber ein solcher Kontext ließ sich nicht anlegen. Alles andere geht.</translation>
+        <source>The 3D view needs OpenGL 3.2, which could not be started. Update the graphics driver. Everything else works.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2, das sich nicht starten ließ. Aktualisieren Sie den Grafiktreiber. Alles andere geht.</translation>
     </message>
 </context>
 <context>
@@ -4550,8 +4570,8 @@
         <translation>Abstandsfeld wird gebaut</translation>
     </message>
     <message>
-        <source>The model has no extent; choose a model with a surface</source>
-        <translation>Das Modell hat keine Ausdehnung; wählen Sie ein Modell mit einer Oberfläche</translation>
+        <source>The size of the model is zero; choose a model with a surface</source>
+        <translation>Die Größe des Modells ist null; wählen Sie ein Modell mit einer Oberfläche</translation>
     </message>
 </context>
 <context>
@@ -4632,8 +4652,8 @@
         <translation>%1 ist weder Projekt noch Modell noch Bild</translation>
     </message>
     <message>
-        <source>If both of you save, whoever saves second is asked which version to keep.</source>
-        <translation>Wenn Sie beide speichern, muss entscheiden, wer als Zweiter speichert, welche Fassung bleibt.</translation>
+        <source>If both programs save the project, the one that saves second asks which version to keep.</source>
+        <translation>Wenn beide Programme das Projekt speichern, fragt das zweite, welche Fassung bleiben soll.</translation>
     </message>
 </context>
 <context>
@@ -4659,10 +4679,6 @@
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>Unsaved changes would be lost in a crash, because no copy can be written. Save often. %1</source>
-        <translation>Ungespeicherte Änderungen gingen bei einem Absturz verloren, weil keine Kopie geschrieben werden kann. Speichern Sie oft. %1</translation>
-    </message>
-    <message>
         <source>Open project</source>
         <translation>Projekt öffnen</translation>
     </message>
@@ -4673,6 +4689,10 @@
     <message>
         <source>Restore project</source>
         <translation>Projekt wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Unsaved changes would be lost in a crash, because the recovery copy cannot be written. Save often. %1</source>
+        <translation>Ungespeicherte Änderungen gingen bei einem Absturz verloren, weil die Sicherungskopie nicht geschrieben werden kann. Speichern Sie oft. %1</translation>
     </message>
 </context>
 <context>
@@ -4815,10 +4835,6 @@
         <translation>%1 ist durch diese Paare nicht bestimmt und behält den bisherigen Wert</translation>
     </message>
     <message>
-        <source>Root mean square distance of the print: %1 px (%2 mm) before the fit, %3 px (%4 mm) after it</source>
-        <translation>Quadratisches Mittel des Abstands des Drucks: %1 px (%2 mm) vor der Anpassung, %3 px (%4 mm) danach</translation>
-    </message>
-    <message>
         <source>give pairs of places all round the part</source>
         <translation>geben Sie Paare rund um das Teil an</translation>
     </message>
@@ -4867,20 +4883,8 @@
         <translation>„%1“ lässt sich nicht anpassen; wählen Sie aus %2</translation>
     </message>
     <message>
-        <source>There are too few pairs on the part to determine %1 numbers of film and camera; give more pairs, or fit fewer quantities</source>
-        <translation>Es sind zu wenige Paare auf dem Teil, um %1 Zahlen von Film und Kamera zu bestimmen; geben Sie mehr Paare an, oder passen Sie weniger Größen an</translation>
-    </message>
-    <message>
-        <source>No film and camera fit the pairs; check for places that were mistaken for others</source>
-        <translation>Kein Film und keine Kamera passen zu den Paaren; prüfen Sie auf verwechselte Stellen</translation>
-    </message>
-    <message>
         <source>A place belongs to dip %1, but the number of dips in the project is %2</source>
         <translation>Eine Stelle gehört zu Tauchvorgang %1, das Projekt hat aber nur so viele Tauchvorgänge: %2</translation>
-    </message>
-    <message>
-        <source>%1 is known only to about %2 %: a change by 10 % moves none of the places by more than %3 mm; give more pairs, or %4</source>
-        <translation>%1 ist nur auf etwa %2 % bekannt: Eine Änderung um 10 % bewegt keine der Stellen um mehr als %3 mm; geben Sie mehr Paare an, oder %4</translation>
     </message>
     <message>
         <source>Position of the part along X</source>
@@ -4893,6 +4897,22 @@
     <message>
         <source>Rotation of the part about Y</source>
         <translation>Drehung des Teils um Y</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between the simulated and the photographed print: %1 px (%2 mm) before the fit, %3 px (%4 mm) after it</source>
+        <translation>Quadratisches Mittel des Abstands zwischen simuliertem und fotografiertem Druck: %1 px (%2 mm) vor der Anpassung, %3 px (%4 mm) danach</translation>
+    </message>
+    <message>
+        <source>%1 is uncertain by about %2 %: a change by 10 % moves none of the places by more than %3 mm; give more pairs, or %4</source>
+        <translation>%1 ist um etwa %2 % unsicher: Eine Änderung um 10 % bewegt keine der Stellen um mehr als %3 mm; geben Sie mehr Paare an, oder %4</translation>
+    </message>
+    <message>
+        <source>There are too few pairs on the part to determine the %1 unknowns of film and camera; give more pairs, or fit fewer quantities</source>
+        <translation>Es sind zu wenige Paare auf dem Teil, um die %1 Unbekannten von Film und Kamera zu bestimmen; geben Sie mehr Paare an, oder passen Sie weniger Größen an</translation>
+    </message>
+    <message>
+        <source>The fit found no film and camera that explain the pairs; check whether a pair names the wrong place</source>
+        <translation>Die Anpassung fand keinen Film und keine Kamera, die die Paare erklären; prüfen Sie, ob ein Paar die falsche Stelle nennt</translation>
     </message>
 </context>
 <context>
@@ -4966,10 +4986,6 @@
         <translation> mm</translation>
     </message>
     <message>
-        <source>Card above the film</source>
-        <translation>Karte über dem Film</translation>
-    </message>
-    <message>
         <source>Focal length</source>
         <translation>Brennweite</translation>
     </message>
@@ -4992,10 +5008,6 @@
     <message>
         <source>Corners found in the photo are shown here.</source>
         <translation>Hier werden die im Foto gefundenen Ecken gezeigt.</translation>
-    </message>
-    <message>
-        <source>A map of where the film has grown more or less is shown here.</source>
-        <translation>Hier zeigt eine Karte, wo der Film mehr oder weniger gewachsen ist.</translation>
     </message>
     <message>
         <source>Seconds on the water</source>
@@ -5069,6 +5081,14 @@
         <source>Coefficients of the lens distortion of a calibrated camera. “?”: the coefficient is found from each photo.</source>
         <translation>Koeffizienten der Objektivverzeichnung einer kalibrierten Kamera. „?“: Der Koeffizient wird aus jedem Foto bestimmt.</translation>
     </message>
+    <message>
+        <source>The places where the film has grown more or less than on average are shown here.</source>
+        <translation>Hier wird gezeigt, wo der Film mehr oder weniger als im Mittel gewachsen ist.</translation>
+    </message>
+    <message>
+        <source>Card height above film</source>
+        <translation>Höhe der Karte über dem Film</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmProbe</name>
@@ -5077,16 +5097,16 @@
         <translation>auf dem Wasser</translation>
     </message>
     <message>
-        <source>Sheet %1, %2 · %3 · stretch %4 by %5, area %6</source>
-        <translation>Blatt %1, %2 · %3 · Dehnung %4 mal %5, Fläche %6</translation>
-    </message>
-    <message>
         <source>Part at %1, %2, %3</source>
         <translation>Teil bei %1, %2, %3</translation>
     </message>
     <message>
         <source>on the part</source>
         <translation>auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Sheet at %1, %2 · %3 · stretch %4 and %5, area stretch %6</source>
+        <translation>Blatt bei %1, %2 · %3 · Dehnung %4 und %5, Flächendehnung %6</translation>
     </message>
 </context>
 <context>
@@ -5101,7 +5121,7 @@
     </message>
     <message>
         <source>Unevenness: 95 % of the film lies within %1 mm of where an evenly swollen film would lie</source>
-        <translation>Ungleichmäßigkeit: 95 % des Films liegen höchstens %1 mm davon entfernt, wo ein gleichmäßig gequollener Film läge</translation>
+        <translation>Ungleichmäßigkeit: 95 % des Films liegen höchstens %1 mm von der Stelle entfernt, an der ein gleichmäßig gequollener Film läge</translation>
     </message>
     <message>
         <source>Unevenness of the film</source>
@@ -5120,20 +5140,12 @@
         <translation>Die Karte ist gespiegelt; spiegeln Sie das Foto nicht</translation>
     </message>
     <message>
-        <source>The photos show the film from %1 to %2 s after it was laid on the water, but the dip begins after %3 s; correct the times, or photograph the film from before the dip begins</source>
-        <translation>Die Fotos zeigen den Film von %1 bis %2 s nach dem Auflegen, der Tauchvorgang beginnt aber nach %3 s; berichtigen Sie die Zeiten, oder fotografieren Sie den Film schon vor Beginn des Tauchvorgangs</translation>
-    </message>
-    <message>
         <source>The photos show no measurable growth of the film</source>
         <translation>Die Fotos zeigen kein messbares Wachstum des Films</translation>
     </message>
     <message>
         <source>Growth: %1 ± %2 % per second</source>
         <translation>Wachstum: %1 ± %2 % pro Sekunde</translation>
-    </message>
-    <message>
-        <source>The film still grew at the same rate in the last photo. Its limit is therefore unknown, and the profile keeps its own growth. Take photos until the film grows no more</source>
-        <translation>Auf dem letzten Foto wuchs der Film noch gleich schnell. Seine Grenze ist daher unbekannt, und das Profil behält sein eigenes Wachstum. Fotografieren Sie, bis der Film nicht mehr wächst</translation>
     </message>
     <message>
         <source>Growth: %1 ± %2 % per second when the dip begins; %3 ± %4 % in total after a long time</source>
@@ -5148,24 +5160,8 @@
         <translation>Vom Schachbrett des Films ist zu wenig zu sehen; fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
     </message>
     <message>
-        <source>No chessboard of the film watch is visible; print it with “calibrate film” and photograph all of it, sharp and without glare</source>
-        <translation>Kein Schachbrett der Filmmessung ist zu sehen; drucken Sie es mit „calibrate film“ und fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
-    </message>
-    <message>
-        <source>The card of the film watch is not visible, but it is needed as a scale; print it with “calibrate card” and lay it beside the film</source>
-        <translation>Die Karte der Filmmessung ist nicht zu sehen, wird aber als Maßstab gebraucht; drucken Sie sie mit „calibrate card“ und legen Sie sie neben den Film</translation>
-    </message>
-    <message>
         <source>Colour: growth relative to the mean swell %1 · arrows: displacement, enlarged %2 times</source>
         <translation>Farbe: Wachstum gegenüber der mittleren Quellung %1 · Pfeile: Verschiebung, %2-fach vergrößert</translation>
-    </message>
-    <message>
-        <source>The visible corners do not determine how the film lies; photograph film and card from above, both whole</source>
-        <translation>Die sichtbaren Ecken bestimmen nicht, wie der Film liegt; fotografieren Sie Film und Karte von oben, beide ganz</translation>
-    </message>
-    <message>
-        <source>The card&apos;s corners lie %1 px from their places on a flat card; lay the card flat, and correct the given lens distortion, focal length and card height, or leave them out</source>
-        <translation>Die Ecken der Karte liegen %1 px neben ihren Plätzen auf einer ebenen Karte; legen Sie die Karte eben hin, und berichtigen Sie Verzeichnung, Brennweite und Höhe der Karte, oder lassen Sie sie weg</translation>
     </message>
     <message>
         <source>Only %1 corners of the film&apos;s chessboard are visible, but %2 are needed; photograph all of it, without glare</source>
@@ -5176,12 +5172,36 @@
         <translation>Nur %1 Ecken der Karte sind zu sehen, aber %2 werden gebraucht; fotografieren Sie sie ganz und ohne Spiegelung</translation>
     </message>
     <message>
-        <source>Growth is not measured; this measurement needs photos at three or more times, from before the dip begins until after it ends</source>
-        <translation>Das Wachstum ist nicht gemessen; diese Messung braucht Fotos zu drei oder mehr Zeiten, von vor dem Beginn des Tauchvorgangs bis nach seinem Ende</translation>
-    </message>
-    <message>
         <source>The swell was measured after %1 s, but the dip begins after %2 s; this swell does not include the growth in between</source>
         <translation>Die Quellung wurde nach %1 s gemessen, aber der Tauchvorgang beginnt nach %2 s; diese Quellung enthält das Wachstum dazwischen nicht</translation>
+    </message>
+    <message>
+        <source>The photos show the film from %1 to %2 s after it was laid on the water, but the dip begins after %3 s; correct the times, or take photos both before and after the start of the dip</source>
+        <translation>Die Fotos zeigen den Film von %1 bis %2 s nach dem Auflegen, der Tauchvorgang beginnt aber nach %3 s; berichtigen Sie die Zeiten, oder nehmen Sie Fotos vor und nach dem Beginn des Tauchvorgangs auf</translation>
+    </message>
+    <message>
+        <source>Growth is not measured; to measure it, take photos at three or more times, from before the dip begins until after it ends</source>
+        <translation>Das Wachstum ist nicht gemessen; um es zu messen, nehmen Sie Fotos zu drei oder mehr Zeiten auf, von vor dem Beginn des Tauchvorgangs bis nach seinem Ende</translation>
+    </message>
+    <message>
+        <source>The film still grew at the same rate in the last photo. Its growth limit is therefore unknown, and the growth in the profile stays unchanged. Take photos until the film stops growing</source>
+        <translation>Auf dem letzten Foto wuchs der Film noch gleich schnell. Die Grenze seines Wachstums ist daher unbekannt, und das Wachstum im Profil bleibt unverändert. Fotografieren Sie, bis der Film nicht mehr wächst</translation>
+    </message>
+    <message>
+        <source>No chessboard for measuring the film is visible; print one with “dipwright-cli calibrate film” and photograph all of it, sharp and without glare</source>
+        <translation>Kein Schachbrett zum Messen des Films ist zu sehen; drucken Sie eines mit „dipwright-cli calibrate film“ und fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
+    </message>
+    <message>
+        <source>The card that gives the scale is not visible; print it with “dipwright-cli calibrate card” and lay it beside the film</source>
+        <translation>Die Karte, die den Maßstab gibt, ist nicht zu sehen; drucken Sie sie mit „dipwright-cli calibrate card“ und legen Sie sie neben den Film</translation>
+    </message>
+    <message>
+        <source>The position of the film cannot be determined from the visible corners; photograph the whole film and the whole card from above</source>
+        <translation>Aus den sichtbaren Ecken lässt sich die Lage des Films nicht bestimmen; fotografieren Sie den ganzen Film und die ganze Karte von oben</translation>
+    </message>
+    <message>
+        <source>The card&apos;s corners lie %1 px from their places on a flat card; lay the card flat, and correct or clear the values for lens distortion, focal length and card height</source>
+        <translation>Die Ecken der Karte liegen %1 px neben ihren Plätzen auf einer ebenen Karte; legen Sie die Karte eben hin, und berichtigen oder löschen Sie die Werte für Verzeichnung, Brennweite und Höhe der Karte</translation>
     </message>
 </context>
 <context>
@@ -5296,20 +5316,8 @@
         <translation>Suchen Sie zuerst die Ecken auf der Seite „Getauchtes Teil“. Film und Tauchvorgang werden an sie angepasst.</translation>
     </message>
     <message>
-        <source>The pairs are not places on the part itself. A shift or rotation of the whole image then looks like a shift or rotation of the camera.</source>
-        <translation>Die Paare sind keine Stellen auf dem Teil selbst. Eine Verschiebung oder Drehung des ganzen Bilds sieht dann aus wie eine der Kamera.</translation>
-    </message>
-    <message>
         <source>Fits placement, swell and relaxation, as far as the photos determine them.</source>
         <translation>Passt Lage, Quellung und Relaxation an, soweit die Fotos sie bestimmen.</translation>
-    </message>
-    <message>
-        <source>Near 1 or −1: the photos determine only a combination of the two quantities, not each quantity</source>
-        <translation>Nahe 1 oder −1: Die Fotos bestimmen nur eine Kombination der beiden Größen, nicht jede einzelne</translation>
-    </message>
-    <message>
-        <source>Changes film and dip and repeats the simulation until the simulated image lies where the photos show it</source>
-        <translation>Ändert Film und Tauchvorgang und wiederholt die Simulation, bis das simulierte Bild dort liegt, wo die Fotos es zeigen</translation>
     </message>
     <message>
         <source>Before the fit</source>
@@ -5322,6 +5330,18 @@
     <message>
         <source>95 % interval</source>
         <translation>95-%-Intervall</translation>
+    </message>
+    <message>
+        <source>Near 1 or −1: the photos determine only a combination of the two quantities, not each quantity separately</source>
+        <translation>Nahe 1 oder −1: Die Fotos bestimmen nur eine Kombination der beiden Größen, nicht jede einzeln</translation>
+    </message>
+    <message>
+        <source>Changes the settings of film and dip and repeats the simulation until the simulated image lies where the photos show it</source>
+        <translation>Ändert die Einstellungen von Film und Tauchvorgang und wiederholt die Simulation, bis das simulierte Bild dort liegt, wo die Fotos es zeigen</translation>
+    </message>
+    <message>
+        <source>No pair is a place on the part itself, such as a corner or a hole. Without such pairs, a shift or rotation of the whole image looks the same as a movement of the camera.</source>
+        <translation>Kein Paar ist eine Stelle auf dem Teil selbst, etwa eine Ecke oder ein Loch. Ohne solche Paare sieht eine Verschiebung oder Drehung des ganzen Bilds genauso aus wie eine Bewegung der Kamera.</translation>
     </message>
 </context>
 <context>
@@ -5371,8 +5391,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Ein Foto ergibt die Quellung, drei oder mehr das Wachstum</translation>
     </message>
     <message>
-        <source>from before the dip until the film stops growing</source>
-        <translation>von vor dem Tauchen, bis der Film nicht mehr wächst</translation>
+        <source>Photos: from before the dip until the film stops growing</source>
+        <translation>Fotos: von vor dem Tauchvorgang, bis der Film nicht mehr wächst</translation>
     </message>
 </context>
 <context>
@@ -5515,10 +5535,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Keines der Dreiecke des Modells hat eine Fläche; wählen Sie ein anderes Modell</translation>
     </message>
     <message>
-        <source>The model lies too far from its origin; move it there and save it anew</source>
-        <translation>Das Modell liegt zu weit von seinem Ursprung; schieben Sie es dorthin und speichern Sie es neu</translation>
-    </message>
-    <message>
         <source>The file %1, which the model names, was not found</source>
         <translation>Die Datei %1, die das Modell nennt, wurde nicht gefunden</translation>
     </message>
@@ -5583,14 +5599,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>es ist kein 3MF-Paket</translation>
     </message>
     <message>
-        <source>%1 in it is damaged</source>
-        <translation>%1 darin ist beschädigt</translation>
-    </message>
-    <message>
-        <source>%1 in it: %2</source>
-        <translation>%1 darin: %2</translation>
-    </message>
-    <message>
         <source>its elements are out of order</source>
         <translation>seine Elemente sind in falscher Reihenfolge</translation>
     </message>
@@ -5613,10 +5621,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>the file cannot be opened</source>
         <translation>die Datei kann nicht geöffnet werden</translation>
-    </message>
-    <message>
-        <source>%1 in it is encrypted</source>
-        <translation>%1 darin ist verschlüsselt</translation>
     </message>
     <message>
         <source>Triangles without area that were removed: %1</source>
@@ -5660,7 +5664,7 @@ auf steife, wasserfeste Karte gedruckt</translation>
     </message>
     <message>
         <source>The model has a skin without bind matrices, so its points stay as stored and the joints do not move them; if the shape is wrong, apply the armature in a modelling program</source>
-        <translation>Das Modell hat eine Haut ohne Bindematrizen; seine Punkte bleiben daher, wie sie gespeichert sind, und die Gelenke bewegen sie nicht; wenn die Form falsch ist, wenden Sie das Skelett in einem Modellierprogramm an</translation>
+        <translation>Das Modell hat einen Skin ohne Bindematrizen; seine Punkte bleiben daher, wie sie gespeichert sind, und die Gelenke bewegen sie nicht; wenn die Form falsch ist, wenden Sie das Skelett in einem Modellierprogramm an</translation>
     </message>
     <message>
         <source>%1 sets material properties before its first material</source>
@@ -5715,44 +5719,64 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Alle Punkte des Modells fallen zusammen; wählen Sie ein anderes Modell</translation>
     </message>
     <message>
-        <source>The model&apos;s longest edge would be %1 mm; set the size that it should have</source>
-        <translation>Die längste Kante des Modells wäre %1 mm; geben Sie die Größe an, die es haben soll</translation>
-    </message>
-    <message>
-        <source>The mesh is not closed: whether a point is inside is decided by the majority of several rays</source>
-        <translation>Das Netz ist nicht geschlossen: Ob ein Punkt innen liegt, entscheidet die Mehrheit mehrerer Strahlen</translation>
-    </message>
-    <message>
-        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, set the size that it should have</source>
-        <translation>Die längste Kante des Modells ist nur %1 mm; wenn seine Datei nicht in Millimetern ist, geben Sie die Größe an, die es haben soll</translation>
-    </message>
-    <message>
         <source>The model has no texture coordinates, so its texture cannot be placed; the colours of its materials are used instead</source>
         <translation>Das Modell hat keine Texturkoordinaten, daher kann seine Textur nicht aufgelegt werden; stattdessen werden die Farben seiner Materialien verwendet</translation>
-    </message>
-    <message>
-        <source>The model was not read, because it names files that are hidden or outside its folder, such as %1; put them beside the model, or allow it to read them (--allow-outside)</source>
-        <translation>Das Modell wurde nicht gelesen, weil es Dateien nennt, die versteckt sind oder außerhalb seines Ordners liegen, etwa %1; legen Sie sie neben das Modell, oder erlauben Sie, sie zu lesen (--allow-outside)</translation>
     </message>
     <message>
         <source>The model needs more memory than this computer has; simplify the model</source>
         <translation>Das Modell braucht mehr Speicher, als dieser Rechner hat; vereinfachen Sie das Modell</translation>
     </message>
     <message>
-        <source>Points merged along seams that rounding had opened: %1</source>
-        <translation>Vereinigte Punkte an Nähten, die durch Rundung offen waren: %1</translation>
-    </message>
-    <message>
         <source>Duplicate triangles that were removed: %1</source>
         <translation>Entfernte doppelte Dreiecke: %1</translation>
     </message>
     <message>
-        <source>Parts of the surface flipped because they were inside out: %1</source>
-        <translation>Gewendete Teile der Oberfläche, die von innen nach außen gekehrt waren: %1</translation>
-    </message>
-    <message>
         <source>Triangles flipped to face the same way as their neighbours: %1</source>
         <translation>Gewendete Dreiecke, die anders herum lagen als ihre Nachbarn: %1</translation>
+    </message>
+    <message>
+        <source>the length of a list is not a whole number</source>
+        <translation>die Länge einer Liste ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>the file %1 in the package is encrypted</source>
+        <translation>die Datei %1 im Paket ist verschlüsselt</translation>
+    </message>
+    <message>
+        <source>the file %1 in the package is damaged</source>
+        <translation>die Datei %1 im Paket ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the file %1 in the package has an error: %2</source>
+        <translation>die Datei %1 im Paket hat einen Fehler: %2</translation>
+    </message>
+    <message>
+        <source>The model lies too far from its origin; move it to the origin and save it anew</source>
+        <translation>Das Modell liegt zu weit von seinem Ursprung; schieben Sie es in den Ursprung und speichern Sie es neu</translation>
+    </message>
+    <message>
+        <source>The model&apos;s largest dimension would be %1 mm; set the size that it should have</source>
+        <translation>Die größte Abmessung des Modells wäre %1 mm; geben Sie die Größe an, die es haben soll</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed, so the program can only estimate which points lie inside it; if the result looks wrong, close the mesh</source>
+        <translation>Das Netz ist nicht geschlossen, daher kann das Programm nur schätzen, welche Punkte innen liegen; wenn das Ergebnis falsch aussieht, schließen Sie das Netz</translation>
+    </message>
+    <message>
+        <source>The model&apos;s largest dimension is only %1 mm; if its file is not in millimetres, set the size that it should have</source>
+        <translation>Die größte Abmessung des Modells ist nur %1 mm; wenn seine Datei nicht in Millimetern ist, geben Sie die Größe an, die es haben soll</translation>
+    </message>
+    <message>
+        <source>The model was not read, because it names files that are hidden or outside its folder, such as %1; put these files beside the model, or allow them (--allow-outside)</source>
+        <translation>Das Modell wurde nicht gelesen, weil es Dateien nennt, die versteckt sind oder außerhalb seines Ordners liegen, etwa %1; legen Sie diese Dateien neben das Modell, oder erlauben Sie sie (--allow-outside)</translation>
+    </message>
+    <message>
+        <source>Points merged where rounded coordinates had left a gap: %1</source>
+        <translation>Vereinigte Punkte, zwischen denen gerundete Koordinaten eine Lücke gelassen hatten: %1</translation>
+    </message>
+    <message>
+        <source>Pieces of the surface flipped because they were inside out: %1</source>
+        <translation>Gewendete Stücke der Oberfläche, die von innen nach außen gekehrt waren: %1</translation>
     </message>
 </context>
 <context>
@@ -5825,10 +5849,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Anpassung</translation>
     </message>
     <message>
-        <source>The model&apos;s texture has no chess squares to look for; dip the chessboard film, or measure only the pairs</source>
-        <translation>Die Textur des Modells hat keine Schachfelder, die sich suchen ließen; tauchen Sie mit dem Schachbrettfilm oder messen Sie nur die Paare</translation>
-    </message>
-    <message>
         <source>Dipped part</source>
         <translation>Getauchtes Teil</translation>
     </message>
@@ -5863,6 +5883,10 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>Export residuals</source>
         <translation>Abweichungen exportieren</translation>
+    </message>
+    <message>
+        <source>The model&apos;s texture contains no chessboard squares, so there are no corners to find; dip the part with the chessboard film, or measure only the pairs</source>
+        <translation>Die Textur des Modells enthält keine Schachbrettfelder, deshalb gibt es keine Ecken zu finden; tauchen Sie das Teil mit dem Schachbrettfilm, oder messen Sie nur die Paare</translation>
     </message>
 </context>
 <context>
@@ -5961,8 +5985,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Schnitt quer zu Z</translation>
     </message>
     <message>
-        <source>Axis that the section plane is perpendicular to</source>
-        <translation>Achse, zu der die Schnittebene senkrecht steht</translation>
+        <source>Axis perpendicular to the section plane</source>
+        <translation>Achse senkrecht zur Schnittebene</translation>
     </message>
 </context>
 <context>
@@ -5980,8 +6004,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Prüfung</translation>
     </message>
     <message>
-        <source>The part is %1 long. If the file uses another unit, change the size under Model.</source>
-        <translation>Das Teil ist %1 lang. Wenn die Datei eine andere Einheit verwendet, ändern Sie die Größe unter „Modell“.</translation>
+        <source>The largest dimension of the part is %1. If the file uses another unit, change this dimension under Model.</source>
+        <translation>Die größte Abmessung des Teils ist %1. Wenn die Datei eine andere Einheit verwendet, ändern Sie diese Abmessung unter „Modell“.</translation>
     </message>
 </context>
 <context>
@@ -6095,10 +6119,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Eine Einheit der Datei ist</translation>
     </message>
     <message>
-        <source>The longest edge is</source>
-        <translation>Die längste Kante ist</translation>
-    </message>
-    <message>
         <source>One dip</source>
         <translation>Ein Tauchvorgang</translation>
     </message>
@@ -6145,10 +6165,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>an inch</source>
         <translation>ein Zoll</translation>
-    </message>
-    <message>
-        <source>Longest edge</source>
-        <translation>Längste Kante</translation>
     </message>
     <message>
         <source>Unit of the file</source>
@@ -6219,10 +6235,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Die gemessenen Eigenschaften des Films: wie er quillt, wächst und reißt.</translation>
     </message>
     <message>
-        <source>One dip with the film model of 2020, for comparison</source>
-        <translation>Ein Tauchvorgang mit dem Filmmodell von 2020, zum Vergleich</translation>
-    </message>
-    <message>
         <source>How many times the part is dipped, and from which sides. You can change this later.</source>
         <translation>Wie oft und von welchen Seiten das Teil getaucht wird. Sie können das später ändern.</translation>
     </message>
@@ -6239,10 +6251,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>&amp;Tauchvorgänge</translation>
     </message>
     <message>
-        <source>Scales the model so that its longest edge has this length.</source>
-        <translation>Skaliert das Modell so, dass seine längste Kante diese Länge hat.</translation>
-    </message>
-    <message>
         <source>The unit of the coordinates in the model file. The file itself does not state it.</source>
         <translation>Die Einheit der Koordinaten in der Modelldatei. Die Datei selbst gibt sie nicht an.</translation>
     </message>
@@ -6253,6 +6261,22 @@ auf steife, wasserfeste Karte gedruckt</translation>
     <message>
         <source>the unit was guessed from the size.</source>
         <translation>die Einheit wurde nach der Größe geschätzt.</translation>
+    </message>
+    <message>
+        <source>The largest dimension is</source>
+        <translation>Die größte Abmessung ist</translation>
+    </message>
+    <message>
+        <source>One dip with the film model of the 2020 paper, for comparison</source>
+        <translation>Ein Tauchvorgang mit dem Filmmodell der Arbeit von 2020, zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Largest dimension</source>
+        <translation>Größte Abmessung</translation>
+    </message>
+    <message>
+        <source>Scales the model so that its largest dimension (along X, Y or Z) has this length.</source>
+        <translation>Skaliert das Modell so, dass seine größte Abmessung (entlang X, Y oder Z) diese Länge hat.</translation>
     </message>
 </context>
 <context>
@@ -6268,10 +6292,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
 </context>
 <context>
     <name>dipwright::NumberBox</name>
-    <message>
-        <source>“%1” can be %2 or %3; type one of them</source>
-        <translation>„%1“ kann %2 oder %3 heißen; geben Sie eines davon ein</translation>
-    </message>
     <message>
         <source>“%1” has a unit, but this field has none; type only the number</source>
         <translation>„%1“ hat eine Einheit, aber dieses Feld hat keine; geben Sie nur die Zahl ein</translation>
@@ -6296,6 +6316,10 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <source>The field is empty; type a number</source>
         <translation>Das Feld ist leer; geben Sie eine Zahl ein</translation>
     </message>
+    <message>
+        <source>“%1” can mean %2 or %3; type one of them</source>
+        <translation>„%1“ kann %2 oder %3 bedeuten; geben Sie eines davon ein</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::NumericalErrorCheck</name>
@@ -6310,10 +6334,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
 </context>
 <context>
     <name>dipwright::NumericalErrorDialog</name>
-    <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
-    </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
@@ -6359,14 +6379,6 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>%1: Der Tauchvorgang bemalt nichts, daher gibt es nichts zu vergleichen.</translation>
     </message>
     <message>
-        <source>%1: this sheet is accurate enough. 95 % of it is within %2 (numerical error).</source>
-        <translation>%1: Dieses Blatt ist genau genug. 95 % davon liegen innerhalb von %2 (numerischer Fehler).</translation>
-    </message>
-    <message>
-        <source>%1: this sheet is not accurate enough. 95 % of it is only within %2 (numerical error). Use smaller film cells or more points, turn the part, or dip it twice.</source>
-        <translation>%1: Dieses Blatt ist nicht genau genug. 95 % davon liegen nur innerhalb von %2 (numerischer Fehler). Nehmen Sie kleinere Filmzellen oder mehr Punkte, drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
-    </message>
-    <message>
         <source>Numerical error of the sheets</source>
         <translation>Numerischer Fehler der Blätter</translation>
     </message>
@@ -6383,8 +6395,20 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Karten in einem Ordner speichern</translation>
     </message>
     <message>
-        <source>How far the image on the sheet moves</source>
-        <translation>Wie weit sich das Bild auf dem Blatt verschiebt</translation>
+        <source>95 % below</source>
+        <translation>95 % unter</translation>
+    </message>
+    <message>
+        <source>How far the image on the sheet moves with half the step or half the cell width</source>
+        <translation>Wie weit sich das Bild auf dem Blatt mit halbem Schritt oder halber Zellbreite verschiebt</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is accurate enough. For 95 % of it, the numerical error is at most %2.</source>
+        <translation>%1: Dieses Blatt ist genau genug. Für 95 % davon beträgt der numerische Fehler höchstens %2.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is not accurate enough. For 95 % of it, the numerical error is up to %2. Use smaller film cells or more points, turn the part, or dip it twice.</source>
+        <translation>%1: Dieses Blatt ist nicht genau genug. Für 95 % davon beträgt der numerische Fehler bis zu %2. Nehmen Sie kleinere Filmzellen oder mehr Punkte, drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
     </message>
 </context>
 <context>
@@ -6467,10 +6491,6 @@ zuerst eintaucht</translation>
         <translation>Ein&amp;zug</translation>
     </message>
     <message>
-        <source>&amp;Spacing</source>
-        <translation>&amp;Abstand</translation>
-    </message>
-    <message>
         <source>&amp;Bare film</source>
         <translation>Freier Fil&amp;m</translation>
     </message>
@@ -6535,10 +6555,6 @@ zuerst eintaucht</translation>
         <translation>Die Kante, die zuerst in den Drucker geht. Film quillt längs seiner Bahn stärker. Ein Stück, das ungleich quillt, behält seine Richtung zur Bahn.</translation>
     </message>
     <message>
-        <source>Width of the bare film around the ink. Each job is computed for its whole film. A piece that is cut close to the ink behaves differently near its edge.</source>
-        <translation>Breite des freien Films um die Farbe. Jeder Auftrag ist für seinen ganzen Film berechnet. Ein nahe an der Farbe ausgeschnittenes Stück verhält sich am Rand anders.</translation>
-    </message>
-    <message>
         <source>Turns pieces by 90°, but only if their film swells equally in both directions.</source>
         <translation>Dreht Stücke um 90°, aber nur, wenn ihr Film in beiden Richtungen gleich quillt.</translation>
     </message>
@@ -6578,6 +6594,14 @@ zuerst eintaucht</translation>
         <source>Add projects or drop their files here.</source>
         <translation>Fügen Sie Projekte hinzu oder ziehen Sie ihre Dateien hierher.</translation>
     </message>
+    <message>
+        <source>Width of the bare film around the ink. Choose it wide: each job is computed for its whole film, and a piece that is cut close to the ink behaves differently near its edge.</source>
+        <translation>Breite des freien Films um die Farbe. Wählen Sie sie groß: Jeder Auftrag ist für seinen ganzen Film berechnet, und ein nahe an der Farbe ausgeschnittenes Stück verhält sich am Rand anders.</translation>
+    </message>
+    <message>
+        <source>&amp;Spacing between pieces</source>
+        <translation>&amp;Abstand der Stücke</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PaintArtwork</name>
@@ -6595,10 +6619,6 @@ zuerst eintaucht</translation>
     <message>
         <source>Finding corners in photo %1</source>
         <translation>Ecken in Foto %1 werden gesucht</translation>
-    </message>
-    <message>
-        <source>According to its places, photo %1 shows none of the print; give the places again, or photograph the dipped side</source>
-        <translation>Nach seinen Stellen zeigt Foto %1 nichts vom Druck; geben Sie die Stellen noch einmal an, oder fotografieren Sie die getauchte Seite</translation>
     </message>
     <message>
         <source>In photo %1, black and white are swapped; the film was laid with its ink side down, or shifted by one square</source>
@@ -6657,8 +6677,12 @@ zuerst eintaucht</translation>
         <translation>Mit diesem Foto haben die Fotos des Teils zusammen %1 Millionen Pixel, die Grenze ist aber %2 Millionen; verwenden Sie weniger oder kleinere Fotos</translation>
     </message>
     <message>
-        <source>Rings: expected places · lines: towards the seen places, enlarged %1 times</source>
-        <translation>Ringe: erwartete Stellen · Linien: zu den gesehenen Stellen, %1-fach vergrößert</translation>
+        <source>According to the places given for it, photo %1 shows none of the print; give the places again, or photograph the dipped side</source>
+        <translation>Nach den dafür angegebenen Stellen zeigt Foto %1 nichts vom Druck; geben Sie die Stellen noch einmal an, oder fotografieren Sie die getauchte Seite</translation>
+    </message>
+    <message>
+        <source>Rings: expected places · lines: deviations of the seen places, enlarged %1 times</source>
+        <translation>Ringe: erwartete Stellen · Linien: Abweichungen der gesehenen Stellen, %1-fach vergrößert</translation>
     </message>
 </context>
 <context>
@@ -6728,10 +6752,6 @@ zuerst eintaucht</translation>
         <translation>95 %, mm</translation>
     </message>
     <message>
-        <source>Worst, mm</source>
-        <translation>Größte, mm</translation>
-    </message>
-    <message>
         <source>Error of the image on the part</source>
         <translation>Fehler des Bilds auf dem Teil</translation>
     </message>
@@ -6750,10 +6770,6 @@ zuerst eintaucht</translation>
     <message>
         <source>Dipped with the c&amp;hessboard film (17 mm)</source>
         <translation>Mit dem Sc&amp;hachbrettfilm (17 mm) getaucht</translation>
-    </message>
-    <message>
-        <source>The pairs are places on the part &amp;itself</source>
-        <translation>Die Paare s&amp;ind Stellen auf dem Teil selbst</translation>
     </message>
     <message>
         <source>&amp;Measure pairs</source>
@@ -6780,10 +6796,6 @@ zuerst eintaucht</translation>
         <translation>Schreibt Tabelle, Stellen und Fotos mit Abweichungen in einen Ordner</translation>
     </message>
     <message>
-        <source>Add photos of the dipped part, or drop them here. Use one camera; the part must be sharp, complete and fill the picture.</source>
-        <translation>Fügen Sie Fotos des getauchten Teils hinzu oder legen Sie sie hier ab. Verwenden Sie eine Kamera; das Teil muss scharf und ganz zu sehen sein und das Bild füllen.</translation>
-    </message>
-    <message>
         <source>Now click the same place on the part in the 3D view.</source>
         <translation>Klicken Sie nun dieselbe Stelle auf dem Teil in der 3D-Ansicht an.</translation>
     </message>
@@ -6792,44 +6804,56 @@ zuerst eintaucht</translation>
         <translation>Die Kamera wurde an die Paare angepasst.</translation>
     </message>
     <message>
-        <source>Click a place in the photo, then the same place on the part. %1 of %2 pairs so far; spread them over several faces.</source>
-        <translation>Klicken Sie eine Stelle im Foto an, dann dieselbe auf dem Teil. Bisher %1 von %2 Paaren; verteilen Sie sie über mehrere Flächen.</translation>
-    </message>
-    <message>
-        <source>%1 pairs. Drag a place to correct it, press Delete to remove it. Then find the corners, or measure only the pairs.</source>
-        <translation>%1 Paare. Ziehen Sie eine Stelle, um sie zu berichtigen; Entf löscht sie. Suchen Sie dann die Ecken oder messen Sie nur die Paare.</translation>
-    </message>
-    <message>
         <source>N: number of measured places</source>
         <translation>N: Anzahl der gemessenen Stellen</translation>
     </message>
     <message>
-        <source>R: mean distance in the photo between a place and its expected place, ± standard deviation σ, in pixels</source>
-        <translation>R: mittlerer Abstand im Foto zwischen einer Stelle und ihrer erwarteten Stelle, ± Standardabweichung σ, in Pixeln</translation>
+        <source>The camera was fitted to the printed pattern, so a shift or rotation of the whole image is not measured.</source>
+        <translation>Die Kamera wurde am gedruckten Muster ausgerichtet; eine Verschiebung oder Drehung des ganzen Bildes wird deshalb nicht gemessen.</translation>
     </message>
     <message>
-        <source>R as a share of the photo&apos;s diagonal, as in Table II of the paper of 2020</source>
+        <source>Largest, mm</source>
+        <translation>Größte, mm</translation>
+    </message>
+    <message>
+        <source>R: mean distance in the photo between the measured and the expected position of a place, ± standard deviation σ, in pixels</source>
+        <translation>R: mittlerer Abstand im Foto zwischen gemessener und erwarteter Position einer Stelle, ± Standardabweichung σ, in Pixeln</translation>
+    </message>
+    <message>
+        <source>R as a share of the photo&apos;s diagonal, as in Table II of the 2020 paper</source>
         <translation>R als Anteil der Diagonale des Fotos, wie in Tabelle II der Arbeit von 2020</translation>
     </message>
     <message>
-        <source>95 % of the places on the part are within this distance of their expected places, measured across the line of sight</source>
-        <translation>95 % der Stellen auf dem Teil liegen innerhalb dieses Abstands von ihren erwarteten Stellen, quer zur Blickrichtung gemessen</translation>
+        <source>95 % of the places on the part are within this distance of their expected positions, measured perpendicular to the line of sight</source>
+        <translation>95 % der Stellen auf dem Teil liegen innerhalb dieses Abstands von ihren erwarteten Positionen, senkrecht zur Blickrichtung gemessen</translation>
     </message>
     <message>
-        <source>Largest distance of a place on the part from its expected place, measured across the line of sight</source>
-        <translation>Größter Abstand einer Stelle auf dem Teil von ihrer erwarteten Stelle, quer zur Blickrichtung gemessen</translation>
+        <source>Largest distance of a place on the part from its expected position, measured perpendicular to the line of sight</source>
+        <translation>Größter Abstand einer Stelle auf dem Teil von ihrer erwarteten Position, senkrecht zur Blickrichtung gemessen</translation>
     </message>
     <message>
-        <source>If ticked, the program looks for the corners of the built-in chessboard. Otherwise it looks for chess squares in the model&apos;s texture.</source>
-        <translation>Mit Häkchen sucht das Programm die Ecken des eingebauten Schachbretts. Sonst sucht es Schachfelder in der Textur des Modells.</translation>
+        <source>If ticked, the program looks for the corners of the built-in chessboard. Otherwise it looks for chessboard squares in the model&apos;s texture.</source>
+        <translation>Mit Häkchen sucht das Programm die Ecken des eingebauten Schachbretts. Sonst sucht es Schachbrettfelder in der Textur des Modells.</translation>
     </message>
     <message>
-        <source>Tick this if the pairs are tips and edges of the part, not places in the image. Then only the pairs set the camera, so that a shift of the whole image becomes visible.</source>
-        <translation>Setzen Sie das Häkchen, wenn die Paare Spitzen und Kanten des Teils sind, nicht Stellen im Bild. Dann legen nur die Paare die Kamera fest, sodass eine Verschiebung des ganzen Bilds sichtbar wird.</translation>
+        <source>The pairs mark the part &amp;itself, not the image</source>
+        <translation>Die Paare mark&amp;ieren das Teil selbst, nicht das Bild</translation>
     </message>
     <message>
-        <source>The camera was fitted to the printed pattern, so a shift or rotation of the whole image is not measured.</source>
-        <translation>Die Kamera wurde am gedruckten Muster ausgerichtet; eine Verschiebung oder Drehung des ganzen Bildes wird deshalb nicht gemessen.</translation>
+        <source>Tick this if the pairs are tips and edges of the part, not places in the image. Then the camera is fitted only to the pairs, so that a shift of the whole image becomes visible.</source>
+        <translation>Setzen Sie das Häkchen, wenn die Paare Spitzen und Kanten des Teils sind, nicht Stellen im Bild. Dann wird die Kamera nur an die Paare angepasst, sodass eine Verschiebung des ganzen Bilds sichtbar wird.</translation>
+    </message>
+    <message>
+        <source>Add photos of the dipped part, or drop them here. Take all photos with the same camera. The part must be sharp, completely visible and fill the picture.</source>
+        <translation>Fügen Sie Fotos des getauchten Teils hinzu oder legen Sie sie hier ab. Nehmen Sie alle Fotos mit derselben Kamera auf. Das Teil muss scharf und ganz zu sehen sein und das Bild füllen.</translation>
+    </message>
+    <message>
+        <source>Click a place in the photo, then the same place on the part in the 3D view. %1 of %2 pairs so far; spread them over several faces.</source>
+        <translation>Klicken Sie eine Stelle im Foto an, dann dieselbe Stelle auf dem Teil in der 3D-Ansicht. Bisher %1 von %2 Paaren; verteilen Sie sie über mehrere Flächen.</translation>
+    </message>
+    <message>
+        <source>%1 pairs. Drag a place to correct it, or press Delete to remove it. Then click “Find corners”, or click “Measure pairs” to use only the pairs.</source>
+        <translation>%1 Paare. Ziehen Sie eine Stelle, um sie zu berichtigen; Entf löscht sie. Klicken Sie dann auf „Ecken suchen“, oder auf „Paare messen“, um nur die Paare zu verwenden.</translation>
     </message>
 </context>
 <context>
@@ -6886,10 +6910,6 @@ zuerst eintaucht</translation>
         <translation>≈ %1</translation>
     </message>
     <message>
-        <source>Misses a limit. %1</source>
-        <translation>Verfehlt eine Grenze. %1</translation>
-    </message>
-    <message>
         <source>Compared with your pose: %1</source>
         <translation>Verglichen mit Ihrer Lage: %1</translation>
     </message>
@@ -6908,6 +6928,10 @@ Dehnung</translation>
 differences</source>
         <translation>Urteil,
 Unterschiede</translation>
+    </message>
+    <message>
+        <source>Does not meet a limit. %1</source>
+        <translation>Hält eine Grenze nicht ein. %1</translation>
     </message>
 </context>
 <context>
@@ -6931,10 +6955,6 @@ Unterschiede</translation>
     <message>
         <source>Solvers</source>
         <translation>Solver</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -7017,10 +7037,6 @@ Unterschiede</translation>
         <translation>Filmp&amp;rofil neuer Projekte</translation>
     </message>
     <message>
-        <source>Keep results beside the project</source>
-        <translation>Ergebnisse neben dem Projekt aufbewahren</translation>
-    </message>
-    <message>
         <source>The film size proposed for new projects.</source>
         <translation>Die Filmgröße, die für neue Projekte vorgeschlagen wird.</translation>
     </message>
@@ -7045,10 +7061,6 @@ Unterschiede</translation>
         <translation>Nach dem ersten Lauf berechnet jede Änderung die Ergebnisse neu, die von ihr abhängen.</translation>
     </message>
     <message>
-        <source>Saves the dips of a project in a file NAME.dips beside it, up to 64 MB. The results are there when you open the project again.</source>
-        <translation>Speichert die Tauchvorgänge eines Projekts in einer Datei NAME.dips daneben, bis zu 64 MB. Die Ergebnisse sind da, wenn Sie das Projekt wieder öffnen.</translation>
-    </message>
-    <message>
         <source>A new language takes effect when you restart the program.</source>
         <translation>Eine neue Sprache wirkt nach einem Neustart des Programms.</translation>
     </message>
@@ -7063,6 +7075,18 @@ Unterschiede</translation>
     <message>
         <source>%1 is assigned to both “%2” and “%3”. Change one of them.</source>
         <translation>%1 ist „%2“ und „%3“ zugewiesen. Ändern Sie eines davon.</translation>
+    </message>
+    <message>
+        <source>Keep results next to the project file</source>
+        <translation>Ergebnisse neben der Projektdatei aufbewahren</translation>
+    </message>
+    <message>
+        <source>Same as the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Saves the dips of a project in the file NAME.dips next to the project file, up to 64 MB. When you open the project again, its results are shown at once.</source>
+        <translation>Speichert die Tauchvorgänge eines Projekts in der Datei NAME.dips neben der Projektdatei, bis zu 64 MB. Wenn Sie das Projekt wieder öffnen, werden seine Ergebnisse sofort gezeigt.</translation>
     </message>
 </context>
 <context>
@@ -7104,20 +7128,8 @@ Unterschiede</translation>
         <translation>Drucker werden gesucht</translation>
     </message>
     <message>
-        <source>No printer is set up on this machine. Save the sheet as PDF and print it elsewhere, at 100 %.</source>
-        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Speichern Sie das Blatt als PDF und drucken Sie es anderswo mit 100 %.</translation>
-    </message>
-    <message>
         <source>Choose at least one sheet.</source>
         <translation>Wählen Sie mindestens ein Blatt.</translation>
-    </message>
-    <message>
-        <source>Asking the printer …</source>
-        <translation>Der Drucker wird abgefragt …</translation>
-    </message>
-    <message>
-        <source>Asking the printer</source>
-        <translation>Der Drucker wird abgefragt</translation>
     </message>
     <message>
         <source>Printing …</source>
@@ -7130,14 +7142,6 @@ Unterschiede</translation>
     <message>
         <source>Printed on %1</source>
         <translation>Auf %1 gedruckt</translation>
-    </message>
-    <message>
-        <source>Handed to the queue of %1</source>
-        <translation>An die Warteschlange von %1 übergeben</translation>
-    </message>
-    <message>
-        <source>The printers that are set up on this machine.</source>
-        <translation>Die Drucker, die auf diesem Rechner eingerichtet sind.</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
@@ -7275,6 +7279,26 @@ Unterschiede</translation>
         <source>If this is not ticked, the program refuses a print with this problem and shows the reason.</source>
         <translation>Ohne Häkchen verweigert das Programm einen Druck mit diesem Problem und zeigt den Grund.</translation>
     </message>
+    <message>
+        <source>The printers that are set up on this computer.</source>
+        <translation>Die Drucker, die auf diesem Rechner eingerichtet sind.</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Save the sheet as PDF and print it elsewhere, at 100 %.</source>
+        <translation>Auf diesem Rechner ist kein Drucker eingerichtet. Speichern Sie das Blatt als PDF und drucken Sie es anderswo mit 100 %.</translation>
+    </message>
+    <message>
+        <source>Checking the printer …</source>
+        <translation>Der Drucker wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Checking the printer</source>
+        <translation>Der Drucker wird geprüft</translation>
+    </message>
+    <message>
+        <source>Sent to the print queue of %1</source>
+        <translation>An die Druckwarteschlange von %1 gesendet</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PrintFields</name>
@@ -7285,14 +7309,6 @@ Unterschiede</translation>
     <message>
         <source>Shift Z</source>
         <translation>Versatz Z</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Swell</source>
-        <translation>Quellung</translation>
     </message>
     <message>
         <source>After %1 and %2</source>
@@ -7311,20 +7327,12 @@ Unterschiede</translation>
         <translation>Wie weit der zweite Film längs Z verschoben ist.</translation>
     </message>
     <message>
-        <source>How far the second film is turned, from X towards Z.</source>
-        <translation>Wie weit der zweite Film gedreht ist, von X nach Z.</translation>
-    </message>
-    <message>
         <source>How much more the second film has swollen than the sheet assumes.</source>
         <translation>Wie viel mehr der zweite Film gequollen ist, als das Blatt annimmt.</translation>
     </message>
     <message>
         <source>Extra depth</source>
-        <translation>Mehr Tiefe</translation>
-    </message>
-    <message>
-        <source>How much deeper the part is dipped; negative values are less deep. Surface that stays above the water gets no ink. A part that is dipped whole cannot go deeper.</source>
-        <translation>Wie viel tiefer das Teil getaucht wird; negative Werte sind weniger tief. Was über dem Wasser bleibt, bekommt keine Farbe. Ein Teil, das ganz getaucht wird, kann nicht tiefer gehen.</translation>
+        <translation>Zusätzliche Tiefe</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -7337,6 +7345,22 @@ Unterschiede</translation>
     <message>
         <source>Show part</source>
         <translation>Teil zeigen</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Angle by which the second film is turned, from X towards Z.</source>
+        <translation>Winkel, um den der zweite Film gedreht ist, von X nach Z.</translation>
+    </message>
+    <message>
+        <source>Extra swell</source>
+        <translation>Mehr Quellung</translation>
+    </message>
+    <message>
+        <source>How much deeper the part is dipped. A negative value dips it less deep; surface that then stays above the water gets no ink. If the dip covers the whole part, it cannot go deeper.</source>
+        <translation>Wie viel tiefer das Teil getaucht wird. Bei einem negativen Wert wird es weniger tief getaucht; was dann über dem Wasser bleibt, bekommt keine Farbe. Taucht schon das ganze Teil ein, kann es nicht tiefer gehen.</translation>
     </message>
 </context>
 <context>
@@ -7472,20 +7496,12 @@ Unterschiede</translation>
         <translation>Der Drucker ist angehalten%1; starten Sie ihn in den Einstellungen des Systems</translation>
     </message>
     <message>
-        <source>The printer has no paper of %1; set the sheet&apos;s paper to one that it has: %2</source>
-        <translation>Der Drucker hat kein Papier von %1; stellen Sie das Papier des Blatts auf eines, das er hat: %2</translation>
-    </message>
-    <message>
         <source>The sheet of %1 is larger than every paper of the printer (%2); make it smaller or print it in tiles</source>
         <translation>Das Blatt von %1 ist größer als jedes Papier des Druckers (%2); verkleinern Sie es oder drucken Sie es in Kacheln</translation>
     </message>
     <message>
-        <source>The printer has no paper named %1</source>
-        <translation>Der Drucker hat kein Papier namens %1</translation>
-    </message>
-    <message>
         <source>The printer does not reach the outer %1 mm of the paper, and the sheet has colour there</source>
-        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht, und das Blatt hat dort Farbe</translation>
+        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht, aber das Blatt hat dort Farbe</translation>
     </message>
     <message>
         <source>The printer prints in grey only, and the sheet is coloured; choose a colour printer, or accept grey</source>
@@ -7518,10 +7534,6 @@ Unterschiede</translation>
     <message>
         <source>The job was cancelled at the printer</source>
         <translation>Der Auftrag wurde am Drucker abgebrochen</translation>
-    </message>
-    <message>
-        <source>This program was built without printing; print the sheet&apos;s PDF at 100 % instead</source>
-        <translation>Dieses Programm wurde ohne Drucken gebaut; drucken Sie stattdessen das PDF des Blatts mit 100 %</translation>
     </message>
     <message>
         <source>The sheet could not be sent to the printer</source>
@@ -7557,7 +7569,7 @@ Unterschiede</translation>
     </message>
     <message>
         <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
-        <translation>Die weiße Schicht fehlt: Sie braucht ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
+        <translation>Die weiße Schicht wird weggelassen: Sie braucht ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
     </message>
     <message>
         <source>Stopped: %1</source>
@@ -7577,11 +7589,11 @@ Unterschiede</translation>
     </message>
     <message>
         <source>The spot colours are left out: they need a printer profile with an ICC profile in CMYK</source>
-        <translation>Die Sonderfarben fehlen: Sie brauchen ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
+        <translation>Die Sonderfarben werden weggelassen: Sie brauchen ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
     </message>
     <message>
         <source>The cut contour is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
-        <translation>Die Schneidkontur fehlt: Sie braucht ein PDF und ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
+        <translation>Die Schneidkontur wird weggelassen: Sie braucht ein PDF und ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
     </message>
     <message>
         <source>A sheet in tiles can only be written as PDF, one page for each tile; end the file name in .pdf</source>
@@ -7594,10 +7606,6 @@ Unterschiede</translation>
     <message>
         <source>Unknown: %1</source>
         <translation>Unbekannt: %1</translation>
-    </message>
-    <message>
-        <source>This print is missing in the print history: %1</source>
-        <translation>Dieser Druck fehlt im Druckverlauf: %1</translation>
     </message>
     <message>
         <source>the folder %1 cannot be created</source>
@@ -7618,14 +7626,6 @@ Unterschiede</translation>
     <message>
         <source>There is no such printer; choose one of: %1</source>
         <translation>Diesen Drucker gibt es nicht; wählen Sie einen von: %1</translation>
-    </message>
-    <message>
-        <source>The printer does not accept jobs at the moment%1; allow it in the system&apos;s settings</source>
-        <translation>Der Drucker nimmt im Augenblick keine Aufträge an%1; erlauben Sie es in den Einstellungen des Systems</translation>
-    </message>
-    <message>
-        <source>The printer reports no paper to print tiles on</source>
-        <translation>Der Drucker meldet kein Papier, auf das Kacheln gedruckt werden können</translation>
     </message>
     <message>
         <source>The printer scales pages by default, and its queue cannot turn this off; the job bypasses the queue and goes directly to the printer</source>
@@ -7664,10 +7664,6 @@ Unterschiede</translation>
         <translation>Der Zustand von Auftrag %1 hat sich lange nicht geändert (%2), und dieser Drucker lässt sich nicht abfragen; sehen Sie am Drucker nach und entfernen Sie den Auftrag aus der Warteschlange, falls er nicht druckt</translation>
     </message>
     <message>
-        <source>The printer does not reach the outer %1 mm of the paper; enter its margins in its profile first</source>
-        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht; tragen Sie zuerst seine Ränder in sein Profil ein</translation>
-    </message>
-    <message>
         <source>The printer refuses the job</source>
         <translation>Der Drucker lehnt den Auftrag ab</translation>
     </message>
@@ -7684,8 +7680,36 @@ Unterschiede</translation>
         <translation>Der Drucker nimmt dieses Papier nur mit der anderen Kante voran; drehen Sie die Seite um 90°</translation>
     </message>
     <message>
-        <source>%1 mm² of the part will be visibly too pale: the stretch needs more ink than is possible with full ink, the ink limit and the total area coverage</source>
-        <translation>%1 mm² des Teils werden sichtbar zu blass: Die Dehnung erfordert mehr Farbe, als Vollton, Farbgrenze und Gesamtfarbauftrag zulassen</translation>
+        <source>%1 mm² of the part will be visibly too pale: the stretched film needs more ink there than full ink, the ink limit and the total area coverage allow</source>
+        <translation>%1 mm² des Teils werden sichtbar zu blass: Der gedehnte Film braucht dort mehr Farbe, als Vollton, Farbgrenze und Gesamtfarbauftrag zulassen</translation>
+    </message>
+    <message>
+        <source>This print could not be added to the print history: %1</source>
+        <translation>Dieser Druck konnte nicht in den Druckverlauf aufgenommen werden: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not accept jobs at the moment%1; allow jobs in the system&apos;s settings</source>
+        <translation>Der Drucker nimmt im Augenblick keine Aufträge an%1; erlauben Sie Aufträge in den Einstellungen des Systems</translation>
+    </message>
+    <message>
+        <source>The printer has no paper of %1; set the paper of the sheet to one of these: %2</source>
+        <translation>Der Drucker hat kein Papier von %1; stellen Sie das Papier des Blatts auf eines von diesen: %2</translation>
+    </message>
+    <message>
+        <source>The printer reports no loaded paper for the tiles; load paper, or choose a paper for the tiles</source>
+        <translation>Der Drucker meldet kein eingelegtes Papier für die Kacheln; legen Sie Papier ein, oder wählen Sie ein Papier für die Kacheln</translation>
+    </message>
+    <message>
+        <source>The printer has no paper named %1; choose another paper</source>
+        <translation>Der Drucker hat kein Papier namens %1; wählen Sie ein anderes Papier</translation>
+    </message>
+    <message>
+        <source>The printer does not reach the outer %1 mm of the paper; enter the printer&apos;s margins in its profile first</source>
+        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht; tragen Sie zuerst die Ränder des Druckers in sein Profil ein</translation>
+    </message>
+    <message>
+        <source>This version of the program cannot print; print the sheet&apos;s PDF at 100 % with another program</source>
+        <translation>Diese Fassung des Programms kann nicht drucken; drucken Sie das PDF des Blatts mit 100 % aus einem anderen Programm</translation>
     </message>
 </context>
 <context>
@@ -7947,16 +7971,8 @@ Unterschiede</translation>
         <translation>Produktion</translation>
     </message>
     <message>
-        <source>Paper of 2020</source>
-        <translation>Arbeit von 2020</translation>
-    </message>
-    <message>
         <source>Custom</source>
         <translation>Eigenes</translation>
-    </message>
-    <message>
-        <source>Production is the accurate film model and the default. Paper of 2020 is the published model, for comparison.</source>
-        <translation>Produktion ist das genaue Filmmodell und der Standard. Arbeit von 2020 ist das veröffentlichte Modell, zum Vergleich.</translation>
     </message>
     <message>
         <source>Preset</source>
@@ -7985,10 +8001,6 @@ Unterschiede</translation>
     <message>
         <source>%1 (not installed)</source>
         <translation>%1 (nicht installiert)</translation>
-    </message>
-    <message>
-        <source>Longest edge</source>
-        <translation>Längste Kante</translation>
     </message>
     <message>
         <source>The measured values of one film: size, swell, relaxation and sides.</source>
@@ -8027,10 +8039,6 @@ Unterschiede</translation>
         <translation>Ersetzt die Textur des Modells durch ein anderes Bild.</translation>
     </message>
     <message>
-        <source>Scales the part and the marks on it.</source>
-        <translation>Skaliert das Teil und die Marken darauf.</translation>
-    </message>
-    <message>
         <source>Marks for the seam</source>
         <translation>Marken für die Naht</translation>
     </message>
@@ -8051,10 +8059,6 @@ Unterschiede</translation>
         <translation>Druck mit verschobenem zweitem Film</translation>
     </message>
     <message>
-        <source>Visible with “Finished part”. The sheets do not change.</source>
-        <translation>Sichtbar mit „Fertiges Teil“. Die Blätter ändern sich nicht.</translation>
-    </message>
-    <message>
         <source>Apply preset</source>
         <translation>Vorgabe anwenden</translation>
     </message>
@@ -8073,6 +8077,26 @@ Unterschiede</translation>
     <message>
         <source>Size: %1 × %2 × %3</source>
         <translation>Größe: %1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>Largest dimension</source>
+        <translation>Größte Abmessung</translation>
+    </message>
+    <message>
+        <source>Scales the model, with the marks on it, so that its largest dimension (along X, Y or Z) has this length.</source>
+        <translation>Skaliert das Modell mit den Marken darauf, sodass seine größte Abmessung (längs X, Y oder Z) diese Länge hat.</translation>
+    </message>
+    <message>
+        <source>To see it, choose “Finished part” in the 3D view. The sheets do not change.</source>
+        <translation>Um ihn zu sehen, wählen Sie „Fertiges Teil“ in der 3D-Ansicht. Die Blätter ändern sich nicht.</translation>
+    </message>
+    <message>
+        <source>Model of 2020</source>
+        <translation>Modell von 2020</translation>
+    </message>
+    <message>
+        <source>Production is the accurate film model and the default. Model of 2020 is the published film model, for comparison.</source>
+        <translation>Produktion ist das genaue Filmmodell und der Standard. Modell von 2020 ist das veröffentlichte Filmmodell, zum Vergleich.</translation>
     </message>
 </context>
 <context>
@@ -8214,8 +8238,8 @@ Ergebnisse: %2</translation>
 <context>
     <name>dipwright::Reader</name>
     <message>
-        <source>This system cannot confine the program that reads models and pictures, so nothing was read. Use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
-        <translation>Dieses System kann das Programm, das Modelle und Bilder liest, nicht einschränken; deshalb wurde nichts gelesen. Nehmen Sie ein anderes System, oder setzen Sie DIPWRIGHT_READ_UNCONFINED=1 für Dateien, denen Sie vertrauen</translation>
+        <source>This operating system cannot run the reader of models and pictures in a sandbox, so nothing was read. Use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
+        <translation>Dieses Betriebssystem kann das Programm, das Modelle und Bilder liest, nicht in einer Sandbox ausführen; deshalb wurde nichts gelesen. Nehmen Sie ein anderes System, oder setzen Sie DIPWRIGHT_READ_UNCONFINED=1 für Dateien, denen Sie vertrauen</translation>
     </message>
 </context>
 <context>
@@ -8379,10 +8403,6 @@ mm je mm</translation>
         <translation>Abdeckungsbild wird gezeichnet</translation>
     </message>
     <message>
-        <source>Mean stretch at each point, final over rest length; ink side up</source>
-        <translation>Mittlere Dehnung an jedem Punkt, End- über Ruhelänge; Farbseite oben</translation>
-    </message>
-    <message>
         <source>On the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
         <translation>Auf dem Teil: min. %1 · Mittel %2 · 95 % unter %3 · max. %4</translation>
     </message>
@@ -8415,16 +8435,20 @@ mm je mm</translation>
 ± %1</translation>
     </message>
     <message>
-        <source>On the part: 95 % is within ±%1</source>
-        <translation>Auf dem Teil: 95 % liegen innerhalb von ±%1</translation>
-    </message>
-    <message>
         <source>Dark outline: film on the part · pale: unused film</source>
         <translation>Dunkler Umriss: Film auf dem Teil · blass: ungenutzter Film</translation>
     </message>
     <message>
         <source>How far the image may be off because of the film&apos;s cells and the solver&apos;s steps; ink side up</source>
         <translation>Wie weit das Bild wegen der Zellen des Films und der Schritte des Solvers abweichen kann; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>Mean stretch at each point: final length divided by rest length; ink side up</source>
+        <translation>Mittlere Dehnung an jedem Punkt: Endlänge geteilt durch Ruhelänge; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>On the part: 95 % of the image moves by ±%1 or less</source>
+        <translation>Auf dem Teil: 95 % des Bilds verschieben sich um höchstens ±%1</translation>
     </message>
 </context>
 <context>
@@ -8521,12 +8545,12 @@ mm je mm</translation>
         <translation>Textur wird umgekehrt</translation>
     </message>
     <message>
-        <source>Continuing the colour past the edge</source>
-        <translation>Farbe wird über den Rand hinaus fortgesetzt</translation>
-    </message>
-    <message>
         <source>The film image is too large for this computer&apos;s memory; choose a lower resolution</source>
         <translation>Das Filmbild ist zu groß für den Speicher dieses Rechners; wählen Sie eine kleinere Auflösung</translation>
+    </message>
+    <message>
+        <source>Adding bleed at the edges</source>
+        <translation>Beschnitt wird an den Rändern hinzugefügt</translation>
     </message>
 </context>
 <context>
@@ -8544,16 +8568,16 @@ mm je mm</translation>
         <translation>Erlaubt die Naht</translation>
     </message>
     <message>
-        <source>What a click or a drag on the part in the view marks. Assign areas to the other dip to move the seam. With “Run live” the seam is updated at once.</source>
-        <translation>Was ein Klick oder ein Zug auf dem Teil in der Ansicht markiert. Weisen Sie dem anderen Tauchvorgang Stellen zu, um die Naht zu verschieben. Mit „Mitlaufen“ folgt die Naht sofort.</translation>
-    </message>
-    <message>
         <source>Marks the whole flat face that you click, up to its edges.</source>
         <translation>Markiert die ganze ebene Fläche, die Sie anklicken, bis zu ihren Kanten.</translation>
     </message>
     <message>
         <source>Assigns the place to %1</source>
         <translation>Weist die Stelle %1 zu</translation>
+    </message>
+    <message>
+        <source>What a click or drag on the part does. Assign areas to the other dip to move the seam. With “Run live” the seam is updated at once.</source>
+        <translation>Was ein Klick oder Ziehen auf dem Teil bewirkt. Weisen Sie dem anderen Tauchvorgang Flächen zu, um die Naht zu verschieben. Mit „Mitlaufen“ folgt die Naht sofort.</translation>
     </message>
 </context>
 <context>
@@ -8568,7 +8592,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>The search was stopped. The best pose so far is at the top.</source>
-        <translation>Die Suche wurde beendet. Die bisher beste Lage steht oben.</translation>
+        <translation>Die Suche wurde abgebrochen. Die bisher beste Lage steht oben.</translation>
     </message>
     <message>
         <source>Pose search</source>
@@ -8678,20 +8702,20 @@ mm je mm</translation>
         <translation>Derselbe Startwert ergibt dieselbe Tabelle. Ein anderer Startwert probiert andere Richtungen.</translation>
     </message>
     <message>
-        <source>Gives the dips the pose that is selected in the table. This is one undo step.</source>
-        <translation>Gibt den Tauchvorgängen die Lage, die in der Tabelle ausgewählt ist. Das ist ein Rückgängig-Schritt.</translation>
-    </message>
-    <message>
         <source>Shows two selected poses side by side with linked cameras. If only one pose is selected, shows it beside the project&apos;s own pose.</source>
         <translation>Zeigt zwei ausgewählte Lagen nebeneinander mit gekoppelten Kameras. Ist nur eine Lage ausgewählt, zeigt es sie neben der Lage des Projekts.</translation>
     </message>
     <message>
-        <source>Continues after the project&apos;s own dip</source>
-        <translation>Geht nach dem Tauchvorgang des Projekts weiter</translation>
-    </message>
-    <message>
         <source>Click a pose to see its film on the part, also during the search. Undo brings back your own pose. Select two poses to compare them.</source>
         <translation>Klicken Sie auf eine Lage, um ihren Film auf dem Teil zu sehen, auch während der Suche. Rückgängig stellt Ihre eigene Lage wieder her. Wählen Sie zwei Lagen, um sie zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Sets the dips of the project to the pose that is selected in the table. Undo takes this back in one step.</source>
+        <translation>Stellt die Tauchvorgänge des Projekts auf die Lage ein, die in der Tabelle ausgewählt ist. Rückgängig nimmt das in einem Schritt zurück.</translation>
+    </message>
+    <message>
+        <source>Waiting until the dip of the project has finished</source>
+        <translation>Wartet, bis der Tauchvorgang des Projekts fertig ist</translation>
     </message>
 </context>
 <context>
@@ -8745,14 +8769,6 @@ mm je mm</translation>
         <translation>%1 · %2 · %3 · Film %4 · Maßstab %5</translation>
     </message>
     <message>
-        <source>This job&apos;s spot ink %1 differs in colour or printing order from that of another job; give both the same</source>
-        <translation>Die Sonderfarbe %1 dieses Auftrags hat eine andere Farbe oder Druckreihenfolge als die eines anderen Auftrags; geben Sie beiden dieselbe</translation>
-    </message>
-    <message>
-        <source>This job&apos;s white layer differs from that of %1; give both the same kind of white and the same ink name</source>
-        <translation>Die Weißschicht dieses Auftrags unterscheidet sich von der von %1; geben Sie beiden dieselbe Art Weiß und denselben Tintennamen</translation>
-    </message>
-    <message>
         <source>This job&apos;s sheet has %1 dpi, but the sheet of %2 has %3 dpi; give both the same resolution</source>
         <translation>Das Blatt dieses Auftrags hat %1 dpi, das Blatt von %2 aber %3 dpi; geben Sie beiden dieselbe Auflösung</translation>
     </message>
@@ -8763,10 +8779,6 @@ mm je mm</translation>
     <message>
         <source>With its marks, this job&apos;s sheet needs %1 × %2 mm, but the film has only %3 × %4 mm inside its edges; use a larger film</source>
         <translation>Mit seinen Marken braucht das Blatt dieses Auftrags %1 × %2 mm, der Film hat innerhalb seiner Ränder aber nur %3 × %4 mm; verwenden Sie einen größeren Film</translation>
-    </message>
-    <message>
-        <source>This job&apos;s sheet contains no ink</source>
-        <translation>Das Blatt dieses Auftrags enthält keine Farbe</translation>
     </message>
     <message>
         <source>The copies need %1 films, more than the limit of %2; choose fewer copies</source>
@@ -8781,16 +8793,28 @@ mm je mm</translation>
         <translation>Das PNG des Blatts kann nicht geschrieben werden: %1</translation>
     </message>
     <message>
-        <source>Paper of %1 × %2 mm is too small for a part of the sheet; use larger paper</source>
-        <translation>Papier von %1 × %2 mm ist zu klein für einen Teil des Blatts; verwenden Sie größeres Papier</translation>
-    </message>
-    <message>
         <source>The sheet needs more than %1 pages of this paper; use larger paper</source>
         <translation>Das Blatt braucht mehr als %1 Seiten dieses Papiers; verwenden Sie größeres Papier</translation>
     </message>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashed lines</source>
         <translation>%1 · Zeile %2 von %3, Spalte %4 von %5 · an den gestrichelten Linien schneiden</translation>
+    </message>
+    <message>
+        <source>This job&apos;s spot ink %1 has another colour or printing order than in another job; give it the same colour and order in both jobs</source>
+        <translation>Die Sonderfarbe %1 hat in diesem Auftrag eine andere Farbe oder Druckreihenfolge als in einem anderen Auftrag; geben Sie ihr in beiden Aufträgen dieselbe Farbe und Reihenfolge</translation>
+    </message>
+    <message>
+        <source>This job&apos;s white layer differs from the white layer of %1; give both the same kind of white and the same ink name</source>
+        <translation>Die Weißschicht dieses Auftrags unterscheidet sich von der Weißschicht von %1; geben Sie beiden dieselbe Art Weiß und denselben Tintennamen</translation>
+    </message>
+    <message>
+        <source>This job&apos;s sheet contains no ink; remove the job from the film</source>
+        <translation>Das Blatt dieses Auftrags enthält keine Farbe; entfernen Sie den Auftrag vom Film</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small for a tile of the sheet; use larger paper</source>
+        <translation>Papier von %1 × %2 mm ist zu klein für eine Kachel des Blatts; verwenden Sie größeres Papier</translation>
     </message>
 </context>
 <context>
@@ -8800,16 +8824,16 @@ mm je mm</translation>
         <translation>Tauchvorgang %1: %2 Stellen auf einem Teil gemessen, Fehler bis zu %3 mm. Messen Sie drei Teile oder mehr, um zu sehen, welche Fehler sich wiederholen.</translation>
     </message>
     <message>
-        <source>Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; it is similar within %5 mm. Scatter: %6 mm for single places, %7 mm for whole parts.</source>
-        <translation>Tauchvorgang %1: %2 Stellen auf %3 Teilen gemessen. Der wiederkehrende Fehler beträgt bis zu %4 mm; er ist innerhalb von %5 mm ähnlich. Streuung: %6 mm bei einzelnen Stellen, %7 mm bei ganzen Teilen.</translation>
-    </message>
-    <message>
         <source>Red: mean measured error (parts: %1), enlarged %2 times</source>
         <translation>Rot: mittlerer gemessener Fehler (Teile: %1), %2-fach vergrößert</translation>
     </message>
     <message>
         <source>Blue: correction of the next sheet, to the same scale</source>
         <translation>Blau: Korrektur des nächsten Blatts, im selben Maßstab</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; places less than %5 mm apart have similar errors. Scatter: %6 mm for single places, %7 mm for whole parts.</source>
+        <translation>Tauchvorgang %1: %2 Stellen auf %3 Teilen gemessen. Der wiederkehrende Fehler beträgt bis zu %4 mm; Stellen mit weniger als %5 mm Abstand haben ähnliche Fehler. Streuung: %6 mm bei einzelnen Stellen, %7 mm bei ganzen Teilen.</translation>
     </message>
 </context>
 <context>
@@ -8829,10 +8853,6 @@ mm je mm</translation>
     <message>
         <source>Compared with</source>
         <translation>Verglichen mit</translation>
-    </message>
-    <message>
-        <source>What differs</source>
-        <translation>Was sich unterscheidet</translation>
     </message>
     <message>
         <source>Compared with %1</source>
@@ -8871,10 +8891,6 @@ mm je mm</translation>
         <translation>Der Name, unter dem die Einstellungen in der Projektdatei gespeichert werden</translation>
     </message>
     <message>
-        <source>Shows both states with linked cameras, and first runs the dips that have no result yet</source>
-        <translation>Zeigt beide Zustände mit gekoppelten Kameras und rechnet zuerst die Tauchvorgänge ohne Ergebnis</translation>
-    </message>
-    <message>
         <source>Restores the settings of the snapshot. Model, photos and measured parts stay. This can be undone.</source>
         <translation>Stellt die Einstellungen des Schnappschusses wieder her. Modell, Fotos und gemessene Teile bleiben. Das lässt sich rückgängig machen.</translation>
     </message>
@@ -8889,6 +8905,14 @@ mm je mm</translation>
     <message>
         <source>A snapshot saves the project&apos;s settings under a name in the project file.</source>
         <translation>Ein Schnappschuss speichert die Einstellungen des Projekts unter einem Namen in der Projektdatei.</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Shows both versions side by side in linked views. Dips that have no result yet are run first.</source>
+        <translation>Zeigt beide Fassungen nebeneinander in gekoppelten Ansichten. Tauchvorgänge ohne Ergebnis werden zuerst gerechnet.</translation>
     </message>
 </context>
 <context>
@@ -8924,12 +8948,12 @@ mm je mm</translation>
         <translation>Den Solver eines Projekts wählen Sie unter „Tauchen“. „Bester verfügbarer“ verwendet den besten, der auf diesem Rechner laufen kann.</translation>
     </message>
     <message>
-        <source>Checking whether it can run here …</source>
-        <translation>Es wird geprüft, ob er hier laufen kann …</translation>
-    </message>
-    <message>
         <source>No solver found</source>
         <translation>Kein Solver gefunden</translation>
+    </message>
+    <message>
+        <source>Checking whether this solver can run here …</source>
+        <translation>Es wird geprüft, ob dieser Solver hier laufen kann …</translation>
     </message>
 </context>
 <context>
@@ -8979,8 +9003,8 @@ mm je mm</translation>
         <translation>Rundgang</translation>
     </message>
     <message>
-        <source>Shows the window in six steps.</source>
-        <translation>Zeigt das Fenster in sechs Schritten.</translation>
+        <source>Explains the window in six steps.</source>
+        <translation>Erklärt das Fenster in sechs Schritten.</translation>
     </message>
 </context>
 <context>
@@ -9097,28 +9121,28 @@ mm je mm</translation>
         <translation>Linien gleichen Wertes auf der Karte.</translation>
     </message>
     <message>
-        <source>Length of the film&apos;s threads after the dip over their length before it, averaged around each point.</source>
-        <translation>Länge der Fäden des Films nach dem Tauchvorgang durch ihre Länge davor, gemittelt um jeden Punkt.</translation>
-    </message>
-    <message>
-        <source>Area after the dip over area before it. The ink thins by this factor.</source>
-        <translation>Fläche nach dem Tauchvorgang durch Fläche davor. Um diesen Faktor wird die Farbe dünner.</translation>
-    </message>
-    <message>
-        <source>The stretch in the direction of the largest stretch.</source>
-        <translation>Die Dehnung in der Richtung der größten Dehnung.</translation>
-    </message>
-    <message>
-        <source>The stretch in the direction of the smallest stretch. Below 1, the film wrinkles.</source>
-        <translation>Die Dehnung in der Richtung der kleinsten Dehnung. Unter 1 wirft der Film Falten.</translation>
-    </message>
-    <message>
-        <source>Fits the colours to the values on the part. If off, the colours span the two numbers on the right, so that you can compare maps.</source>
-        <translation>Passt die Farben an die Werte auf dem Teil an. Sonst umfassen die Farben die beiden Zahlen rechts, damit Sie Karten vergleichen können.</translation>
-    </message>
-    <message>
         <source>On the part: mean %1 · 95 % below %2 · largest %3</source>
         <translation>Auf dem Teil: Mittel %1 · 95 % unter %2 · größte %3</translation>
+    </message>
+    <message>
+        <source>Length after the dip divided by length before it, averaged over the directions around each point.</source>
+        <translation>Länge nach dem Tauchvorgang geteilt durch Länge davor, gemittelt über die Richtungen um jeden Punkt.</translation>
+    </message>
+    <message>
+        <source>Area after the dip divided by area before it. The ink thins by this factor.</source>
+        <translation>Fläche nach dem Tauchvorgang geteilt durch Fläche davor. Um diesen Faktor wird die Farbe dünner.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction in which the film is stretched most.</source>
+        <translation>Die Dehnung in der Richtung, in der der Film am stärksten gedehnt ist.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction in which the film is stretched least. Below 1, the film wrinkles.</source>
+        <translation>Die Dehnung in der Richtung, in der der Film am wenigsten gedehnt ist. Unter 1 wirft der Film Falten.</translation>
+    </message>
+    <message>
+        <source>Fits the colours to the values on the part. If off, the scale runs between the two numbers on the right, so that you can compare maps.</source>
+        <translation>Passt die Farben an die Werte auf dem Teil an. Ohne Häkchen reicht die Skala von der einen zur anderen Zahl rechts, damit Sie Karten vergleichen können.</translation>
     </message>
 </context>
 <context>
@@ -9139,43 +9163,43 @@ mm je mm</translation>
         <translation>Die Datei ist kein lesbares Bild; speichern Sie sie als PNG oder JPEG</translation>
     </message>
     <message>
-        <source>The picture is damaged: %1; save it anew</source>
-        <translation>Das Bild ist beschädigt: %1; speichern Sie es neu</translation>
-    </message>
-    <message>
         <source>%1, with %2 × %3 pixels</source>
         <translation>%1, mit %2 × %3 Pixeln</translation>
-    </message>
-    <message>
-        <source>The picture is damaged: its ICC profile is cut off; save it anew</source>
-        <translation>Das Bild ist beschädigt: Sein ICC-Profil ist abgeschnitten; speichern Sie es neu</translation>
-    </message>
-    <message>
-        <source>The picture&apos;s ICC profile is damaged or does not match its pixels; save the picture anew as sRGB</source>
-        <translation>Das ICC-Profil des Bildes ist beschädigt oder passt nicht zu seinen Pixeln; speichern Sie das Bild neu als sRGB</translation>
-    </message>
-    <message>
-        <source>The picture&apos;s ICC profile is larger than %1 MB; save the picture anew as sRGB</source>
-        <translation>Das ICC-Profil des Bildes ist größer als %1 MB; speichern Sie das Bild neu als sRGB</translation>
     </message>
     <message>
         <source>The photo is incomplete; copy it from the camera again</source>
         <translation>Das Foto ist unvollständig; kopieren Sie es noch einmal von der Kamera</translation>
     </message>
     <message>
-        <source>The picture file is incomplete; save it anew, or copy it again from its source</source>
-        <translation>Die Bilddatei ist unvollständig; speichern Sie sie neu, oder kopieren Sie sie noch einmal von ihrer Quelle</translation>
-    </message>
-    <message>
         <source>HEIF pictures cannot be read on this computer; save the picture as JPEG, or set the camera to JPEG</source>
         <translation>HEIF-Bilder können auf diesem Rechner nicht gelesen werden; speichern Sie das Bild als JPEG, oder stellen Sie die Kamera auf JPEG</translation>
     </message>
     <message>
-        <source>The CMYK picture is damaged or stored in an unsupported way; save it anew as JPEG, or as TIFF without tiles or planes</source>
+        <source>The picture is damaged: its ICC profile is incomplete; save it again</source>
+        <translation>Das Bild ist beschädigt: Sein ICC-Profil ist unvollständig; speichern Sie es neu</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s ICC profile is damaged or does not match its pixels; save the picture again as sRGB</source>
+        <translation>Das ICC-Profil des Bildes ist beschädigt oder passt nicht zu seinen Pixeln; speichern Sie das Bild neu als sRGB</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s ICC profile is larger than %1 MB; save the picture again as sRGB</source>
+        <translation>Das ICC-Profil des Bildes ist größer als %1 MB; speichern Sie das Bild neu als sRGB</translation>
+    </message>
+    <message>
+        <source>The picture file is incomplete; save it again, or copy it again from its source</source>
+        <translation>Die Bilddatei ist unvollständig; speichern Sie sie neu, oder kopieren Sie sie noch einmal von ihrer Quelle</translation>
+    </message>
+    <message>
+        <source>The CMYK picture is damaged or stored in an unsupported way; save it again as JPEG, or as TIFF without tiles or planes</source>
         <translation>Das CMYK-Bild ist beschädigt oder auf eine nicht unterstützte Art gespeichert; speichern Sie es neu als JPEG, oder als TIFF ohne Kacheln und Ebenen</translation>
     </message>
     <message>
-        <source>The Lab picture is damaged or stored in an unsupported way; save it anew as RGB, or as TIFF in 8 or 16 bits without tiles or planes</source>
+        <source>The picture is damaged: %1; save it again</source>
+        <translation>Das Bild ist beschädigt: %1; speichern Sie es neu</translation>
+    </message>
+    <message>
+        <source>The Lab picture is damaged or stored in an unsupported way; save it again as RGB, or as TIFF in 8 or 16 bits without tiles or planes</source>
         <translation>Das Lab-Bild ist beschädigt oder auf eine nicht unterstützte Art gespeichert; speichern Sie es neu als RGB, oder als TIFF in 8 oder 16 Bit ohne Kacheln und Ebenen</translation>
     </message>
 </context>
@@ -9311,8 +9335,8 @@ mm je mm</translation>
         <translation>Alle Abweichungen zusammen: 95 % der bemalten Fläche liegen innerhalb von %1 um ihren Sollort, die Hälfte der Fläche innerhalb von %2.</translation>
     </message>
     <message>
-        <source>Displacement %1 at the model&apos;s place %2; largest contributor: %3</source>
-        <translation>Verschiebung %1 an der Stelle %2 des Modells; größter Beitrag: %3</translation>
+        <source>Displacement of %1 at the place %2 on the model; largest contributor: %3</source>
+        <translation>Verschiebung von %1 an der Stelle %2 auf dem Modell; größter Beitrag: %3</translation>
     </message>
 </context>
 <context>
@@ -9422,19 +9446,19 @@ mm je mm</translation>
         <translation>2. Schwimmenden Film durch Tauchen oder von Hand dehnen. Beide Lineale messen (ungedehnt %1 mm).</translation>
     </message>
     <message>
-        <source>3. Read every patch again. Repeat at three or four stretches, up to the largest of the job.</source>
-        <translation>3. Jedes Feld neu messen. Bei drei oder vier Dehnungen wiederholen, bis zur größten des Auftrags.</translation>
+        <source>3. Read every patch again. Repeat with 3 or 4 stretches, up to the largest stretch of the job.</source>
+        <translation>3. Jedes Feld neu messen. Mit 3 oder 4 Dehnungen wiederholen, bis zur größten Dehnung des Auftrags.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WedgeTable</name>
     <message>
-        <source>The table of a wedge must begin with the line %1 and have at most %2 lines</source>
-        <translation>Die Tabelle eines Keils muss mit der Zeile %1 beginnen und darf höchstens %2 Zeilen haben</translation>
+        <source>The table of a step wedge must begin with the line %1 and have at most %2 lines</source>
+        <translation>Die Tabelle eines Stufenkeils muss mit der Zeile %1 beginnen und darf höchstens %2 Zeilen haben</translation>
     </message>
     <message>
-        <source>Line %1 of the wedge must contain an ink (cyan, magenta, yellow, black, white or grey) and five numbers, separated by commas</source>
-        <translation>Zeile %1 des Keils muss eine Tinte (cyan, magenta, yellow, black, white oder grey) und fünf Zahlen enthalten, durch Kommas getrennt</translation>
+        <source>Line %1 of the table must contain an ink (cyan, magenta, yellow, black, white or grey) and five numbers, separated by commas</source>
+        <translation>Zeile %1 der Tabelle muss eine Tinte (cyan, magenta, yellow, black, white oder grey) und fünf Zahlen enthalten, durch Kommas getrennt</translation>
     </message>
 </context>
 <context>
@@ -9541,10 +9565,6 @@ mm je mm</translation>
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>Play the dip</source>
-        <translation>Den Tauchvorgang abspielen</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
@@ -9803,10 +9823,6 @@ mm je mm</translation>
         <translation>Tauchvorgänge ta&amp;uschen</translation>
     </message>
     <message>
-        <source>Make the second dip the first</source>
-        <translation>Den zweiten Tauchvorgang zum ersten machen</translation>
-    </message>
-    <message>
         <source>Re&amp;load model</source>
         <translation>Modell neu &amp;laden</translation>
     </message>
@@ -9849,10 +9865,6 @@ mm je mm</translation>
     <message>
         <source>Run &amp;live</source>
         <translation>&amp;Mitlaufen</translation>
-    </message>
-    <message>
-        <source>Run again after each change, once there is a result</source>
-        <translation>Nach jeder Änderung neu rechnen, sobald es ein Ergebnis gibt</translation>
     </message>
     <message>
         <source>&amp;Find poses…</source>
@@ -9947,10 +9959,6 @@ mm je mm</translation>
         <translation>&amp;Nur Film auf dem Teil</translation>
     </message>
     <message>
-        <source>Cut part and film open along a plane; move it by its slider or its frame</source>
-        <translation>Teil und Film an einer Ebene aufschneiden; der Regler oder ihr Rahmen verschiebt sie</translation>
-    </message>
-    <message>
         <source>S&amp;ee-through film</source>
         <translation>&amp;Durchsichtiger Film</translation>
     </message>
@@ -9960,7 +9968,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Click two places on the part to measure the distance between them</source>
-        <translation>Klicken Sie zwei Stellen auf dem Teil an, um ihren Abstand zu messen</translation>
+        <translation>Zwei Stellen auf dem Teil anklicken, um ihren Abstand zu messen</translation>
     </message>
     <message>
         <source>What the film shows in the 3D view</source>
@@ -10015,16 +10023,8 @@ mm je mm</translation>
         <translation>&amp;Rundgang</translation>
     </message>
     <message>
-        <source>See the parts of the window in six steps</source>
-        <translation>Die Teile des Fensters in sechs Schritten</translation>
-    </message>
-    <message>
         <source>User &amp;guide</source>
         <translation>&amp;Handbuch</translation>
-    </message>
-    <message>
-        <source>Open the user guide at the page about the focused field</source>
-        <translation>Das Handbuch an der Stelle zum gewählten Feld öffnen</translation>
     </message>
     <message>
         <source>&amp;What is this?</source>
@@ -10035,20 +10035,44 @@ mm je mm</translation>
         <translation>Klicken Sie ein Element des Fensters an, um zu sehen, was es tut</translation>
     </message>
     <message>
-        <source>Compute the sheets with finer steps and cells, and show how far and where the image moves</source>
-        <translation>Berechnet die Blätter mit feineren Schritten und Zellen und zeigt, wie weit und wo sich das Bild verschiebt</translation>
-    </message>
-    <message>
         <source>Film on the part before the d&amp;ip</source>
         <translation>Film auf dem Teil &amp;vor dem Tauchvorgang</translation>
     </message>
     <message>
-        <source>While the part is placed, show it with the film of the results; otherwise show the flat film</source>
-        <translation>Beim Platzieren das Teil mit dem Film der Ergebnisse zeigen, sonst den flachen Film</translation>
-    </message>
-    <message>
         <source>Draw near and far places at the same scale, without perspective</source>
         <translation>Nahe und ferne Stellen im gleichen Maßstab zeichnen, ohne Perspektive</translation>
+    </message>
+    <message>
+        <source>Exchange the order of the two dips</source>
+        <translation>Die Reihenfolge der beiden Tauchvorgänge vertauschen</translation>
+    </message>
+    <message>
+        <source>As soon as there is a first result, run again after each change</source>
+        <translation>Sobald es ein erstes Ergebnis gibt, nach jeder Änderung neu rechnen</translation>
+    </message>
+    <message>
+        <source>Compute the sheets with finer steps and cells, and show where and how far the image changes</source>
+        <translation>Die Blätter mit feineren Schritten und Zellen berechnen und zeigen, wo und wie weit sich das Bild ändert</translation>
+    </message>
+    <message>
+        <source>Play the dip, or pause it</source>
+        <translation>Den Tauchvorgang abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>While you place the part, show it with the film of the last results; if this is off, show the flat film</source>
+        <translation>Beim Platzieren das Teil mit dem Film der letzten Ergebnisse zeigen; ist dies aus, den flachen Film zeigen</translation>
+    </message>
+    <message>
+        <source>Cut the part and the film open along a plane; move the plane with its slider or its frame</source>
+        <translation>Teil und Film an einer Ebene aufschneiden; der Regler oder der Rahmen verschiebt die Ebene</translation>
+    </message>
+    <message>
+        <source>Explain the areas of the window in six steps</source>
+        <translation>Die Bereiche des Fensters in sechs Schritten erklären</translation>
+    </message>
+    <message>
+        <source>Open the user guide at the section about the selected field</source>
+        <translation>Das Handbuch an der Stelle zum gewählten Feld öffnen</translation>
     </message>
 </context>
 <context>
@@ -10122,7 +10146,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Main</source>
-        <translation>Haupt</translation>
+        <translation>Hauptleiste</translation>
     </message>
     <message>
         <source>View</source>
@@ -10156,12 +10180,12 @@ mm je mm</translation>
 <context>
     <name>dipwright::WindowMessages</name>
     <message>
-        <source>Read these files only if they belong to the model. A model or project from someone else may name your private files; they would then be saved inside the project.</source>
-        <translation>Lesen Sie diese Dateien nur, wenn sie zum Modell gehören. Ein fremdes Modell oder Projekt kann Ihre privaten Dateien nennen; sie würden dann im Projekt gespeichert.</translation>
-    </message>
-    <message>
         <source>Read files</source>
         <translation>Dateien lesen</translation>
+    </message>
+    <message>
+        <source>Read these files only if they belong to the model or project. A model or project from someone else may refer to your private files. These files would then be saved in the project.</source>
+        <translation>Lesen Sie diese Dateien nur, wenn sie zum Modell oder Projekt gehören. Ein fremdes Modell oder Projekt kann auf Ihre privaten Dateien verweisen. Diese würden dann im Projekt gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -10202,10 +10226,6 @@ mm je mm</translation>
         <translation>Markiert Zone %1</translation>
     </message>
     <message>
-        <source>What a click or drag on the part in the view marks. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
-        <translation>Was ein Klick oder ein Zug auf dem Teil in der Ansicht markiert. Zone A muss am genauesten bemalt werden. Die Fläche ohne Marke ist Zone C.</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>Ausdehnung</translation>
     </message>
@@ -10224,6 +10244,10 @@ mm je mm</translation>
     <message>
         <source>How far the mark extends around the click: a radius along the surface, the face up to its edges, or everything with the same material in the model.</source>
         <translation>Wie weit die Marke um den Klick reicht: ein Radius entlang der Oberfläche, die Fläche bis zu ihren Kanten oder alles mit demselben Material im Modell.</translation>
+    </message>
+    <message>
+        <source>The zone that a click or drag on the part sets. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
+        <translation>Die Zone, die ein Klick oder Ziehen auf dem Teil setzt. Zone A muss am genauesten bemalt werden. Die Fläche ohne Marke ist Zone C.</translation>
     </message>
 </context>
 <context>

@@ -59,10 +59,6 @@
         <translation>O arquivo não pode ser gravado: %1</translation>
     </message>
     <message>
-        <source>its links form a loop</source>
-        <translation>seus links formam um ciclo</translation>
-    </message>
-    <message>
         <source>it is not a regular file</source>
         <translation>não é um arquivo comum</translation>
     </message>
@@ -75,8 +71,12 @@
         <translation>outro programa está gravando-o agora; tente de novo</translation>
     </message>
     <message>
-        <source>it cannot be flushed to the disk: %1</source>
-        <translation>não pode ser gravado no disco: %1</translation>
+        <source>its symbolic links form a loop</source>
+        <translation>seus links simbólicos formam um ciclo</translation>
+    </message>
+    <message>
+        <source>the disk did not accept its data: %1</source>
+        <translation>o disco não aceitou os dados: %1</translation>
     </message>
 </context>
 <context>
@@ -118,7 +118,7 @@
     </message>
     <message>
         <source>the film has too few points to be compared with a film of half as many</source>
-        <translation>a película tem poucos pontos para ser comparada com uma de metade dos pontos</translation>
+        <translation>a película tem poucos pontos para ser comparada com uma película com metade dos pontos</translation>
     </message>
     <message>
         <source>the film with coarser cells does not follow the part</source>
@@ -132,20 +132,8 @@
         <translation>ele lançou uma exceção desconhecida</translation>
     </message>
     <message>
-        <source>it gave points an invalid state</source>
-        <translation>ele deu a pontos um estado inválido</translation>
-    </message>
-    <message>
-        <source>it gave points an invalid mark</source>
-        <translation>ele deu a pontos uma marca inválida</translation>
-    </message>
-    <message>
         <source>it reported impossible convergence values</source>
         <translation>ele informou valores de convergência impossíveis</translation>
-    </message>
-    <message>
-        <source>it reported an impossible number of steps or descent</source>
-        <translation>ele informou um número de passos ou uma descida impossível</translation>
     </message>
     <message>
         <source>it makes no progress</source>
@@ -163,16 +151,28 @@
         <source>it created no film</source>
         <translation>ele não criou nenhuma película</translation>
     </message>
+    <message>
+        <source>it returned an invalid state for some points</source>
+        <translation>ele devolveu um estado inválido para alguns pontos</translation>
+    </message>
+    <message>
+        <source>it returned an invalid mark for some points</source>
+        <translation>ele devolveu uma marca inválida para alguns pontos</translation>
+    </message>
+    <message>
+        <source>it reported an impossible number of steps or an impossible descent</source>
+        <translation>ele informou um número de passos impossível ou uma descida impossível</translation>
+    </message>
 </context>
 <context>
     <name>ColourNote</name>
     <message>
-        <source>%1 is in CMYK and has no ICC profile: its colours are estimated by a formula and can be far off; save it with its profile, or as sRGB</source>
-        <translation>%1: imagem em CMYK sem perfil ICC; as cores são estimadas por uma fórmula e podem estar bem erradas; salve-a com o seu perfil ou como sRGB</translation>
-    </message>
-    <message>
         <source>%1 has colours outside BT.2020, the largest colour space used here: %2 % of its pixels are printed less saturated; to control this, save it in a smaller colour space, such as Adobe RGB</source>
         <translation>%1: há cores fora do BT.2020, o maior espaço de cor usado aqui; %2 % dos pixels são impressos menos saturados; para controlar isso, salve a imagem em um espaço de cor menor, como Adobe RGB</translation>
+    </message>
+    <message>
+        <source>%1 is in CMYK and has no ICC profile, so its colours are only estimated and can be wrong; save it with its profile, or as sRGB</source>
+        <translation>%1: imagem em CMYK sem perfil ICC, por isso as cores são só estimadas e podem estar erradas; salve-a com o seu perfil ou como sRGB</translation>
     </message>
 </context>
 <context>
@@ -188,10 +188,6 @@
     <message>
         <source>%1: the part can slide sideways in its cradle, because its dry surface is too flat; mark its position and fix it there</source>
         <translation>%1: a peça pode escorregar de lado no seu berço, porque sua superfície seca é plana demais; marque a sua posição e fixe-a ali</translation>
-    </message>
-    <message>
-        <source>%1: the cradle touches %2 mm² that an earlier dip has painted; line it there with %3 mm of soft felt or foam</source>
-        <translation>%1: o berço toca %2 mm² que uma imersão anterior pintou; forre-o ali com %3 mm de feltro macio ou espuma</translation>
     </message>
     <message>
         <source>%1: the cradle&apos;s plate has no room for the engraving; write the arrow, the dip number and the job on it</source>
@@ -210,8 +206,12 @@
         <translation>Procurando a superfície que fica seca</translation>
     </message>
     <message>
-        <source>%1: the part tips out of its cradle unless it is fixed, because the cradle cannot hold it on all sides of its centre of mass. Fix it through the bore, or turn the part</source>
-        <translation>%1: a peça tomba do berço se não for fixada, porque o berço não consegue segurá-la em todos os lados do centro de massa. Fixe-a pelo furo ou gire a peça</translation>
+        <source>%1: the part tips out of its cradle unless it is fastened, because the cradle cannot hold it on all sides of its centre of mass. Fasten the part through the bore in the cradle, or turn the part</source>
+        <translation>%1: a peça tomba do berço se não for fixada, porque o berço não consegue segurá-la em todos os lados do centro de massa. Fixe a peça pelo furo do berço ou gire a peça</translation>
+    </message>
+    <message>
+        <source>%1: the cradle touches %2 mm² of paint from an earlier dip; line the cradle there with %3 mm of soft felt or foam</source>
+        <translation>%1: o berço toca %2 mm² de tinta de uma imersão anterior; forre o berço ali com %3 mm de feltro macio ou espuma</translation>
     </message>
 </context>
 <context>
@@ -219,10 +219,6 @@
     <message>
         <source>Dipping</source>
         <translation>Imersão</translation>
-    </message>
-    <message>
-        <source>The simulation became unstable; choose a smaller time step or contact travel</source>
-        <translation>A simulação ficou instável; escolha um passo de tempo ou avanço de contato menor</translation>
     </message>
     <message>
         <source>The solver failed: %1</source>
@@ -273,12 +269,16 @@
         <translation>A peça, %1 × %2 mm sobre a água, ultrapassa a película em todos os lados, e não sobra película para envolvê-la; %3</translation>
     </message>
     <message>
-        <source>%1 of the painted area (%2 %) depend on marked film. %3.</source>
-        <translation>%1 da área pintada (%2 %) dependem de película marcada. %3.</translation>
-    </message>
-    <message>
         <source>With these cells the film would have %1 million points, but at most %2 million are allowed; choose larger cells</source>
         <translation>Com estas células a película teria %1 milhões de pontos, mas no máximo %2 milhões são permitidos; escolha células maiores</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable; choose a smaller step or time step (Dipping &gt; Accuracy)</source>
+        <translation>A simulação ficou instável; escolha um passo ou um passo de tempo menor (Imersão &gt; Precisão)</translation>
+    </message>
+    <message>
+        <source>%1 of the painted area (%2 %) is painted by film that tore, was released or did not converge. %3.</source>
+        <translation>%1 da área pintada (%2 %) foram pintados por película que rasgou, se soltou ou não convergiu. %3.</translation>
     </message>
 </context>
 <context>
@@ -306,13 +306,13 @@
         <source>Preparing the views</source>
         <translation>Preparando as vistas</translation>
     </message>
+    <message>
+        <source>Refining the film</source>
+        <translation>A película está sendo refinada</translation>
+    </message>
 </context>
 <context>
     <name>DipPlayback</name>
-    <message>
-        <source>%1 (%2 deep)</source>
-        <translation>%1 (a %2 de profundidade)</translation>
-    </message>
     <message>
         <source>First contact</source>
         <translation>Primeiro contato</translation>
@@ -328,6 +328,10 @@
     <message>
         <source>Air is trapped under the part</source>
         <translation>Ar fica preso sob a peça</translation>
+    </message>
+    <message>
+        <source>%1, at depth %2</source>
+        <translation>%1, a %2 de profundidade</translation>
     </message>
 </context>
 <context>
@@ -352,8 +356,8 @@
         <translation>%1: células de %2, %3 × %4 pontos</translation>
     </message>
     <message>
-        <source>%1, about %2 s</source>
-        <translation>%1, cerca de %2 s</translation>
+        <source>%1, simulation time about %2 s</source>
+        <translation>%1, tempo de simulação de cerca de %2 s</translation>
     </message>
 </context>
 <context>
@@ -474,40 +478,20 @@
         <translation>Um ponto da película toca a peça quando chega a esta distância da superfície dela.</translation>
     </message>
     <message>
-        <source>Compressed film gathers where its mean stretch falls below this value; there it hardly resists. This value is a guess; no film was measured.</source>
-        <translation>A película comprimida franze onde seu estiramento médio cai abaixo deste valor; ali quase não resiste. Este valor é uma suposição; nenhuma película foi medida.</translation>
-    </message>
-    <message>
         <source>Ink exponent</source>
         <translation>Expoente da tinta</translation>
-    </message>
-    <message>
-        <source>How ink thins: where film is stretched to J times its area, ink of density D shows D·J^−n. n is 1 for dye and 0 for opaque dots. Used for inks without measured tones; the preset value is a guess.</source>
-        <translation>Como a tinta afina: onde a película está esticada a J vezes sua área, tinta de densidade D mostra D·J^−n. n é 1 para corante e 0 para pontos opacos. Usado para tintas sem tons medidos; o valor predefinido é uma suposição.</translation>
     </message>
     <message>
         <source>Ink exponent, black and white</source>
         <translation>Expoente da tinta, preto e branco</translation>
     </message>
     <message>
-        <source>The exponent n for black and white ink. CMYK printers use it, because there each ink is compensated by itself, after separation.</source>
-        <translation>O expoente n para tinta preta e branca. Impressoras CMYK o usam, porque ali cada tinta é compensada por si, depois da separação.</translation>
-    </message>
-    <message>
         <source>Measured ink</source>
         <translation>Tinta medida</translation>
     </message>
     <message>
-        <source>Measurements of a step wedge for each tone: ink, density, exponent, bend, greatest stretch (dipwright-cli profile wedge).</source>
-        <translation>Medidas de uma cunha de tons para cada tom: tinta, densidade, expoente, curvatura, maior estiramento (dipwright-cli profile wedge).</translation>
-    </message>
-    <message>
         <source>Film tears where its length or its area is stretched by more than this factor. Torn film is marked and does not paint.</source>
         <translation>A película rasga onde seu comprimento ou sua área é esticado mais do que este fator. Película rasgada é marcada e não pinta.</translation>
-    </message>
-    <message>
-        <source>Film adheres to faces that turn upwards by at most this angle; the part releases it on steeper faces.</source>
-        <translation>A película adere a faces voltadas para cima até este ângulo; em faces mais inclinadas ela se solta.</translation>
     </message>
     <message>
         <source>Grip fade range</source>
@@ -524,6 +508,26 @@
     <message>
         <source>The part loses its grip on the film gradually, in this range of angles before the overhang. This value is a guess; no film was measured.</source>
         <translation>A peça perde aos poucos a aderência à película nesta faixa de ângulos antes da saliência. Este valor é uma suposição; nenhuma película foi medida.</translation>
+    </message>
+    <message>
+        <source>Compressed film gathers where its mean stretch falls below this value. Gathered film hardly resists further compression. This value is a guess; no film was measured.</source>
+        <translation>A película comprimida franze onde seu estiramento médio cai abaixo deste valor. A película franzida quase não resiste a mais compressão. Este valor é uma suposição; nenhuma película foi medida.</translation>
+    </message>
+    <message>
+        <source>How ink thins: where film is stretched to J times its area, ink of density D has only the density D·J^−n. n is 1 for dye and 0 for opaque dots. Used for inks without measured tones; the preset value is a guess.</source>
+        <translation>Como a tinta afina: onde a película está esticada a J vezes sua área, tinta de densidade D fica só com a densidade D·J^−n. n é 1 para corante e 0 para pontos opacos. Usado para tintas sem tons medidos; o valor predefinido é uma suposição.</translation>
+    </message>
+    <message>
+        <source>The exponent n for black and white ink. Only CMYK printers use it, because only for them each ink is compensated individually, after colour separation.</source>
+        <translation>O expoente n para tinta preta e branca. Só impressoras CMYK o usam, porque só nelas cada tinta é compensada individualmente, depois da separação de cores.</translation>
+    </message>
+    <message>
+        <source>Values for each tone of a measured step wedge: ink, density, exponent, bend and largest stretch. The command “dipwright-cli profile wedge” computes them.</source>
+        <translation>Valores para cada tom de uma cunha de tons medida: tinta, densidade, expoente, curvatura e maior estiramento. O comando “dipwright-cli profile wedge” os calcula.</translation>
+    </message>
+    <message>
+        <source>Film adheres to faces that turn up from the vertical by at most this angle. Faces that turn up more release the film.</source>
+        <translation>A película adere a faces voltadas para cima em até este ângulo a partir da vertical. De faces mais voltadas para cima ela se solta.</translation>
     </message>
 </context>
 <context>
@@ -572,14 +576,6 @@
         <translation>Os resultados não podem ser gravados: %1</translation>
     </message>
     <message>
-        <source>%1 is in the way of the results; move it, or choose another folder</source>
-        <translation>%1 está no caminho dos resultados; mova-o ou escolha outra pasta</translation>
-    </message>
-    <message>
-        <source>The results cannot be read again: %1</source>
-        <translation>Os resultados não podem ser lidos de novo: %1</translation>
-    </message>
-    <message>
         <source>The results cannot be written, because %1 is not a folder</source>
         <translation>Os resultados não podem ser gravados, porque %1 não é uma pasta</translation>
     </message>
@@ -604,8 +600,16 @@
         <translation>Só uma parte dos resultados foi movida para a pasta; feche os programas que têm arquivos abertos ali e inicie este programa de novo para mover o resto</translation>
     </message>
     <message>
-        <source>Earlier results in this folder are incomplete, and another program keeps them from being completed. Close the programs that use files in the folder, or move %1 out of the folder</source>
+        <source>Earlier results in this folder are incomplete, and another program prevents their completion. Close the programs that use files in the folder, or move %1 out of the folder</source>
         <translation>Resultados anteriores nesta pasta estão incompletos, e outro programa impede que sejam completados. Feche os programas que usam arquivos da pasta ou mova %1 para fora dela</translation>
+    </message>
+    <message>
+        <source>Results that were just written cannot be read: %1</source>
+        <translation>Os resultados recém-gravados não podem ser lidos: %1</translation>
+    </message>
+    <message>
+        <source>The results cannot be written, because %1 already exists and cannot be replaced; move it, or choose another folder</source>
+        <translation>Os resultados não podem ser gravados, porque %1 já existe e não pode ser substituído; mova-o ou escolha outra pasta</translation>
     </message>
 </context>
 <context>
@@ -769,10 +773,6 @@
         <translation>Remover par de pontos</translation>
     </message>
     <message>
-        <source>Change film on the water</source>
-        <translation>Alterar película na água</translation>
-    </message>
-    <message>
         <source>Keep part</source>
         <translation>Guardar peça</translation>
     </message>
@@ -785,8 +785,12 @@
         <translation>Alterar intensidade da correção</translation>
     </message>
     <message>
-        <source>Use the fit</source>
-        <translation>Usar o ajuste</translation>
+        <source>Change film measurement</source>
+        <translation>Alterar medição da película</translation>
+    </message>
+    <message>
+        <source>Use fit in project</source>
+        <translation>Usar ajuste no projeto</translation>
     </message>
 </context>
 <context>
@@ -818,10 +822,6 @@
 <context>
     <name>MarkEdits</name>
     <message>
-        <source>Mark for the seam</source>
-        <translation>Marca para a emenda</translation>
-    </message>
-    <message>
         <source>Mark zone</source>
         <translation>Marcar zona</translation>
     </message>
@@ -832,6 +832,10 @@
     <message>
         <source>Remove marks</source>
         <translation>Remover marcas</translation>
+    </message>
+    <message>
+        <source>Mark area for the seam</source>
+        <translation>Marcar área para a emenda</translation>
     </message>
 </context>
 <context>
@@ -879,20 +883,12 @@
 <context>
     <name>Motion</name>
     <message>
-        <source>The motion template contains the unknown name {%1}; use one of %2</source>
-        <translation>O modelo do movimento contém o nome desconhecido {%1}; use um de %2</translation>
+        <source>The motion template contains the unknown placeholder {%1}; use one of these: %2</source>
+        <translation>O modelo do movimento contém o marcador desconhecido {%1}; use um destes: %2</translation>
     </message>
 </context>
 <context>
     <name>OutOfProcessSolver</name>
-    <message>
-        <source>it crashed (%1)</source>
-        <translation>ele parou por uma falha (%1)</translation>
-    </message>
-    <message>
-        <source>it ended its process (%1)</source>
-        <translation>ele encerrou o próprio processo (%1)</translation>
-    </message>
     <message>
         <source>its process cannot be started: %1</source>
         <translation>o processo dele não pode ser iniciado: %1</translation>
@@ -902,12 +898,20 @@
         <translation>ele não respondeu por %1 s e foi encerrado</translation>
     </message>
     <message>
-        <source>its answer was impossibly long, so it was stopped</source>
-        <translation>a resposta dele era longa demais, por isso ele foi encerrado</translation>
+        <source>its answer was impossibly long, so its process was stopped</source>
+        <translation>a resposta dele era longa demais, por isso o processo dele foi encerrado</translation>
     </message>
     <message>
-        <source>its process was killed, perhaps for lack of memory</source>
-        <translation>o processo dele foi morto, talvez por falta de memória</translation>
+        <source>its process was killed, perhaps because the memory was full</source>
+        <translation>o processo dele foi encerrado à força, talvez porque a memória estava cheia</translation>
+    </message>
+    <message>
+        <source>it crashed (code %1)</source>
+        <translation>ele parou por uma falha (código %1)</translation>
+    </message>
+    <message>
+        <source>its process ended unexpectedly (exit code %1)</source>
+        <translation>o processo dele terminou inesperadamente (código de saída %1)</translation>
     </message>
 </context>
 <context>
@@ -947,10 +951,6 @@
     <message>
         <source>max</source>
         <translation>máx</translation>
-    </message>
-    <message>
-        <source>axis−diag</source>
-        <translation>eixo−diag</translation>
     </message>
     <message>
         <source>steps</source>
@@ -1040,6 +1040,10 @@
         <source>The film never touched the body; do not use this solver</source>
         <translation>A película nunca tocou o corpo; não use este solucionador</translation>
     </message>
+    <message>
+        <source>axes − diagonals</source>
+        <translation>eixos − diagonais</translation>
+    </message>
 </context>
 <context>
     <name>Pipeline</name>
@@ -1048,20 +1052,12 @@
         <translation>%1 %2 × %3 mm</translation>
     </message>
     <message>
-        <source>%1 failed and %2 took over: %3</source>
-        <translation>%1 falhou e %2 assumiu: %3</translation>
-    </message>
-    <message>
         <source>Writing the sheet of %1</source>
         <translation>Gravando a folha de %1</translation>
     </message>
     <message>
         <source>Writing the film of %1</source>
         <translation>Gravando a película de %1</translation>
-    </message>
-    <message>
-        <source>Writing the stretch of %1</source>
-        <translation>Gravando o estiramento de %1</translation>
     </message>
     <message>
         <source>Comparing the sheets</source>
@@ -1081,7 +1077,7 @@
     </message>
     <message>
         <source>Varying the laws</source>
-        <translation>Variando as leis</translation>
+        <translation>Variando as leis da película</translation>
     </message>
     <message>
         <source>Writing the cradle of %1</source>
@@ -1092,10 +1088,6 @@
         <translation>Gravando a ficha de acompanhamento</translation>
     </message>
     <message>
-        <source>Writing the tolerances of %1</source>
-        <translation>Gravando as tolerâncias de %1</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -1104,44 +1096,12 @@
         <translation>Gravando a película %1</translation>
     </message>
     <message>
-        <source>Dipping deeper</source>
-        <translation>Mergulhando mais fundo</translation>
-    </message>
-    <message>
         <source>The picture on the film</source>
         <translation>A imagem na película</translation>
     </message>
     <message>
-        <source>Film %1: %2 × %3 mm, pieces: %4, %5 % used</source>
-        <translation>Película %1: %2 × %3 mm, pedaços: %4, %5 % usados</translation>
-    </message>
-    <message>
-        <source>Moving the results into place</source>
-        <translation>Movendo os resultados para o lugar</translation>
-    </message>
-    <message>
         <source>1:1, reduced for swell %1 × %2</source>
         <translation>1:1, reduzido pelo inchamento %1 × %2</translation>
-    </message>
-    <message>
-        <source>Two plates of the sheet have the name %1; give each plate its own name</source>
-        <translation>Duas chapas da folha têm o nome %1; dê a cada chapa um nome próprio</translation>
-    </message>
-    <message>
-        <source>The artwork has %1 spot colours; the limit is %2</source>
-        <translation>A arte tem %1 cores especiais; o limite é %2</translation>
-    </message>
-    <message>
-        <source>With this setting varied, the film does not follow the part; give the film smaller cells or more points</source>
-        <translation>Com esta configuração variada, a película não acompanha a peça; dê à película células menores ou mais pontos</translation>
-    </message>
-    <message>
-        <source>Parts of the model are only %1 mm thick. The film may miss them, because the smallest possible cells of the distance field are %2 mm. Make these parts thicker, or dip a smaller piece of the model.</source>
-        <translation>Partes do modelo têm só %1 mm de espessura. A película pode não as encontrar, porque as menores células possíveis do campo de distância têm %2 mm. Torne essas partes mais espessas ou mergulhe um pedaço menor do modelo.</translation>
-    </message>
-    <message>
-        <source>The model is inside out, at least in parts. Film does not adhere to faces that point inwards. Import the model again; the import turns these faces.</source>
-        <translation>O modelo está virado do avesso, pelo menos em partes. A película não adere a faces voltadas para dentro. Importe o modelo de novo; a importação vira essas faces.</translation>
     </message>
     <message>
         <source>Locating the film on the part</source>
@@ -1164,10 +1124,6 @@
         <translation>As folhas precisam de cerca de %1 GB de memória, mas este computador tem %2 GB; escolha uma resolução menor ou uma película menor</translation>
     </message>
     <message>
-        <source>The CPU takes over from %1, which is not available: %2</source>
-        <translation>A CPU assume o lugar de %1, que não está disponível: %2</translation>
-    </message>
-    <message>
         <source>The part does not meet the film; move it over the film or choose a larger film</source>
         <translation>A peça não encontra a película; mova-a sobre a película ou escolha uma película maior</translation>
     </message>
@@ -1188,18 +1144,6 @@
         <translation>O modelo não é fechado; o Dipwright estima o que é interior</translation>
     </message>
     <message>
-        <source>The model has no texture; its plain colours are printed</source>
-        <translation>O modelo não tem textura; suas cores simples serão impressas</translation>
-    </message>
-    <message>
-        <source>The part reaches past the edge of the tank “%1”; move or turn it</source>
-        <translation>A peça ultrapassa a borda do tanque “%1”; mova-a ou gire-a</translation>
-    </message>
-    <message>
-        <source>The part reaches past the film&apos;s edge; move or turn it, or %1</source>
-        <translation>A peça ultrapassa a borda da película; mova-a ou gire-a, ou %1</translation>
-    </message>
-    <message>
         <source>Writing the motion files</source>
         <translation>Gravando os arquivos de movimento</translation>
     </message>
@@ -1208,20 +1152,80 @@
         <translation>Gravando a imagem de cobertura</translation>
     </message>
     <message>
-        <source>The comparison would need a film of %1 × %2 points, which is too many; halve the number of points to allow the comparison</source>
-        <translation>A comparação precisaria de uma película de %1 × %2 pontos, o que é demais; reduza o número de pontos à metade para permiti-la</translation>
+        <source>Simulating a deeper dip</source>
+        <translation>Simulando uma imersão mais profunda</translation>
     </message>
     <message>
-        <source>The film&apos;s cells were reduced to %1 mm.</source>
-        <translation>As células da película foram reduzidas para %1 mm.</translation>
+        <source>%1: the film&apos;s cells were reduced to %2 mm.</source>
+        <translation>%1: as células da película foram reduzidas para %2 mm.</translation>
     </message>
     <message>
-        <source>The number of film points is fixed, so the film was not refined; set Film &gt; Resolution to cells.</source>
-        <translation>O número de pontos da película é fixo; por isso a película não foi refinada. Ajuste Película &gt; Resolução para células.</translation>
+        <source>%1: cells of %2 mm might be small enough to print the sheet, but would need about %3 million points × steps; the project allows %4 million. Raise this limit (Film &gt; Work limit), or turn the part.</source>
+        <translation>%1: com células de %2 mm a folha talvez possa ser impressa, mas seriam necessários cerca de %3 milhões de pontos × passos; o projeto permite %4 milhões. Aumente este limite (Película &gt; Limite de trabalho) ou gire a peça.</translation>
     </message>
     <message>
-        <source>With cells of %1 mm, the sheets might be good enough to print. A dip would then need %2 million points × steps; at most %3 million are allowed. Raise this limit, or turn the part.</source>
-        <translation>Com células de %1 mm talvez as folhas possam ser impressas. Uma imersão precisaria então de %2 milhões de pontos × passos; são permitidos no máximo %3 milhões. Aumente esse limite ou gire a peça.</translation>
+        <source>Film %1: %2 × %3 mm, pieces: %4, used area: %5 %</source>
+        <translation>Película %1: %2 × %3 mm, pedaços: %4, área usada: %5 %</translation>
+    </message>
+    <message>
+        <source>Moving the results to their folder</source>
+        <translation>Movendo os resultados para a pasta deles</translation>
+    </message>
+    <message>
+        <source>White ink, cut contour and spot colours must have different names, but two of them are named %1; rename one</source>
+        <translation>O branco, o contorno de corte e as cores especiais devem ter nomes diferentes, mas dois deles se chamam %1; mude um dos nomes</translation>
+    </message>
+    <message>
+        <source>The artwork has %1 spot colours, more than the limit of %2; remove some</source>
+        <translation>A arte tem %1 cores especiais, mais que o limite de %2; remova algumas</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable when this setting was varied; give the film smaller cells or more points</source>
+        <translation>A simulação ficou instável quando esta configuração foi variada; dê à película células menores ou mais pontos</translation>
+    </message>
+    <message>
+        <source>Some places of the model are only %1 mm thick. The film may miss them, because the smallest possible cells of the distance field are %2 mm. Make these places thicker, or dip a smaller section of the model.</source>
+        <translation>Alguns lugares do modelo têm só %1 mm de espessura. A película pode não os encontrar, porque as menores células possíveis do campo de distância têm %2 mm. Torne esses lugares mais espessos ou mergulhe uma seção menor do modelo.</translation>
+    </message>
+    <message>
+        <source>The model is inside out, at least in some places. Film does not adhere to faces that point inwards. Import the model again; the import turns these faces outwards.</source>
+        <translation>O modelo está virado do avesso, pelo menos em alguns lugares. A película não adere a faces voltadas para dentro. Importe o modelo de novo; a importação vira essas faces para fora.</translation>
+    </message>
+    <message>
+        <source>The dip could not be repeated with smaller cells: %1</source>
+        <translation>A imersão não pôde ser repetida com células menores: %1</translation>
+    </message>
+    <message>
+        <source>The check of the numerical error would need a film of %1 × %2 points, which is too many; halve the number of film points</source>
+        <translation>A verificação do erro numérico precisaria de uma película de %1 × %2 pontos, o que é demais; reduza à metade o número de pontos da película</translation>
+    </message>
+    <message>
+        <source>The CPU is used instead of %1, which is not available: %2</source>
+        <translation>A CPU é usada em vez de %1, que não está disponível: %2</translation>
+    </message>
+    <message>
+        <source>%2 took over, because %1 failed: %3</source>
+        <translation>%2 assumiu, porque %1 falhou: %3</translation>
+    </message>
+    <message>
+        <source>The model has no texture; the colours of its materials are printed</source>
+        <translation>O modelo não tem textura; são impressas as cores dos seus materiais</translation>
+    </message>
+    <message>
+        <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
+        <translation>A peça ultrapassa a borda do tanque “%1”; mova ou gire a peça</translation>
+    </message>
+    <message>
+        <source>The part reaches past the film&apos;s edge; move or turn the part, or %1</source>
+        <translation>A peça ultrapassa a borda da película; mova ou gire a peça, ou %1</translation>
+    </message>
+    <message>
+        <source>Writing the stretch maps of %1</source>
+        <translation>Gravando os mapas de estiramento de %1</translation>
+    </message>
+    <message>
+        <source>Writing the tolerance map of %1</source>
+        <translation>Gravando o mapa de tolerâncias de %1</translation>
     </message>
 </context>
 <context>
@@ -1253,14 +1257,6 @@
         <translation>Testando poses</translation>
     </message>
     <message>
-        <source>part %1 of %2</source>
-        <translation>parte %1 de %2</translation>
-    </message>
-    <message>
-        <source>This is not a part of a pose search, or it is damaged; make it again</source>
-        <translation>Isto não é uma parte de uma busca de poses ou está danificado; faça a parte de novo</translation>
-    </message>
-    <message>
         <source>Choose a number from %1 to %2</source>
         <translation>Escolha um número de %1 a %2</translation>
     </message>
@@ -1289,10 +1285,6 @@
         <translation>peso de uma zona</translation>
     </message>
     <message>
-        <source>This part belongs to another search; make all parts from the same project with the same options and solver</source>
-        <translation>Esta parte é de outra busca; faça todas as partes do mesmo projeto com as mesmas opções e o mesmo solucionador</translation>
-    </message>
-    <message>
         <source>Narrow overlap</source>
         <translation>Sobreposição estreita</translation>
     </message>
@@ -1303,18 +1295,6 @@
     <message>
         <source>Rating directions by the part&apos;s shape</source>
         <translation>Avaliando direções pela forma da peça</translation>
-    </message>
-    <message>
-        <source>Give each of the %1 parts once; you gave %2</source>
-        <translation>Informe cada uma das %1 partes uma vez; foram informadas %2</translation>
-    </message>
-    <message>
-        <source>This part does not contain the dips that it should; make it again</source>
-        <translation>Esta parte não contém as imersões que deveria; faça-a de novo</translation>
-    </message>
-    <message>
-        <source>No pose paints any of the part; choose a larger film</source>
-        <translation>Nenhuma pose pinta algo da peça; escolha uma película maior</translation>
     </message>
     <message>
         <source>Dip %1</source>
@@ -1347,6 +1327,30 @@
     <message>
         <source>All weights are 0; set at least one weight above 0</source>
         <translation>Todos os pesos são 0; defina pelo menos um peso acima de 0</translation>
+    </message>
+    <message>
+        <source>This file holds a part of another search; create all files from the same project with the same options and solver</source>
+        <translation>Este arquivo contém uma parte de outra busca; crie todos os arquivos a partir do mesmo projeto, com as mesmas opções e o mesmo solucionador</translation>
+    </message>
+    <message>
+        <source>search part %1 of %2</source>
+        <translation>parte %1 de %2 da busca</translation>
+    </message>
+    <message>
+        <source>Give each of the %1 result files of the divided search exactly once; you gave %2 files</source>
+        <translation>Informe cada um dos %1 arquivos de resultado da busca dividida exatamente uma vez; foram informados %2 arquivos</translation>
+    </message>
+    <message>
+        <source>This file does not contain all dips of its part of the search; create it again</source>
+        <translation>Este arquivo não contém todas as imersões da sua parte da busca; crie-o de novo</translation>
+    </message>
+    <message>
+        <source>None of the simulated poses paints the part; choose a larger film</source>
+        <translation>Nenhuma das poses simuladas pinta a peça; escolha uma película maior</translation>
+    </message>
+    <message>
+        <source>This file holds no part of a pose search, or it is damaged; create it again with --shard</source>
+        <translation>Este arquivo não contém uma parte de uma busca de poses ou está danificado; crie-o de novo com --shard</translation>
     </message>
 </context>
 <context>
@@ -1478,10 +1482,6 @@
         <translation>Lote</translation>
     </message>
     <message>
-        <source>Use before</source>
-        <translation>Usar até</translation>
-    </message>
-    <message>
         <source>Behaviour on the water</source>
         <translation>Comportamento na água</translation>
     </message>
@@ -1563,20 +1563,12 @@
         <translation>Compensação de ponto preto</translation>
     </message>
     <message>
-        <source>Maps the darkest colour to the darkest that the printer can print, so that shadows stay distinct.</source>
-        <translation>Converte a cor mais escura na mais escura que a impressora consegue imprimir, para que as sombras continuem distintas.</translation>
-    </message>
-    <message>
         <source>The highest optical density per channel that the film holds.</source>
         <translation>A maior densidade óptica por canal que a película suporta.</translation>
     </message>
     <message>
         <source>Total area coverage</source>
         <translation>Cobertura total de tinta</translation>
-    </message>
-    <message>
-        <source>The largest sum of the four inks at one place (TAC), with an ICC profile in CMYK. Cyan, magenta and yellow are reduced; black stays.</source>
-        <translation>A maior soma das quatro tintas em um lugar (TAC), com um perfil ICC em CMYK. Ciano, magenta e amarelo são reduzidos; o preto fica.</translation>
     </message>
     <message>
         <source>From the ICC profile</source>
@@ -1615,10 +1607,6 @@
         <translation>O crescimento medido nas fotos.</translation>
     </message>
     <message>
-        <source>Growth limit</source>
-        <translation>Limite do crescimento</translation>
-    </message>
-    <message>
         <source>The limit of the growth, measured from the photos.</source>
         <translation>O limite do crescimento, medido nas fotos.</translation>
     </message>
@@ -1629,10 +1617,6 @@
     <message>
         <source>The relaxation time measured from photos of a dipped part.</source>
         <translation>O tempo de relaxação medido em fotos de uma peça mergulhada.</translation>
-    </message>
-    <message>
-        <source>Average distance between the corners in the photos and the corners computed from these values.</source>
-        <translation>Distância média entre os cantos nas fotos e os cantos calculados a partir destes valores.</translation>
     </message>
     <message>
         <source>The SHA-256 checksums of the photo files, to identify them.</source>
@@ -1651,14 +1635,6 @@
         <translation>Uma data como 2027-03-31. Pode ficar vazia.</translation>
     </message>
     <message>
-        <source>Time from laying the film on the water to the activator.</source>
-        <translation>Tempo desde que a película é posta na água até o ativador.</translation>
-    </message>
-    <message>
-        <source>Time from the activator to the dip.</source>
-        <translation>Tempo do ativador até a imersão.</translation>
-    </message>
-    <message>
         <source>Time from the dip to the rinse.</source>
         <translation>Tempo da imersão ao enxágue.</translation>
     </message>
@@ -1673,10 +1649,6 @@
     <message>
         <source>Mark spacing</source>
         <translation>Distância entre marcas</translation>
-    </message>
-    <message>
-        <source>Printed length divided by true length, across the paper (X) and along its feed (Y). Sheets are scaled down by this factor. “Calibrate printer” measures the factor.</source>
-        <translation>Comprimento impresso dividido pelo comprimento real, na largura do papel (X) e ao longo do avanço (Y). As folhas são reduzidas por este fator. “Calibrar impressora” mede o fator.</translation>
     </message>
     <message>
         <source>The margins that the printer cannot reach at the left (L), top (T), right (R) and bottom (B) edge of the paper.</source>
@@ -1705,6 +1677,38 @@
     <message>
         <source>Distance between the tank&apos;s marks, across (X) and along (Y) the tank. The sheet&apos;s registration marks are aligned with the tank&apos;s marks. 0: no marks.</source>
         <translation>Distância entre as marcas do tanque, na largura (X) e no comprimento (Y) do tanque. As marcas de registro da folha são alinhadas com as marcas do tanque. 0: sem marcas.</translation>
+    </message>
+    <message>
+        <source>Printed length divided by intended length, across the paper (X) and along its feed (Y). Sheets are divided by this factor, so that they print at true size. “Calibrate printer” measures the factor.</source>
+        <translation>Comprimento impresso dividido pelo comprimento desejado, na largura do papel (X) e ao longo do avanço (Y). As folhas são divididas por este fator, para que saiam em tamanho real. “Calibrar impressora” mede o fator.</translation>
+    </message>
+    <message>
+        <source>Maps the darkest colour of the image to the darkest colour that the printer can print, so that shadows stay distinct.</source>
+        <translation>Converte a cor mais escura da imagem na cor mais escura que a impressora consegue imprimir, para que as sombras continuem distintas.</translation>
+    </message>
+    <message>
+        <source>The largest sum of the four inks at one place (TAC). Where the sum is larger, cyan, magenta and yellow are reduced; black stays. Used only with a CMYK ICC profile.</source>
+        <translation>A maior soma das quatro tintas em um lugar (TAC). Onde a soma é maior, ciano, magenta e amarelo são reduzidos; o preto fica. Usada só com um perfil ICC em CMYK.</translation>
+    </message>
+    <message>
+        <source>Measured growth limit</source>
+        <translation>Limite do crescimento medido</translation>
+    </message>
+    <message>
+        <source>Average distance between the corners of the printed squares in the photos and their positions computed from these values.</source>
+        <translation>Distância média entre os cantos dos quadrados impressos nas fotos e as posições deles calculadas a partir destes valores.</translation>
+    </message>
+    <message>
+        <source>Use by</source>
+        <translation>Válido até</translation>
+    </message>
+    <message>
+        <source>Time from laying the film on the water to spraying the activator.</source>
+        <translation>Tempo desde que a película é posta na água até borrifar o ativador.</translation>
+    </message>
+    <message>
+        <source>Time from spraying the activator to the dip.</source>
+        <translation>Tempo desde que o ativador é borrifado até a imersão.</translation>
     </message>
 </context>
 <context>
@@ -1738,16 +1742,8 @@
         <translation>O perfil ICC não é um texto base64 válido; importe-o de novo</translation>
     </message>
     <message>
-        <source>%1 is not a date; write it as 2027-03-31</source>
-        <translation>%1 não é uma data; escreva como 2027-03-31</translation>
-    </message>
-    <message>
         <source>The profile has version %1 of the file format, but this program reads only up to version %2; open it with a newer Dipwright</source>
         <translation>O perfil tem a versão %1 do formato, mas este programa lê só até a versão %2; abra-o com um Dipwright mais novo</translation>
-    </message>
-    <message>
-        <source>This profile has no such value; it has %1</source>
-        <translation>Este perfil não tem esse valor; ele tem %1</translation>
     </message>
     <message>
         <source>Another program is writing the profile (%1); try again</source>
@@ -1758,10 +1754,6 @@
         <translation>Existe um arquivo com este nome que não pode ser lido como perfil, por isso não é substituído; corrija-o, mova-o ou escolha outro nome: %1</translation>
     </message>
     <message>
-        <source>There is no %1 profile of this name; there are: %2</source>
-        <translation>Não há perfil de %1 com este nome; existem: %2</translation>
-    </message>
-    <message>
         <source>Another program has changed the profile since it was read, so it is not saved; read it again and repeat your change</source>
         <translation>Outro programa mudou o perfil desde que foi lido, por isso não é salvo; leia-o de novo e repita sua mudança</translation>
     </message>
@@ -1770,16 +1762,28 @@
         <translation>A pasta de perfis não pode ser criada; escolha outra com DIPWRIGHT_PROFILE_PATH</translation>
     </message>
     <message>
-        <source>You have no %1 profile of this name</source>
-        <translation>Você não tem perfil de %1 com este nome</translation>
-    </message>
-    <message>
         <source>There is no such kind of profile; use printer, film or tank</source>
         <translation>Não há esse tipo de perfil; use printer, film ou tank</translation>
     </message>
     <message>
-        <source>The film %1 expired on %2; use a fresh lot, or test this one first</source>
-        <translation>A película %1 venceu em %2; use um lote novo ou teste este antes</translation>
+        <source>%1 is not a date; write year, month and day, for example 2027-03-31</source>
+        <translation>%1 não é uma data; escreva ano, mês e dia, por exemplo 2027-03-31</translation>
+    </message>
+    <message>
+        <source>This profile has no value of this name; choose one of: %1</source>
+        <translation>Este perfil não tem valor com este nome; escolha um de: %1</translation>
+    </message>
+    <message>
+        <source>There is no %1 profile of this name; choose one of: %2</source>
+        <translation>Não há perfil de %1 com este nome; escolha um de: %2</translation>
+    </message>
+    <message>
+        <source>You have no %1 profile of this name; profiles that come with the program cannot be removed</source>
+        <translation>Você não tem perfil de %1 com este nome; os perfis que vêm com o programa não podem ser removidos</translation>
+    </message>
+    <message>
+        <source>The film %1 expired on %2; use a new lot, or test this lot first</source>
+        <translation>A película %1 venceu em %2; use um lote novo ou teste primeiro este lote</translation>
     </message>
 </context>
 <context>
@@ -1829,10 +1833,6 @@
         <translation>Isto não é um projeto do Dipwright</translation>
     </message>
     <message>
-        <source>there are %1</source>
-        <translation>existem %1</translation>
-    </message>
-    <message>
         <source>%1 must be an array of at most %2 entries</source>
         <translation>%1 deve ser uma lista de no máximo %2 itens</translation>
     </message>
@@ -1851,10 +1851,6 @@
     <message>
         <source>%1 is not allowed here; expected %2</source>
         <translation>%1 não é permitido aqui; esperado: %2</translation>
-    </message>
-    <message>
-        <source>%1 is not allowed here; expected %2 parts, each of them %3</source>
-        <translation>%1 não é permitido aqui; esperadas %2 partes, cada uma %3</translation>
     </message>
     <message>
         <source>There is no film size of this name; use one of %1</source>
@@ -1899,6 +1895,14 @@
     <message>
         <source>“%1” is not a colour; write it as #1a2b3c</source>
         <translation>“%1” não é uma cor; escreva como #1a2b3c</translation>
+    </message>
+    <message>
+        <source>%1 is not allowed here; expected %2 values, each of them %3</source>
+        <translation>%1 não é permitido aqui; esperados %2 valores, cada um %3</translation>
+    </message>
+    <message>
+        <source>the settings in this section are %1</source>
+        <translation>as configurações desta seção são %1</translation>
     </message>
 </context>
 <context>
@@ -2126,10 +2130,6 @@
         <translation>Profundidade</translation>
     </message>
     <message>
-        <source>Margin</source>
-        <translation>Margem</translation>
-    </message>
-    <message>
         <source>Limits</source>
         <translation>Limites</translation>
     </message>
@@ -2170,20 +2170,12 @@
         <translation>Papel</translation>
     </message>
     <message>
-        <source>As the film</source>
-        <translation>Como a película</translation>
-    </message>
-    <message>
         <source>Landscape</source>
         <translation>Paisagem</translation>
     </message>
     <message>
         <source>Bleed</source>
         <translation>Sangria</translation>
-    </message>
-    <message>
-        <source>On the page</source>
-        <translation>Na página</translation>
     </message>
     <message>
         <source>Registration marks</source>
@@ -2354,18 +2346,6 @@
         <translation>Sobreposição estreita</translation>
     </message>
     <message>
-        <source>Bare in a zone</source>
-        <translation>Sem tinta numa zona</translation>
-    </message>
-    <message>
-        <source>Film&apos;s edge</source>
-        <translation>Borda da película</translation>
-    </message>
-    <message>
-        <source>No picture</source>
-        <translation>Sem imagem</translation>
-    </message>
-    <message>
         <source>Repaired model</source>
         <translation>Modelo corrigido</translation>
     </message>
@@ -2406,14 +2386,6 @@
         <translation>Lado das células da película simulada onde a peça entra na película. Células menores mostram detalhes mais finos e demoram mais.</translation>
     </message>
     <message>
-        <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice joins only horizontal and vertical neighbours, as in the paper of 2020.</source>
-        <translation>A película isotrópica resiste ao cisalhamento; o resultado não depende da direção da grade. A rede estrutural une só vizinhos horizontais e verticais, como no artigo de 2020.</translation>
-    </message>
-    <message>
-        <source>Whether the water supports the floating film. Without it, nothing supports the film.</source>
-        <translation>Se a água sustenta a película flutuante. Sem ela, nada a sustenta.</translation>
-    </message>
-    <message>
         <source>Gap between the cradle and the part that lies in it.</source>
         <translation>Folga entre o berço e a peça que está nele.</translation>
     </message>
@@ -2436,10 +2408,6 @@
     <message>
         <source>Distance to the film</source>
         <translation>Distância da película</translation>
-    </message>
-    <message>
-        <source>Distance from the cradle to all places that the film reaches or that earlier dips have painted.</source>
-        <translation>Distância do berço a todos os lugares que a película alcança ou que imersões anteriores pintaram.</translation>
     </message>
     <message>
         <source>Space for felt or foam where the cradle rests on paint.</source>
@@ -2487,7 +2455,7 @@
     </message>
     <message>
         <source>Depth of the engraved arrow, dip number and job number in the plate. 0: no engraving.</source>
-        <translation>Profundidade da gravação de seta, imersão e número do trabalho na placa. 0: sem gravação.</translation>
+        <translation>Profundidade da gravação da seta, do número da imersão e do número do trabalho na placa. 0: sem gravação.</translation>
     </message>
     <message>
         <source>Side length of the cells on which the cradle is computed. Smaller cells give a smoother surface, take longer and make larger files.</source>
@@ -2530,10 +2498,6 @@
         <translation>Jacobi corrige todos os pontos de uma vez e tira a média das correções. Gauss–Seidel corrige um ponto após o outro.</translation>
     </message>
     <message>
-        <source>Keeps film from passing through other film.</source>
-        <translation>Impede que a película atravesse outra parte da película.</translation>
-    </message>
-    <message>
         <source>The name of this dip. It is printed in the job line of its sheet.</source>
         <translation>O nome desta imersão. É impresso na linha de trabalho da folha.</translation>
     </message>
@@ -2566,10 +2530,6 @@
         <translation>Onde a película de uma imersão estica além deste fator, a outra imersão pinta, se puder.</translation>
     </message>
     <message>
-        <source>The page that the film image is placed on. “As the film” prints the film itself, edge to edge.</source>
-        <translation>A página em que a imagem da película é posta. “Como a película” imprime a própria película, de borda a borda.</translation>
-    </message>
-    <message>
         <source>Turns the page on its side.</source>
         <translation>Vira a página de lado.</translation>
     </message>
@@ -2598,14 +2558,6 @@
         <translation>Cor da peça</translation>
     </message>
     <message>
-        <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. For PDF and TIFF in CMYK.</source>
-        <translation>Uma chapa de tinta branca. O branco impresso por último toca a peça, sob as cores. O branco impresso primeiro fica por fora, sobre as cores. Para PDF e TIFF em CMYK.</translation>
-    </message>
-    <message>
-        <source>Tint of the white on the finished part. Where the film stretches, more is printed, up to the full tint.</source>
-        <translation>Tom do branco na peça pronta. Onde a película estica, imprime-se mais, até o tom cheio.</translation>
-    </message>
-    <message>
         <source>How far the edge of the white stays inside the edge of the colour, on the film.</source>
         <translation>Quanto a borda do branco fica para dentro da borda da cor, na película.</translation>
     </message>
@@ -2620,10 +2572,6 @@
     <message>
         <source>Cut contour</source>
         <translation>Contorno de corte</translation>
-    </message>
-    <message>
-        <source>A contour for the cutter, as a spot colour in a PDF in CMYK.</source>
-        <translation>Um contorno para a cortadora, como cor especial em um PDF em CMYK.</translation>
     </message>
     <message>
         <source>Around the ink</source>
@@ -2652,10 +2600,6 @@
     <message>
         <source>Correct repeating errors</source>
         <translation>Corrigir erros repetidos</translation>
-    </message>
-    <message>
-        <source>Corrects the sheet by the errors that repeat on the finished parts recorded in the job.</source>
-        <translation>Corrige a folha pelos erros que se repetem nas peças prontas registradas no trabalho.</translation>
     </message>
     <message>
         <source>How much of the repeating error is corrected.</source>
@@ -2706,10 +2650,6 @@
         <translation>Quanto a película flutuante pode ser mais longa ou mais curta que o suposto, como parte do seu comprimento.</translation>
     </message>
     <message>
-        <source>How much deeper or less deep the part may be dipped.</source>
-        <translation>Quanto mais ou menos fundo a peça pode ser mergulhada.</translation>
-    </message>
-    <message>
         <source>The share of the part&apos;s surface that trapped air may keep dry. Above five times any of these limits, the verdict is “do not print”.</source>
         <translation>A parte da superfície da peça que o ar preso pode manter seca. Acima de cinco vezes qualquer destes limites o veredito é “Não imprima”.</translation>
     </message>
@@ -2738,10 +2678,6 @@
         <translation>O veredito para um modelo de uma só cor sem arte.</translation>
     </message>
     <message>
-        <source>The verdict for a model that was repaired, or whose file names something that is missing.</source>
-        <translation>O veredito para um modelo que foi corrigido ou cujo arquivo cita algo que falta.</translation>
-    </message>
-    <message>
         <source>The verdict for a film whose swell was not measured.</source>
         <translation>O veredito para uma película cujo inchamento não foi medido.</translation>
     </message>
@@ -2756,10 +2692,6 @@
     <message>
         <source>Number of simulated dips with all deviations at once. They check whether the separate effects add up. 0: no check.</source>
         <translation>Número de imersões simuladas com todos os desvios juntos. Elas verificam se os efeitos separados se somam. 0: sem verificação.</translation>
-    </message>
-    <message>
-        <source>Selects the random deviations of these dips. Another number draws other deviations.</source>
-        <translation>Determina os desvios aleatórios destas imersões. Outro número sorteia outros desvios.</translation>
     </message>
     <message>
         <source>Seam</source>
@@ -2806,20 +2738,100 @@
         <translation>Largura, medida na peça, da faixa ao longo da emenda que as duas imersões pintam. As imersões se fundem uma na outra ali. A faixa é mais larga onde o erro de registro apareceria.</translation>
     </message>
     <message>
-        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. Empty: the part is light grey, and the ink is as on white.</source>
-        <translation>Cor da peça nua, por exemplo #1a2b3c. A prova e a vista mostram a tinta sobre esta cor. Vazio: a peça é cinza-clara, e a tinta como sobre branco.</translation>
-    </message>
-    <message>
-        <source>Verdict: limits for “check first”</source>
-        <translation>Veredito: limites para “verificar primeiro”</translation>
-    </message>
-    <message>
         <source>May touch painted areas</source>
         <translation>Pode tocar áreas pintadas</translation>
     </message>
     <message>
         <source>Whether the cradle may support the part on areas that earlier dips have painted, with padding in between.</source>
         <translation>Se o berço pode apoiar a peça em áreas que imersões anteriores pintaram, com acolchoamento no meio.</translation>
+    </message>
+    <message>
+        <source>Work limit</source>
+        <translation>Limite de trabalho</translation>
+    </message>
+    <message>
+        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells, but never with more than this many million points × steps. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
+        <translation>Se o erro numérico for grande demais para imprimir uma folha, a imersão é repetida com células menores, mas nunca com mais do que estes milhões de pontos × passos. 60 levam cerca de 20 s em dois núcleos. 0: a imersão não é repetida.</translation>
+    </message>
+    <message>
+        <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice connects each point only with its horizontal and vertical neighbours, as in the publication of 2020.</source>
+        <translation>A película isotrópica resiste ao cisalhamento; o resultado não depende da direção da grade. A rede estrutural liga cada ponto só aos seus vizinhos horizontais e verticais, como no artigo de 2020.</translation>
+    </message>
+    <message>
+        <source>Water: the water supports the floating film. None: nothing supports the film.</source>
+        <translation>Água: a água sustenta a película flutuante. Nenhum: nada sustenta a película.</translation>
+    </message>
+    <message>
+        <source>Smallest distance from the cradle to any place that the film reaches or that earlier dips have painted.</source>
+        <translation>Menor distância do berço a qualquer lugar que a película alcança ou que imersões anteriores pintaram.</translation>
+    </message>
+    <message>
+        <source>Extra depth</source>
+        <translation>Profundidade extra</translation>
+    </message>
+    <message>
+        <source>Prevents the film from passing through itself.</source>
+        <translation>Impede que a película atravesse a si mesma.</translation>
+    </message>
+    <message>
+        <source>The page that the film image is placed on. “Same as the film” prints the film itself, edge to edge.</source>
+        <translation>A página em que a imagem da película é posta. “Igual à película” imprime a própria película, de borda a borda.</translation>
+    </message>
+    <message>
+        <source>Same as the film</source>
+        <translation>Igual à película</translation>
+    </message>
+    <message>
+        <source>Marks and text</source>
+        <translation>Marcas e texto</translation>
+    </message>
+    <message>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, and the ink as on white.</source>
+        <translation>Cor da peça nua, por exemplo #1a2b3c. A prova e a vista mostram a tinta sobre esta cor. Se vazio, mostram uma peça cinza-clara e a tinta como sobre branco.</translation>
+    </message>
+    <message>
+        <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. Only in CMYK files (PDF and TIFF).</source>
+        <translation>Uma chapa de tinta branca. O branco impresso por último toca a peça, sob as cores. O branco impresso primeiro fica por fora, sobre as cores. Só em arquivos CMYK (PDF e TIFF).</translation>
+    </message>
+    <message>
+        <source>How dense the white is on the finished part; 100 % is solid white. Where the film stretches, more white is printed, up to 100 %.</source>
+        <translation>Quão denso é o branco na peça pronta; 100 % é branco cheio. Onde a película estica, imprime-se mais branco, até 100 %.</translation>
+    </message>
+    <message>
+        <source>The line that the cutter follows, as a spot colour in a CMYK PDF.</source>
+        <translation>A linha que a cortadora segue, como cor especial em um PDF em CMYK.</translation>
+    </message>
+    <message>
+        <source>Shifts the image on the sheet so that it cancels the error that repeats on the measured parts.</source>
+        <translation>Desloca a imagem na folha para anular o erro que se repete nas peças medidas.</translation>
+    </message>
+    <message>
+        <source>How much higher or lower than intended the water may stand. The part is then dipped deeper or less deep.</source>
+        <translation>Quanto mais alta ou mais baixa que o previsto a água pode estar. A peça então é mergulhada mais ou menos fundo.</translation>
+    </message>
+    <message>
+        <source>Limits beyond which the verdict is “check first”</source>
+        <translation>Limites além dos quais o veredito é “verificar primeiro”</translation>
+    </message>
+    <message>
+        <source>Unpainted in a zone</source>
+        <translation>Sem tinta numa zona</translation>
+    </message>
+    <message>
+        <source>Distance to film&apos;s edge</source>
+        <translation>Distância até a borda da película</translation>
+    </message>
+    <message>
+        <source>No texture or artwork</source>
+        <translation>Sem textura nem arte</translation>
+    </message>
+    <message>
+        <source>The verdict for a model that was repaired, or that refers to a missing file.</source>
+        <translation>O veredito para um modelo que foi corrigido ou que se refere a um arquivo que falta.</translation>
+    </message>
+    <message>
+        <source>Start value of the random deviations in the simulated dips. Another value gives other deviations.</source>
+        <translation>Valor inicial dos desvios aleatórios nas imersões simuladas. Outro valor dá outros desvios.</translation>
     </message>
 </context>
 <context>
@@ -2845,10 +2857,6 @@
         <translation>Triângulos da película sobre costuras da textura</translation>
     </message>
     <message>
-        <source>Simulated in</source>
-        <translation>Simulado em</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -2859,10 +2867,6 @@
     <message>
         <source>Width of the overlap</source>
         <translation>Largura da sobreposição</translation>
-    </message>
-    <message>
-        <source>Not reached at %1</source>
-        <translation>Não alcançado em %1</translation>
     </message>
     <message>
         <source>%1 to %2</source>
@@ -2889,10 +2893,6 @@
         <translation>Comprimento da emenda</translation>
     </message>
     <message>
-        <source>Smaller areas not reached</source>
-        <translation>Áreas menores não alcançadas</translation>
-    </message>
-    <message>
         <source>Seam</source>
         <translation>Emenda</translation>
     </message>
@@ -2909,10 +2909,6 @@
         <translation>Erro de releitura, médio e 95 %</translation>
     </message>
     <message>
-        <source>Too pale for lack of ink</source>
-        <translation>Claro demais por falta de tinta</translation>
-    </message>
-    <message>
         <source>Trapped air</source>
         <translation>Ar preso</translation>
     </message>
@@ -2921,16 +2917,32 @@
         <translation>Passos que não convergiram</translation>
     </message>
     <message>
-        <source>Most of the film stays empty. %1 (%2 × %3) is large enough.</source>
-        <translation>A maior parte da película fica vazia. %1 (%2 × %3) é grande o bastante.</translation>
-    </message>
-    <message>
         <source>Use this film</source>
         <translation>Usar esta película</translation>
     </message>
     <message>
-        <source>Painted by torn, released or unconverged film</source>
-        <translation>Pintado por película rasgada, solta ou não convergida</translation>
+        <source>Area not reached, at %1</source>
+        <translation>Área não alcançada, em %1</translation>
+    </message>
+    <message>
+        <source>Number of smaller areas not reached</source>
+        <translation>Número de áreas menores não alcançadas</translation>
+    </message>
+    <message>
+        <source>Area painted by film that tore, was released or did not converge</source>
+        <translation>Área pintada por película que rasgou, se soltou ou não convergiu</translation>
+    </message>
+    <message>
+        <source>Area too pale because of the ink limit</source>
+        <translation>Área clara demais por causa do limite de tinta</translation>
+    </message>
+    <message>
+        <source>Simulation time</source>
+        <translation>Duração da simulação</translation>
+    </message>
+    <message>
+        <source>Most of the film stays empty. A film of format %1 (%2 × %3) is large enough.</source>
+        <translation>A maior parte da película fica vazia. Uma película no formato %1 (%2 × %3) é grande o bastante.</translation>
     </message>
 </context>
 <context>
@@ -3104,10 +3116,6 @@
         <translation>“priority” na descrição dele tem de ser um número inteiro de -%1 a %1</translation>
     </message>
     <message>
-        <source>Its module does not match this program&apos;s solver interface %1, although its description file says so; build it again</source>
-        <translation>O módulo dele não corresponde à interface de solucionador %1 deste programa, embora o arquivo de descrição diga que sim; compile-o de novo</translation>
-    </message>
-    <message>
         <source>It cannot run here and does not say why; ask its author</source>
         <translation>Ele não pode rodar aqui e não diz por quê; pergunte ao autor</translation>
     </message>
@@ -3134,6 +3142,10 @@
     <message>
         <source>Its module must be in the same folder as its description; give the file&apos;s name without a path</source>
         <translation>O módulo dele deve estar na mesma pasta que a descrição; informe o nome do arquivo sem caminho</translation>
+    </message>
+    <message>
+        <source>Its module does not match this program&apos;s solver interface %1, although its description file says that it does; build it again</source>
+        <translation>O módulo dele não corresponde à interface de solucionador %1 deste programa, embora o arquivo de descrição afirme que corresponde; compile-o de novo</translation>
     </message>
 </context>
 <context>
@@ -3194,30 +3206,6 @@
         <translation>A zona %1 não é pintada.</translation>
     </message>
     <message>
-        <source>A film displaced within its tolerance does not follow the part; give the film smaller cells or more points</source>
-        <translation>Uma película deslocada dentro da tolerância não acompanha a peça; dê à película células menores ou mais pontos</translation>
-    </message>
-    <message>
-        <source>Dipping with deviations</source>
-        <translation>Mergulhando com desvios</translation>
-    </message>
-    <message>
-        <source>Check: %1 dips with all deviations at once give ±%2; the sum of the contributors gives ±%3. Both agree.</source>
-        <translation>Verificação: %1 imersões com todos os desvios ao mesmo tempo dão ±%2; a soma das contribuições dá ±%3. Os dois coincidem.</translation>
-    </message>
-    <message>
-        <source>Check: %1 dips with all deviations at once give ±%2; the sum of the contributors gives ±%3. They differ: the contributors do not simply add up here.</source>
-        <translation>Verificação: %1 imersões com todos os desvios ao mesmo tempo dão ±%2; a soma das contribuições dá ±%3. Os dois diferem: aqui as contribuições não podem simplesmente ser somadas.</translation>
-    </message>
-    <message>
-        <source>Zone %1 keeps its limit of ±%3: %2 % of the painted area is within it, 95 % is within ±%4. Largest contributor: %5.</source>
-        <translation>A zona %1 respeita seu limite de ±%3: %2 % da área pintada ficam dentro dele, 95 % dentro de ±%4. Maior contribuição: %5.</translation>
-    </message>
-    <message>
-        <source>Zone %1 exceeds its limit of ±%3: only %2 % of the painted area is within it, 95 % is within ±%4. Largest contributor: %5.</source>
-        <translation>A zona %1 ultrapassa seu limite de ±%3: só %2 % da área pintada ficam dentro dele, 95 % dentro de ±%4. Maior contribuição: %5.</translation>
-    </message>
-    <message>
         <source>Position of the part along X</source>
         <translation>Posição da peça ao longo de X</translation>
     </message>
@@ -3248,6 +3236,30 @@
     <message>
         <source>Rotation of the film about Y</source>
         <translation>Rotação da película em torno de Y</translation>
+    </message>
+    <message>
+        <source>The simulation became unstable in a dip with deviations; give the film smaller cells or more points</source>
+        <translation>A simulação ficou instável em uma imersão com desvios; dê à película células menores ou mais pontos</translation>
+    </message>
+    <message>
+        <source>Simulating dips with deviations</source>
+        <translation>Simulando imersões com desvios</translation>
+    </message>
+    <message>
+        <source>Check: with all deviations at once, %1 simulated dips give a displacement of ±%2 (95 % of the painted area). The sum of the contributors gives ±%3. Both agree.</source>
+        <translation>Verificação: com todos os desvios ao mesmo tempo, %1 imersões simuladas dão um deslocamento de ±%2 (95 % da área pintada). A soma das contribuições dá ±%3. Os dois coincidem.</translation>
+    </message>
+    <message>
+        <source>Check: with all deviations at once, %1 simulated dips give a displacement of ±%2 (95 % of the painted area). The sum of the contributors gives ±%3. The two differ, because the effects of the contributors do not simply add up here.</source>
+        <translation>Verificação: com todos os desvios ao mesmo tempo, %1 imersões simuladas dão um deslocamento de ±%2 (95 % da área pintada). A soma das contribuições dá ±%3. Os dois diferem, porque aqui as contribuições não se somam simplesmente.</translation>
+    </message>
+    <message>
+        <source>Zone %1 keeps its limit of ±%3: on %2 % of the painted area, the image is displaced by less than this limit, and on 95 % by ±%4 or less. Largest contributor: %5.</source>
+        <translation>A zona %1 respeita seu limite de ±%3: em %2 % da área pintada, a imagem se desloca menos que esse limite, e em 95 %, no máximo ±%4. Maior contribuição: %5.</translation>
+    </message>
+    <message>
+        <source>Zone %1 exceeds its limit of ±%3: on only %2 % of the painted area, the image is displaced by less than this limit, and on 95 % by ±%4 or less. Largest contributor: %5.</source>
+        <translation>A zona %1 ultrapassa seu limite de ±%3: em só %2 % da área pintada, a imagem se desloca menos que esse limite, e em 95 %, no máximo ±%4. Maior contribuição: %5.</translation>
     </message>
 </context>
 <context>
@@ -3390,7 +3402,7 @@
     </message>
     <message>
         <source>Let the part flash off before rinsing: %1</source>
-        <translation>Deixar a peça evaporar antes de enxaguar: %1</translation>
+        <translation>Deixar o solvente evaporar da peça antes de enxaguar: %1</translation>
     </message>
     <message>
         <source>Rinse the part, then let it dry: %1</source>
@@ -3405,8 +3417,8 @@
         <translation>Comparar a peça com a imagem abaixo.</translation>
     </message>
     <message>
-        <source>After dip %1 the part should look like this (seen from lower edge, right edge, below)</source>
-        <translation>Após a imersão %1 a peça deve ficar assim (vista da borda inferior, direita, de baixo)</translation>
+        <source>After dip %1 the part should look like this (seen from the lower edge, the right edge and below)</source>
+        <translation>Após a imersão %1 a peça deve ficar assim (vista da borda inferior, da borda direita e de baixo)</translation>
     </message>
 </context>
 <context>
@@ -3519,32 +3531,8 @@
         <translation>Verifique primeiro estes lugares</translation>
     </message>
     <message>
-        <source>The numerical error is not known: this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Cells).</source>
-        <translation>O erro numérico é desconhecido: esta imersão e as imersões de comparação, com células maiores, não pintam nenhum lugar em comum. Ponha células menores (Película &gt; Células).</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set Film &gt; Cells to %3, turn the part, or dip it twice.</source>
-        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha Película &gt; Células em %3, gire a peça ou mergulhe-a duas vezes.</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
-        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Ponha mais pontos (Película &gt; Pontos), gire a peça ou mergulhe-a duas vezes.</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
-        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Gire a peça, mergulhe-a duas vezes ou ponha células bem menores ou mais pontos (Película &gt; Células).</translation>
-    </message>
-    <message>
-        <source>Numerical error: 95 % of the painted area is within %1; the limit is %2. The steps cause most of it: set a smaller step (Dipping &gt; Step).</source>
-        <translation>Erro numérico: 95 % da área pintada ficam dentro de %1; o limite é %2. Os passos causam a maior parte: ponha um passo menor (Imersão &gt; Passo).</translation>
-    </message>
-    <message>
         <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places in the list.</source>
         <translation>O erro numérico pode ultrapassar %2 em %1 % da área pintada. Verifique os lugares da lista.</translation>
-    </message>
-    <message>
-        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and bare. Set smaller cells (Film &gt; Cells).</source>
-        <translation>A borda da área pintada é incerta: com outras células ou passos, %1 % da peça mudam entre pintado e não pintado. Ponha células menores (Película &gt; Células).</translation>
     </message>
     <message>
         <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
@@ -3567,20 +3555,12 @@
         <translation>A película rasgou ou se soltou em %1 % da área pintada; o limite é %2 %. Gire a peça ou mergulhe-a duas vezes.</translation>
     </message>
     <message>
-        <source>The painted film comes within %1 of the film&apos;s edge; at least %2 are required. Use a larger film, or move the part to the film&apos;s centre.</source>
-        <translation>A película pintada chega a %1 da borda da película; são necessários pelo menos %2. Use uma película maior ou leve a peça ao centro dela.</translation>
-    </message>
-    <message>
         <source>%1 % of the part is painted by neither dip; the limit is %2 %. Turn the part in one of the dips.</source>
         <translation>%1 % da peça não são pintados por nenhuma das imersões; o limite é %2 %. Gire a peça em uma das imersões.</translation>
     </message>
     <message>
         <source>%1 % of the overlap is too narrow; the limit is %2 %. A small placement error of the second film shows there. Widen the overlap (Seam &gt; Overlap), or turn the part in one of the dips.</source>
         <translation>%1 % da sobreposição são estreitos demais; o limite é %2 %. Ali aparece um pequeno erro de posição da segunda película. Alargue a sobreposição (Emenda &gt; Sobreposição) ou gire a peça em uma das imersões.</translation>
-    </message>
-    <message>
-        <source>Handling and numerical error together: 95 % of the painted area is within ±%1; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
-        <translation>Manuseio e erro numérico juntos: 95 % da área pintada ficam dentro de ±%1; o limite é ±%2. Reduza a maior contribuição ou gire a peça.</translation>
     </message>
     <message>
         <source>%1: numerical error up to %3; the limit is %2</source>
@@ -3591,8 +3571,40 @@
         <translation>%1 % da zona não são pintados; o limite é %2 %. Gire a peça de modo que a película alcance a zona.</translation>
     </message>
     <message>
-        <source>95 % of the sheet is within %1 (numerical error).</source>
-        <translation>95 % da folha ficam dentro de %1 (erro numérico).</translation>
+        <source>The numerical error is not known, because this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Cells).</source>
+        <translation>O erro numérico é desconhecido, porque esta imersão e as imersões de comparação, com células maiores, não pintam nenhum lugar em comum. Ponha células menores (Película &gt; Células).</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the sheet.</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da folha.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set Film &gt; Cells to %3, turn the part, or dip it twice.</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha Película &gt; Células em %3, gire a peça ou mergulhe-a duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha mais pontos (Película &gt; Pontos), gire a peça ou mergulhe-a duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Gire a peça, mergulhe-a duas vezes ou ponha células bem menores ou mais pontos (Película &gt; Células).</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Most of this error comes from the length of the steps: set a smaller step (Dipping &gt; Step).</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. A maior parte deste erro vem do comprimento dos passos: ponha um passo menor (Imersão &gt; Passo).</translation>
+    </message>
+    <message>
+        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and unpainted. Set smaller cells (Film &gt; Cells).</source>
+        <translation>A borda da área pintada é incerta: com outras células ou passos, %1 % da peça mudam entre pintado e não pintado. Ponha células menores (Película &gt; Células).</translation>
+    </message>
+    <message>
+        <source>Film that paints the part lies only %1 from the film&apos;s edge; at least %2 are required. Use a larger film, or move the part to the film&apos;s centre.</source>
+        <translation>Película que pinta a peça fica a apenas %1 da borda da película; são necessários pelo menos %2. Use uma película maior ou leve a peça ao centro dela.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
+        <translation>Manuseio e erro numérico juntos: no máximo ±%1 em 95 % da área pintada; o limite é ±%2. Reduza a maior contribuição ou gire a peça.</translation>
     </message>
 </context>
 <context>
@@ -3822,10 +3834,6 @@
         <translation>Move a camada para baixo (Ctrl+Baixo)</translation>
     </message>
     <message>
-        <source>The colour below all layers. White prints no ink. Without a base colour the model keeps its own colours.</source>
-        <translation>A cor abaixo de todas as camadas. Branco não imprime tinta. Sem cor de base o modelo mantém suas próprias cores.</translation>
-    </message>
-    <message>
         <source>Each number gives a different pattern of the same kind.</source>
         <translation>Cada número dá um padrão diferente do mesmo tipo.</translation>
     </message>
@@ -3844,10 +3852,6 @@
     <message>
         <source>Display colour</source>
         <translation>Cor de exibição</translation>
-    </message>
-    <message>
-        <source>The colour that stands for the ink where its name is unknown.</source>
-        <translation>A cor que representa a tinta onde o nome dela é desconhecido.</translation>
     </message>
     <message>
         <source>On the outside</source>
@@ -3917,6 +3921,14 @@
         <source>The layer&apos;s centre in the model&apos;s coordinates. A decal is centred at the nearest place on the surface.</source>
         <translation>O centro da camada nas coordenadas do modelo. Um decalque fica no lugar mais próximo da superfície.</translation>
     </message>
+    <message>
+        <source>The colour below all layers. White: no ink is printed. Without a base colour the model keeps its own colours.</source>
+        <translation>A cor abaixo de todas as camadas. Branco: nenhuma tinta é impressa. Sem cor de base o modelo mantém suas próprias cores.</translation>
+    </message>
+    <message>
+        <source>Programs and printers that do not know the spot colour use this colour instead.</source>
+        <translation>Programas e impressoras que não conhecem a cor especial usam esta cor no lugar dela.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ArtworkPainter</name>
@@ -3963,10 +3975,6 @@
         <translation>&amp;Mover</translation>
     </message>
     <message>
-        <source>&amp;Lay this face down</source>
-        <translation>&amp;Pôr esta face para baixo</translation>
-    </message>
-    <message>
         <source>Mark this face as &amp;zone A</source>
         <translation>Marcar esta face como &amp;zona A</translation>
     </message>
@@ -3979,8 +3987,12 @@
         <translation>Mover peça</translation>
     </message>
     <message>
-        <source>Lay face down</source>
-        <translation>Pôr face para baixo</translation>
+        <source>Turn this face &amp;down</source>
+        <translation>&amp;Virar esta face para baixo</translation>
+    </message>
+    <message>
+        <source>Turn a face down</source>
+        <translation>Virar uma face para baixo</translation>
     </message>
 </context>
 <context>
@@ -3993,10 +4005,6 @@
 <context>
     <name>dipwright::Budgets</name>
     <message>
-        <source>The file is larger than %1 MB; reduce it</source>
-        <translation>O arquivo é maior que %1 MB; reduza-o</translation>
-    </message>
-    <message>
         <source>A face of the model has more than %1 corners; cut it into triangles in a modelling program</source>
         <translation>Uma face do modelo tem mais de %1 cantos; divida-a em triângulos em um programa de modelagem</translation>
     </message>
@@ -4005,16 +4013,8 @@
         <translation>O modelo se refere a mais de %1 outros arquivos; reduza o número deles</translation>
     </message>
     <message>
-        <source>The model cannot be read: its parts are nested more than %1 levels deep; merge them in a modelling program</source>
-        <translation>O modelo não pode ser lido: suas partes estão aninhadas em mais de %1 níveis; una-as em um programa de modelagem</translation>
-    </message>
-    <message>
         <source>The model has more than %1 materials; reduce their number</source>
         <translation>O modelo tem mais de %1 materiais; reduza o número deles</translation>
-    </message>
-    <message>
-        <source>The file is not opened, because it would unpack to more than %1 MB, far too much for its size; ask its author for another file</source>
-        <translation>O arquivo não é aberto, porque ocuparia descompactado mais de %1 MB, muito para o seu tamanho; peça outro arquivo ao autor</translation>
     </message>
     <message>
         <source>The file is not opened, because it contains more than %1 entries; ask its author for another file</source>
@@ -4037,24 +4037,36 @@
         <translation>O projeto contém mais de %1 MB de arquivos que não pertencem a ele; retire-os com um programa de arquivamento</translation>
     </message>
     <message>
-        <source>The texture is more than %1 pixels wide or high; make it smaller</source>
-        <translation>A textura tem mais de %1 pixels de largura ou de altura; diminua-a</translation>
+        <source>The file is larger than %1 MB; make it smaller</source>
+        <translation>O arquivo é maior que %1 MB; reduza-o</translation>
     </message>
     <message>
-        <source>The pictures have more than %1 million pixels in total, too many for their file size or for any sheet; make them smaller</source>
-        <translation>As imagens têm no total mais de %1 milhões de pixels, demais para o tamanho dos arquivos ou para qualquer folha; diminua-as</translation>
+        <source>The model has more than %1 million triangles, which is the limit for a file of its size; reduce their number</source>
+        <translation>O modelo tem mais de %1 milhões de triângulos, que é o limite para um arquivo deste tamanho; reduza o número deles</translation>
     </message>
     <message>
-        <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller or save it again</source>
-        <translation>Ler o arquivo exige mais de %1 MB de memória, muito para o seu tamanho; reduza o arquivo ou salve-o de novo</translation>
+        <source>The model cannot be read: its objects are nested more than %1 levels deep; merge them in a modelling program</source>
+        <translation>O modelo não pode ser lido: seus objetos estão aninhados em mais de %1 níveis; una-os em um programa de modelagem</translation>
     </message>
     <message>
-        <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller or save it again</source>
-        <translation>Ler o arquivo leva mais de %1 segundos, muito para o seu tamanho; reduza o arquivo ou salve-o de novo</translation>
+        <source>The file is not opened, because it would take more than %1 MB after unpacking, far too much for its size; ask its author for another file</source>
+        <translation>O arquivo não é aberto, porque ocuparia mais de %1 MB depois de descompactado, demais para o seu tamanho; peça outro arquivo ao autor</translation>
     </message>
     <message>
-        <source>The model has more than %1 million triangles, too many for a file of its size or for any computer; reduce their number</source>
-        <translation>O modelo tem mais de %1 milhões de triângulos, demais para um arquivo deste tamanho ou para qualquer computador; reduza o número deles</translation>
+        <source>The picture is more than %1 pixels wide or high; make it smaller</source>
+        <translation>A imagem tem mais de %1 pixels de largura ou de altura; diminua-a</translation>
+    </message>
+    <message>
+        <source>The pictures have more than %1 million pixels in total, which is the limit for files of their size; make them smaller</source>
+        <translation>As imagens têm no total mais de %1 milhões de pixels, que é o limite para arquivos deste tamanho; diminua-as</translation>
+    </message>
+    <message>
+        <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller, or save it again in the program that created it</source>
+        <translation>Ler o arquivo exige mais de %1 MB de memória, demais para o seu tamanho; reduza o arquivo ou salve-o de novo no programa que o criou</translation>
+    </message>
+    <message>
+        <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller, or save it again in the program that created it</source>
+        <translation>Ler o arquivo leva mais de %1 segundos, demais para o seu tamanho; reduza o arquivo ou salve-o de novo no programa que o criou</translation>
     </message>
 </context>
 <context>
@@ -4163,27 +4175,27 @@
         <translation>A correção está desligada. A imagem mostra como ela mudaria as próximas folhas.</translation>
     </message>
     <message>
-        <source>Keep the measured part to store with the job its photos, its error and who accepted it.</source>
-        <translation>Guarde a peça medida para registrar no trabalho as fotos, o erro e quem a aceitou.</translation>
+        <source>“Keep part” stores in the project: the error of this part, the checksums of its photos and the name of the person who accepts it.</source>
+        <translation>“Guardar peça” registra no projeto: o erro desta peça, as somas de verificação das suas fotos e o nome da pessoa que a aceita.</translation>
     </message>
     <message>
-        <source>To keep a part, find its corners on the page “Dipped part”, using pairs whose places lie on the part itself.</source>
-        <translation>Para guardar uma peça, procure os cantos dela na página “Peça mergulhada”, com pares cujos lugares estão na própria peça.</translation>
+        <source>To keep a part, first find its corners on the page “Dipped part”. The places of the pairs must lie on the part itself, not on the print.</source>
+        <translation>Para guardar uma peça, procure antes os cantos dela na página “Peça mergulhada”. Os lugares dos pares devem estar na própria peça, não na impressão.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::BuiltPlaces</name>
     <message>
-        <source>None of the places lies on film that adheres to the part; check that the photos show a part of this job</source>
-        <translation>Nenhum dos lugares fica sobre película aderida à peça; verifique se as fotos mostram uma peça deste trabalho</translation>
+        <source>None of the measured places lies on film that adheres to the part; check that the photos show a part of this job</source>
+        <translation>Nenhum dos lugares medidos fica sobre película aderida à peça; verifique se as fotos mostram uma peça deste trabalho</translation>
     </message>
     <message>
-        <source>The job can keep at most %1 parts and %2 places; this part would exceed that</source>
-        <translation>O trabalho pode guardar no máximo %1 peças e %2 lugares; esta peça passaria disso</translation>
+        <source>The job can keep at most %1 parts and %2 places; this part would exceed the limit</source>
+        <translation>O trabalho pode guardar no máximo %1 peças e %2 lugares; esta peça passaria do limite</translation>
     </message>
     <message>
-        <source>The job already contains the part in these photos; adding it again would count it as two parts that agree</source>
-        <translation>O trabalho já contém a peça destas fotos; adicioná-la de novo a contaria como duas peças que concordam</translation>
+        <source>The job already contains the part in these photos; a part may be added only once</source>
+        <translation>O trabalho já contém a peça destas fotos; uma peça só pode ser adicionada uma vez</translation>
     </message>
 </context>
 <context>
@@ -4245,14 +4257,6 @@
         <translation>Procurando impressoras</translation>
     </message>
     <message>
-        <source>No printer is set up on this machine. Save the page as PDF and print it elsewhere, at 100 %.</source>
-        <translation>Nenhuma impressora está configurada nesta máquina. Salve a página como PDF e imprima em outro lugar, a 100 %.</translation>
-    </message>
-    <message>
-        <source>instead of %1 mm</source>
-        <translation>em vez de %1 mm</translation>
-    </message>
-    <message>
         <source>X %1, Y %2</source>
         <translation>X %1, Y %2</translation>
     </message>
@@ -4262,11 +4266,7 @@
     </message>
     <message>
         <source>Printed on %1. Let it dry, then measure.</source>
-        <translation>Impresso em %1. Deixe secar e depois meça.</translation>
-    </message>
-    <message>
-        <source>Handed to the queue of %1</source>
-        <translation>Entregue à fila de %1</translation>
+        <translation>Página impressa em %1. Deixe secar e depois meça.</translation>
     </message>
     <message>
         <source>calibration</source>
@@ -4275,14 +4275,6 @@
     <message>
         <source>Wrote %1. Print it at 100 %, without “fit to page”.</source>
         <translation>%1 gravado. Imprima a 100 %, sem “ajustar à página”.</translation>
-    </message>
-    <message>
-        <source>%1 now has the scale X %2, Y %3. Print the second page to verify it.</source>
-        <translation>%1 agora tem a escala X %2, Y %3. Imprima a segunda página para verificar.</translation>
-    </message>
-    <message>
-        <source>The printers that are set up on this machine.</source>
-        <translation>As impressoras instaladas nesta máquina.</translation>
     </message>
     <message>
         <source>The measured length of the printed ruler, to 0.1 mm.</source>
@@ -4325,20 +4317,40 @@
         <translation>Imprime réguas sem correção, para medir.</translation>
     </message>
     <message>
-        <source>Prints the same rulers with the correction. Each must now have its nominal length.</source>
-        <translation>Imprime as mesmas réguas com a correção. Cada uma deve agora ter seu comprimento nominal.</translation>
-    </message>
-    <message>
         <source>2. Measure the rulers</source>
         <translation>2. Medir as réguas</translation>
     </message>
     <message>
-        <source>Print the page. Measure both rulers from the first to the last line, to 0.1 mm, and type the lengths. Then verify with the second page.</source>
-        <translation>Imprima a página. Meça as duas réguas do primeiro ao último traço, até 0,1 mm, e digite os comprimentos. Depois verifique com a segunda página.</translation>
-    </message>
-    <message>
         <source>Save page</source>
         <translation>Salvar página</translation>
+    </message>
+    <message>
+        <source>The printers that are set up on this computer.</source>
+        <translation>As impressoras configuradas neste computador.</translation>
+    </message>
+    <message>
+        <source>Prints the same rulers with the correction. Each ruler must now have its nominal length.</source>
+        <translation>Imprime as mesmas réguas com a correção. Cada régua deve agora ter seu comprimento nominal.</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Save the page as PDF and print it elsewhere, at 100 %.</source>
+        <translation>Não há impressora configurada neste computador. Salve a página em PDF e imprima em outro lugar, a 100 %.</translation>
+    </message>
+    <message>
+        <source>nominal length: %1 mm</source>
+        <translation>comprimento nominal: %1 mm</translation>
+    </message>
+    <message>
+        <source>Print the page. Measure both rulers from the first to the last line, to 0.1 mm. Type the lengths and save the scale. Then print the page again to verify the scale.</source>
+        <translation>Imprima a página. Meça as duas réguas do primeiro ao último traço, até 0,1 mm. Digite os comprimentos e guarde a escala. Depois imprima a página de novo para verificar a escala.</translation>
+    </message>
+    <message>
+        <source>Sent to the print queue of %1</source>
+        <translation>Enviado à fila de impressão de %1</translation>
+    </message>
+    <message>
+        <source>%1 now has the scale X %2, Y %3. Print the page again to verify the scale.</source>
+        <translation>%1 agora tem a escala X %2, Y %3. Imprima a página de novo para verificar a escala.</translation>
     </message>
 </context>
 <context>
@@ -4411,10 +4423,6 @@
         <translation>&amp;Fechar</translation>
     </message>
     <message>
-        <source>Figure</source>
-        <translation>Medida</translation>
-    </message>
-    <message>
         <source>Difference</source>
         <translation>Diferença</translation>
     </message>
@@ -4447,12 +4455,16 @@
         <translation>Enquadra as duas peças em suas vistas</translation>
     </message>
     <message>
-        <source>Figures of both states</source>
-        <translation>Números dos dois estados</translation>
-    </message>
-    <message>
         <source>Close the comparison (Escape)</source>
         <translation>Fecha a comparação (Escape)</translation>
+    </message>
+    <message>
+        <source>Values of both states</source>
+        <translation>Valores dos dois estados</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Grandeza</translation>
     </message>
 </context>
 <context>
@@ -4463,7 +4475,7 @@
     </message>
     <message>
         <source>Simulating a deeper dip</source>
-        <translation>Simulando uma imersão mais funda</translation>
+        <translation>Simulando uma imersão mais profunda</translation>
     </message>
 </context>
 <context>
@@ -4508,35 +4520,43 @@
         <translation>Resultados desatualizados: feitos antes das últimas mudanças.</translation>
     </message>
     <message>
-        <source>Draft with %1 × %2 points</source>
-        <translation>Rascunho com %1 × %2 pontos</translation>
-    </message>
-    <message>
-        <source>95 % within about %1</source>
-        <translation>95 % dentro de cerca de %1</translation>
-    </message>
-    <message>
         <source>being refined</source>
         <translation>em refinamento</translation>
-    </message>
-    <message>
-        <source>run the dip to print</source>
-        <translation>execute a imersão para imprimir</translation>
-    </message>
-    <message>
-        <source>These results were saved without the course of the dip. The dip is simulated again to play it; the results stay the same.</source>
-        <translation>Estes resultados foram salvos sem o decorrer da imersão. A imersão é simulada de novo para ser reproduzida; os resultados permanecem iguais.</translation>
     </message>
     <message>
         <source>The dip can be played when the running job has ended.</source>
         <translation>A imersão pode ser reproduzida quando o trabalho em andamento terminar.</translation>
     </message>
+    <message>
+        <source>The saved results contain no recording of the dip. To play the dip, it is simulated again; the results stay the same.</source>
+        <translation>Os resultados salvos não contêm uma gravação da imersão. Para reproduzi-la, a imersão é simulada de novo; os resultados permanecem iguais.</translation>
+    </message>
+    <message>
+        <source>The film is being refined until the sheet can be printed. Cancel keeps this result.</source>
+        <translation>A película é refinada até que a folha possa ser impressa. “Cancelar” mantém este resultado.</translation>
+    </message>
+    <message>
+        <source>The numerical error is too large. Run the dip again to refine the film.</source>
+        <translation>O erro numérico é grande demais. Execute a imersão de novo para refinar a película.</translation>
+    </message>
+    <message>
+        <source>Draft with %1 × %2 film points</source>
+        <translation>Rascunho com %1 × %2 pontos da película</translation>
+    </message>
+    <message>
+        <source>95 % of the sheet accurate to about %1</source>
+        <translation>95 % da folha com erro de até cerca de %1</translation>
+    </message>
+    <message>
+        <source>run the dip before printing</source>
+        <translation>execute a imersão antes de imprimir</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::DipView</name>
     <message>
-        <source>The 3D view needs OpenGL 3.2, but no such context could be created. Everything else works.</source>
-        <translation>A vista 3D precisa de OpenGL 3.2, mas não foi possível criar um contexto. Todo o resto funciona.</translation>
+        <source>The 3D view needs OpenGL 3.2, which could not be started. Update the graphics driver. Everything else works.</source>
+        <translation>A vista 3D precisa de OpenGL 3.2, que não pôde ser iniciado. Atualize o driver da placa de vídeo. Todo o resto funciona.</translation>
     </message>
 </context>
 <context>
@@ -4550,8 +4570,8 @@
         <translation>Construindo o campo de distância</translation>
     </message>
     <message>
-        <source>The model has no extent; choose a model with a surface</source>
-        <translation>O modelo não tem extensão; escolha um modelo com superfície</translation>
+        <source>The size of the model is zero; choose a model with a surface</source>
+        <translation>O tamanho do modelo é zero; escolha um modelo com superfície</translation>
     </message>
 </context>
 <context>
@@ -4632,8 +4652,8 @@
         <translation>%1 não é projeto, modelo nem imagem</translation>
     </message>
     <message>
-        <source>If both of you save, whoever saves second is asked which version to keep.</source>
-        <translation>Se ambos salvarem, quem salvar por último terá de escolher qual versão manter.</translation>
+        <source>If both programs save the project, the one that saves second asks which version to keep.</source>
+        <translation>Se os dois programas salvarem o projeto, o segundo a salvar pergunta qual versão manter.</translation>
     </message>
 </context>
 <context>
@@ -4659,10 +4679,6 @@
         <translation>%1 salvo</translation>
     </message>
     <message>
-        <source>Unsaved changes would be lost in a crash, because no copy can be written. Save often. %1</source>
-        <translation>Alterações não salvas se perderiam em uma falha, pois nenhuma cópia pode ser gravada. Salve com frequência. %1</translation>
-    </message>
-    <message>
         <source>Open project</source>
         <translation>Abrir projeto</translation>
     </message>
@@ -4673,6 +4689,10 @@
     <message>
         <source>Restore project</source>
         <translation>Restaurar projeto</translation>
+    </message>
+    <message>
+        <source>Unsaved changes would be lost in a crash, because the recovery copy cannot be written. Save often. %1</source>
+        <translation>Alterações não salvas se perderiam em uma falha, pois a cópia de recuperação não pode ser gravada. Salve com frequência. %1</translation>
     </message>
 </context>
 <context>
@@ -4815,10 +4835,6 @@
         <translation>%1 não é determinado por estes pares e mantém seu valor</translation>
     </message>
     <message>
-        <source>Root mean square distance of the print: %1 px (%2 mm) before the fit, %3 px (%4 mm) after it</source>
-        <translation>Valor quadrático médio da distância da impressão: %1 px (%2 mm) antes do ajuste, %3 px (%4 mm) depois</translation>
-    </message>
-    <message>
         <source>give pairs of places all round the part</source>
         <translation>dê pares de pontos ao redor de toda a peça</translation>
     </message>
@@ -4867,20 +4883,8 @@
         <translation>“%1” não pode ser ajustado; escolha entre %2</translation>
     </message>
     <message>
-        <source>There are too few pairs on the part to determine %1 numbers of film and camera; give more pairs, or fit fewer quantities</source>
-        <translation>Há poucos pares na peça para determinar %1 números de película e câmera; dê mais pares, ou ajuste menos grandezas</translation>
-    </message>
-    <message>
-        <source>No film and camera fit the pairs; check for places that were mistaken for others</source>
-        <translation>Nenhuma película e câmera combinam com os pares; verifique se há pontos confundidos com outros</translation>
-    </message>
-    <message>
         <source>A place belongs to dip %1, but the number of dips in the project is %2</source>
         <translation>Um ponto pertence à imersão %1, mas o número de imersões do projeto é %2</translation>
-    </message>
-    <message>
-        <source>%1 is known only to about %2 %: a change by 10 % moves none of the places by more than %3 mm; give more pairs, or %4</source>
-        <translation>%1 é conhecido só com cerca de %2 %: uma mudança de 10 % não move nenhum dos pontos mais de %3 mm; dê mais pares, ou %4</translation>
     </message>
     <message>
         <source>Position of the part along X</source>
@@ -4893,6 +4897,22 @@
     <message>
         <source>Rotation of the part about Y</source>
         <translation>Rotação da peça em torno de Y</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between the simulated and the photographed print: %1 px (%2 mm) before the fit, %3 px (%4 mm) after it</source>
+        <translation>Valor quadrático médio da distância entre a impressão simulada e a fotografada: %1 px (%2 mm) antes do ajuste, %3 px (%4 mm) depois</translation>
+    </message>
+    <message>
+        <source>%1 is uncertain by about %2 %: a change by 10 % moves none of the places by more than %3 mm; give more pairs, or %4</source>
+        <translation>%1 tem uma incerteza de cerca de %2 %: uma mudança de 10 % não move nenhum dos pontos mais de %3 mm; dê mais pares, ou %4</translation>
+    </message>
+    <message>
+        <source>There are too few pairs on the part to determine the %1 unknowns of film and camera; give more pairs, or fit fewer quantities</source>
+        <translation>Há poucos pares na peça para determinar as %1 incógnitas de película e câmera; dê mais pares, ou ajuste menos grandezas</translation>
+    </message>
+    <message>
+        <source>The fit found no film and camera that explain the pairs; check whether a pair names the wrong place</source>
+        <translation>O ajuste não encontrou película e câmera que expliquem os pares; verifique se um par indica o lugar errado</translation>
     </message>
 </context>
 <context>
@@ -4966,10 +4986,6 @@
         <translation> mm</translation>
     </message>
     <message>
-        <source>Card above the film</source>
-        <translation>Cartão acima da película</translation>
-    </message>
-    <message>
         <source>Focal length</source>
         <translation>Distância focal</translation>
     </message>
@@ -4992,10 +5008,6 @@
     <message>
         <source>Corners found in the photo are shown here.</source>
         <translation>Os cantos encontrados na foto aparecem aqui.</translation>
-    </message>
-    <message>
-        <source>A map of where the film has grown more or less is shown here.</source>
-        <translation>Aqui um mapa mostra onde a película cresceu mais ou menos.</translation>
     </message>
     <message>
         <source>Seconds on the water</source>
@@ -5069,6 +5081,14 @@
         <source>Coefficients of the lens distortion of a calibrated camera. “?”: the coefficient is found from each photo.</source>
         <translation>Coeficientes da distorção da lente de uma câmera calibrada. “?”: o coeficiente é determinado a partir de cada foto.</translation>
     </message>
+    <message>
+        <source>The places where the film has grown more or less than on average are shown here.</source>
+        <translation>Os lugares onde a película cresceu mais ou menos que a média aparecem aqui.</translation>
+    </message>
+    <message>
+        <source>Card height above film</source>
+        <translation>Altura do cartão acima da película</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmProbe</name>
@@ -5077,16 +5097,16 @@
         <translation>na água</translation>
     </message>
     <message>
-        <source>Sheet %1, %2 · %3 · stretch %4 by %5, area %6</source>
-        <translation>Folha %1, %2 · %3 · estiramento %4 por %5, área %6</translation>
-    </message>
-    <message>
         <source>Part at %1, %2, %3</source>
         <translation>Peça em %1, %2, %3</translation>
     </message>
     <message>
         <source>on the part</source>
         <translation>na peça</translation>
+    </message>
+    <message>
+        <source>Sheet at %1, %2 · %3 · stretch %4 and %5, area stretch %6</source>
+        <translation>Folha em %1, %2 · %3 · estiramento %4 e %5, estiramento da área %6</translation>
     </message>
 </context>
 <context>
@@ -5101,7 +5121,7 @@
     </message>
     <message>
         <source>Unevenness: 95 % of the film lies within %1 mm of where an evenly swollen film would lie</source>
-        <translation>Irregularidade: 95 % da película fica a no máximo %1 mm de onde estaria uma película inchada por igual</translation>
+        <translation>Irregularidade: 95 % da película ficam a no máximo %1 mm de onde estaria uma película inchada por igual</translation>
     </message>
     <message>
         <source>Unevenness of the film</source>
@@ -5120,20 +5140,12 @@
         <translation>O cartão está espelhado; use a foto sem espelhá-la</translation>
     </message>
     <message>
-        <source>The photos show the film from %1 to %2 s after it was laid on the water, but the dip begins after %3 s; correct the times, or photograph the film from before the dip begins</source>
-        <translation>As fotos mostram a película de %1 a %2 s depois de posta na água, mas a imersão começa após %3 s; corrija os tempos, ou fotografe a película desde antes do início da imersão</translation>
-    </message>
-    <message>
         <source>The photos show no measurable growth of the film</source>
         <translation>As fotos não mostram crescimento mensurável da película</translation>
     </message>
     <message>
         <source>Growth: %1 ± %2 % per second</source>
         <translation>Crescimento: %1 ± %2 % por segundo</translation>
-    </message>
-    <message>
-        <source>The film still grew at the same rate in the last photo. Its limit is therefore unknown, and the profile keeps its own growth. Take photos until the film grows no more</source>
-        <translation>Na última foto a película ainda crescia na mesma taxa. Por isso o limite é desconhecido, e o perfil mantém o seu próprio crescimento. Fotografe até que a película não cresça mais</translation>
     </message>
     <message>
         <source>Growth: %1 ± %2 % per second when the dip begins; %3 ± %4 % in total after a long time</source>
@@ -5148,24 +5160,8 @@
         <translation>Vê-se muito pouco do tabuleiro da película; fotografe-o inteiro, nítido e sem reflexos</translation>
     </message>
     <message>
-        <source>No chessboard of the film watch is visible; print it with “calibrate film” and photograph all of it, sharp and without glare</source>
-        <translation>Não se vê nenhum tabuleiro da medição da película; imprima-o com “calibrate film” e fotografe-o inteiro, nítido e sem reflexos</translation>
-    </message>
-    <message>
-        <source>The card of the film watch is not visible, but it is needed as a scale; print it with “calibrate card” and lay it beside the film</source>
-        <translation>Não se vê o cartão da medição da película, necessário como escala; imprima-o com “calibrate card” e ponha-o ao lado da película</translation>
-    </message>
-    <message>
         <source>Colour: growth relative to the mean swell %1 · arrows: displacement, enlarged %2 times</source>
         <translation>Cor: crescimento em relação ao inchamento médio %1 · setas: deslocamento, ampliado %2 vezes</translation>
-    </message>
-    <message>
-        <source>The visible corners do not determine how the film lies; photograph film and card from above, both whole</source>
-        <translation>Os cantos visíveis não determinam como a película está; fotografe película e cartão de cima, ambos inteiros</translation>
-    </message>
-    <message>
-        <source>The card&apos;s corners lie %1 px from their places on a flat card; lay the card flat, and correct the given lens distortion, focal length and card height, or leave them out</source>
-        <translation>Os cantos do cartão estão a %1 px de seus lugares num cartão plano; deite o cartão plano, e corrija a distorção da lente, a distância focal e a altura do cartão informadas, ou deixe-as de fora</translation>
     </message>
     <message>
         <source>Only %1 corners of the film&apos;s chessboard are visible, but %2 are needed; photograph all of it, without glare</source>
@@ -5176,12 +5172,36 @@
         <translation>Só se veem %1 cantos do cartão, mas são precisos %2; fotografe-o inteiro, sem reflexos</translation>
     </message>
     <message>
-        <source>Growth is not measured; this measurement needs photos at three or more times, from before the dip begins until after it ends</source>
-        <translation>O crescimento não foi medido; esta medição precisa de fotos em três ou mais momentos, de antes do início da imersão até depois do seu fim</translation>
-    </message>
-    <message>
         <source>The swell was measured after %1 s, but the dip begins after %2 s; this swell does not include the growth in between</source>
         <translation>O inchamento foi medido após %1 s, mas a imersão começa após %2 s; esse inchamento não inclui o crescimento nesse intervalo</translation>
+    </message>
+    <message>
+        <source>The photos show the film from %1 to %2 s after it was laid on the water, but the dip begins after %3 s; correct the times, or take photos both before and after the start of the dip</source>
+        <translation>As fotos mostram a película de %1 a %2 s depois de posta na água, mas a imersão começa após %3 s; corrija os tempos, ou tire fotos antes e depois do início da imersão</translation>
+    </message>
+    <message>
+        <source>Growth is not measured; to measure it, take photos at three or more times, from before the dip begins until after it ends</source>
+        <translation>O crescimento não foi medido; para medi-lo, tire fotos em três ou mais momentos, de antes do início da imersão até depois do seu fim</translation>
+    </message>
+    <message>
+        <source>The film still grew at the same rate in the last photo. Its growth limit is therefore unknown, and the growth in the profile stays unchanged. Take photos until the film stops growing</source>
+        <translation>Na última foto a película ainda crescia na mesma taxa. Por isso o limite do crescimento é desconhecido, e o crescimento no perfil não muda. Fotografe até que a película pare de crescer</translation>
+    </message>
+    <message>
+        <source>No chessboard for measuring the film is visible; print one with “dipwright-cli calibrate film” and photograph all of it, sharp and without glare</source>
+        <translation>Não se vê nenhum tabuleiro para medir a película; imprima um com “dipwright-cli calibrate film” e fotografe-o inteiro, nítido e sem reflexos</translation>
+    </message>
+    <message>
+        <source>The card that gives the scale is not visible; print it with “dipwright-cli calibrate card” and lay it beside the film</source>
+        <translation>Não se vê o cartão que dá a escala; imprima-o com “dipwright-cli calibrate card” e ponha-o ao lado da película</translation>
+    </message>
+    <message>
+        <source>The position of the film cannot be determined from the visible corners; photograph the whole film and the whole card from above</source>
+        <translation>Os cantos visíveis não bastam para determinar a posição da película; fotografe de cima a película inteira e o cartão inteiro</translation>
+    </message>
+    <message>
+        <source>The card&apos;s corners lie %1 px from their places on a flat card; lay the card flat, and correct or clear the values for lens distortion, focal length and card height</source>
+        <translation>Os cantos do cartão estão a %1 px de seus lugares num cartão plano; deite o cartão plano, e corrija ou apague os valores da distorção da lente, da distância focal e da altura do cartão</translation>
     </message>
 </context>
 <context>
@@ -5296,20 +5316,8 @@
         <translation>Procure primeiro os cantos na página “Peça mergulhada”. Película e imersão são ajustadas a eles.</translation>
     </message>
     <message>
-        <source>The pairs are not places on the part itself. A shift or rotation of the whole image then looks like a shift or rotation of the camera.</source>
-        <translation>Os pares não são lugares da própria peça. Um deslocamento ou giro de toda a imagem então parece um da câmera.</translation>
-    </message>
-    <message>
         <source>Fits placement, swell and relaxation, as far as the photos determine them.</source>
         <translation>Ajusta posição, inchamento e relaxação, até onde as fotos os determinam.</translation>
-    </message>
-    <message>
-        <source>Near 1 or −1: the photos determine only a combination of the two quantities, not each quantity</source>
-        <translation>Perto de 1 ou −1: as fotos determinam só uma combinação das duas grandezas, não cada uma</translation>
-    </message>
-    <message>
-        <source>Changes film and dip and repeats the simulation until the simulated image lies where the photos show it</source>
-        <translation>Muda a película e a imersão e repete a simulação até a imagem simulada ficar onde as fotos a mostram</translation>
     </message>
     <message>
         <source>Before the fit</source>
@@ -5322,6 +5330,18 @@
     <message>
         <source>95 % interval</source>
         <translation>Intervalo de 95 %</translation>
+    </message>
+    <message>
+        <source>Near 1 or −1: the photos determine only a combination of the two quantities, not each quantity separately</source>
+        <translation>Perto de 1 ou −1: as fotos determinam só uma combinação das duas grandezas, não cada uma separadamente</translation>
+    </message>
+    <message>
+        <source>Changes the settings of film and dip and repeats the simulation until the simulated image lies where the photos show it</source>
+        <translation>Muda as configurações da película e da imersão e repete a simulação até a imagem simulada ficar onde as fotos a mostram</translation>
+    </message>
+    <message>
+        <source>No pair is a place on the part itself, such as a corner or a hole. Without such pairs, a shift or rotation of the whole image looks the same as a movement of the camera.</source>
+        <translation>Nenhum par é um lugar da própria peça, como um canto ou um furo. Sem esses pares, um deslocamento ou giro de toda a imagem parece igual a um movimento da câmera.</translation>
     </message>
 </context>
 <context>
@@ -5371,8 +5391,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Uma foto dá o inchamento; três ou mais, o crescimento</translation>
     </message>
     <message>
-        <source>from before the dip until the film stops growing</source>
-        <translation>de antes da imersão até a película parar de crescer</translation>
+        <source>Photos: from before the dip until the film stops growing</source>
+        <translation>Fotos: de antes da imersão até a película parar de crescer</translation>
     </message>
 </context>
 <context>
@@ -5515,10 +5535,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Nenhum triângulo do modelo tem área; escolha outro modelo</translation>
     </message>
     <message>
-        <source>The model lies too far from its origin; move it there and save it anew</source>
-        <translation>O modelo está longe demais da origem; mova-o para lá e salve de novo</translation>
-    </message>
-    <message>
         <source>The file %1, which the model names, was not found</source>
         <translation>O arquivo %1, citado pelo modelo, não foi encontrado</translation>
     </message>
@@ -5583,14 +5599,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>não é um pacote 3MF</translation>
     </message>
     <message>
-        <source>%1 in it is damaged</source>
-        <translation>%1 nele está danificado</translation>
-    </message>
-    <message>
-        <source>%1 in it: %2</source>
-        <translation>%1 nele: %2</translation>
-    </message>
-    <message>
         <source>its elements are out of order</source>
         <translation>seus elementos estão fora de ordem</translation>
     </message>
@@ -5613,10 +5621,6 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>the file cannot be opened</source>
         <translation>o arquivo não pode ser aberto</translation>
-    </message>
-    <message>
-        <source>%1 in it is encrypted</source>
-        <translation>%1 nele está criptografado</translation>
     </message>
     <message>
         <source>Triangles without area that were removed: %1</source>
@@ -5652,7 +5656,7 @@ impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>The model scales or rotates a texture (KHR_texture_transform), which is not shown correctly; apply the transform to the texture coordinates in a modelling program</source>
-        <translation>O modelo escala ou gira uma textura (KHR_texture_transform), o que não é mostrado corretamente; aplique a transformação às coordenadas de textura em um programa de modelagem</translation>
+        <translation>O modelo redimensiona ou gira uma textura (KHR_texture_transform), o que não é mostrado corretamente; aplique a transformação às coordenadas de textura em um programa de modelagem</translation>
     </message>
     <message>
         <source>A texture of the model has no picture or is in an unsupported format, so its material&apos;s colour is used instead; export the texture as PNG or JPEG</source>
@@ -5660,7 +5664,7 @@ impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>The model has a skin without bind matrices, so its points stay as stored and the joints do not move them; if the shape is wrong, apply the armature in a modelling program</source>
-        <translation>O modelo tem uma pele sem matrizes de ligação, então seus pontos ficam como estão gravados e as articulações não os movem; se a forma estiver errada, aplique o esqueleto em um programa de modelagem</translation>
+        <translation>O modelo tem um skin sem matrizes de ligação, então seus pontos ficam como estão gravados e as articulações não os movem; se a forma estiver errada, aplique o esqueleto em um programa de modelagem</translation>
     </message>
     <message>
         <source>%1 sets material properties before its first material</source>
@@ -5715,44 +5719,64 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Todos os pontos do modelo coincidem; escolha outro modelo</translation>
     </message>
     <message>
-        <source>The model&apos;s longest edge would be %1 mm; set the size that it should have</source>
-        <translation>A aresta mais longa do modelo teria %1 mm; informe o tamanho desejado</translation>
-    </message>
-    <message>
-        <source>The mesh is not closed: whether a point is inside is decided by the majority of several rays</source>
-        <translation>A malha não é fechada: a maioria de vários raios decide se um ponto está dentro</translation>
-    </message>
-    <message>
-        <source>The model&apos;s longest edge is only %1 mm; if its file is not in millimetres, set the size that it should have</source>
-        <translation>A aresta mais longa do modelo tem só %1 mm; se o arquivo não estiver em milímetros, informe o tamanho desejado</translation>
-    </message>
-    <message>
         <source>The model has no texture coordinates, so its texture cannot be placed; the colours of its materials are used instead</source>
         <translation>O modelo não tem coordenadas de textura, então a textura não pode ser aplicada; as cores dos materiais são usadas no lugar</translation>
-    </message>
-    <message>
-        <source>The model was not read, because it names files that are hidden or outside its folder, such as %1; put them beside the model, or allow it to read them (--allow-outside)</source>
-        <translation>O modelo não foi lido, porque cita arquivos ocultos ou fora da sua pasta, como %1; coloque-os ao lado do modelo ou permita que sejam lidos (--allow-outside)</translation>
     </message>
     <message>
         <source>The model needs more memory than this computer has; simplify the model</source>
         <translation>O modelo precisa de mais memória do que este computador tem; simplifique o modelo</translation>
     </message>
     <message>
-        <source>Points merged along seams that rounding had opened: %1</source>
-        <translation>Pontos unidos ao longo de costuras que o arredondamento tinha aberto: %1</translation>
-    </message>
-    <message>
         <source>Duplicate triangles that were removed: %1</source>
         <translation>Triângulos duplicados que foram removidos: %1</translation>
     </message>
     <message>
-        <source>Parts of the surface flipped because they were inside out: %1</source>
-        <translation>Partes da superfície viradas porque estavam do avesso: %1</translation>
-    </message>
-    <message>
         <source>Triangles flipped to face the same way as their neighbours: %1</source>
         <translation>Triângulos virados porque estavam ao contrário dos vizinhos: %1</translation>
+    </message>
+    <message>
+        <source>the length of a list is not a whole number</source>
+        <translation>o comprimento de uma lista não é um número inteiro</translation>
+    </message>
+    <message>
+        <source>the file %1 in the package is encrypted</source>
+        <translation>o arquivo %1 no pacote está criptografado</translation>
+    </message>
+    <message>
+        <source>the file %1 in the package is damaged</source>
+        <translation>o arquivo %1 no pacote está danificado</translation>
+    </message>
+    <message>
+        <source>the file %1 in the package has an error: %2</source>
+        <translation>o arquivo %1 no pacote tem um erro: %2</translation>
+    </message>
+    <message>
+        <source>The model lies too far from its origin; move it to the origin and save it anew</source>
+        <translation>O modelo está longe demais da origem; mova-o para a origem e salve-o de novo</translation>
+    </message>
+    <message>
+        <source>The model&apos;s largest dimension would be %1 mm; set the size that it should have</source>
+        <translation>A maior dimensão do modelo seria de %1 mm; informe o tamanho desejado</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed, so the program can only estimate which points lie inside it; if the result looks wrong, close the mesh</source>
+        <translation>A malha não é fechada, por isso o programa só pode estimar quais pontos estão dentro dela; se o resultado parecer errado, feche a malha</translation>
+    </message>
+    <message>
+        <source>The model&apos;s largest dimension is only %1 mm; if its file is not in millimetres, set the size that it should have</source>
+        <translation>A maior dimensão do modelo é de só %1 mm; se o arquivo não estiver em milímetros, informe o tamanho desejado</translation>
+    </message>
+    <message>
+        <source>The model was not read, because it names files that are hidden or outside its folder, such as %1; put these files beside the model, or allow them (--allow-outside)</source>
+        <translation>O modelo não foi lido, porque cita arquivos ocultos ou fora da sua pasta, como %1; coloque esses arquivos ao lado do modelo ou permita-os (--allow-outside)</translation>
+    </message>
+    <message>
+        <source>Points merged where rounded coordinates had left a gap: %1</source>
+        <translation>Pontos unidos onde coordenadas arredondadas tinham deixado uma fenda: %1</translation>
+    </message>
+    <message>
+        <source>Pieces of the surface flipped because they were inside out: %1</source>
+        <translation>Pedaços da superfície virados porque estavam do avesso: %1</translation>
     </message>
 </context>
 <context>
@@ -5787,7 +5811,7 @@ impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>The readings of the patch of density %1 are impossible for ink; check that its densities and stretches are in the right rows</source>
-        <translation>As leituras do campo de densidade %1 são impossíveis para uma tinta; verifique se suas densidades e estiramentos estão nas linhas certas</translation>
+        <translation>As leituras da amostra de densidade %1 são impossíveis para uma tinta; verifique se suas densidades e estiramentos estão nas linhas certas</translation>
     </message>
 </context>
 <context>
@@ -5825,10 +5849,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Ajuste</translation>
     </message>
     <message>
-        <source>The model&apos;s texture has no chess squares to look for; dip the chessboard film, or measure only the pairs</source>
-        <translation>A textura do modelo não tem quadrados de xadrez a procurar; mergulhe com a película de xadrez ou meça só os pares</translation>
-    </message>
-    <message>
         <source>Dipped part</source>
         <translation>Peça mergulhada</translation>
     </message>
@@ -5863,6 +5883,10 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>Export residuals</source>
         <translation>Exportar desvios</translation>
+    </message>
+    <message>
+        <source>The model&apos;s texture contains no chessboard squares, so there are no corners to find; dip the part with the chessboard film, or measure only the pairs</source>
+        <translation>A textura do modelo não contém quadrados de xadrez, portanto não há cantos a procurar; mergulhe a peça com a película de xadrez ou meça só os pares</translation>
     </message>
 </context>
 <context>
@@ -5961,8 +5985,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Corte transversal a Z</translation>
     </message>
     <message>
-        <source>Axis that the section plane is perpendicular to</source>
-        <translation>Eixo ao qual o plano de corte é perpendicular</translation>
+        <source>Axis perpendicular to the section plane</source>
+        <translation>Eixo perpendicular ao plano de corte</translation>
     </message>
 </context>
 <context>
@@ -5980,8 +6004,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Inspeção</translation>
     </message>
     <message>
-        <source>The part is %1 long. If the file uses another unit, change the size under Model.</source>
-        <translation>A peça tem %1 de comprimento. Se o arquivo usa outra unidade, mude o tamanho em “Modelo”.</translation>
+        <source>The largest dimension of the part is %1. If the file uses another unit, change this dimension under Model.</source>
+        <translation>A maior dimensão da peça é de %1. Se o arquivo usa outra unidade, mude esta dimensão em “Modelo”.</translation>
     </message>
 </context>
 <context>
@@ -6027,7 +6051,7 @@ impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>Rank %1</source>
-        <translation>Posição %1</translation>
+        <translation>Colocação %1</translation>
     </message>
     <message>
         <source>Horizontal axis</source>
@@ -6050,7 +6074,7 @@ impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>Click the second place on the part</source>
-        <translation>Clique no segundo lugar da peça</translation>
+        <translation>Clique no segundo ponto da peça</translation>
     </message>
 </context>
 <context>
@@ -6093,10 +6117,6 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>One unit of the file is</source>
         <translation>Uma unidade do arquivo é</translation>
-    </message>
-    <message>
-        <source>The longest edge is</source>
-        <translation>A aresta mais longa tem</translation>
     </message>
     <message>
         <source>One dip</source>
@@ -6145,10 +6165,6 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>an inch</source>
         <translation>uma polegada</translation>
-    </message>
-    <message>
-        <source>Longest edge</source>
-        <translation>Aresta mais longa</translation>
     </message>
     <message>
         <source>Unit of the file</source>
@@ -6219,10 +6235,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>As propriedades medidas da película: como incha, cresce e rasga.</translation>
     </message>
     <message>
-        <source>One dip with the film model of 2020, for comparison</source>
-        <translation>Uma imersão com o modelo de película de 2020, para comparação</translation>
-    </message>
-    <message>
         <source>How many times the part is dipped, and from which sides. You can change this later.</source>
         <translation>Quantas vezes e de que lados a peça é mergulhada. Você pode mudar isso depois.</translation>
     </message>
@@ -6239,10 +6251,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>&amp;Imersões</translation>
     </message>
     <message>
-        <source>Scales the model so that its longest edge has this length.</source>
-        <translation>Redimensiona o modelo para que sua aresta mais longa tenha este comprimento.</translation>
-    </message>
-    <message>
         <source>The unit of the coordinates in the model file. The file itself does not state it.</source>
         <translation>A unidade das coordenadas no arquivo do modelo. O próprio arquivo não a informa.</translation>
     </message>
@@ -6253,6 +6261,22 @@ impresso em cartão rígido e impermeável</translation>
     <message>
         <source>the unit was guessed from the size.</source>
         <translation>a unidade foi suposta pelo tamanho.</translation>
+    </message>
+    <message>
+        <source>The largest dimension is</source>
+        <translation>A maior dimensão é</translation>
+    </message>
+    <message>
+        <source>One dip with the film model of the 2020 paper, for comparison</source>
+        <translation>Uma imersão com o modelo de película do artigo de 2020, para comparação</translation>
+    </message>
+    <message>
+        <source>Largest dimension</source>
+        <translation>Maior dimensão</translation>
+    </message>
+    <message>
+        <source>Scales the model so that its largest dimension (along X, Y or Z) has this length.</source>
+        <translation>Redimensiona o modelo para que sua maior dimensão (ao longo de X, Y ou Z) tenha este comprimento.</translation>
     </message>
 </context>
 <context>
@@ -6268,10 +6292,6 @@ impresso em cartão rígido e impermeável</translation>
 </context>
 <context>
     <name>dipwright::NumberBox</name>
-    <message>
-        <source>“%1” can be %2 or %3; type one of them</source>
-        <translation>“%1” pode ser %2 ou %3; digite um deles</translation>
-    </message>
     <message>
         <source>“%1” has a unit, but this field has none; type only the number</source>
         <translation>“%1” tem uma unidade, mas este campo não tem nenhuma; digite só o número</translation>
@@ -6296,6 +6316,10 @@ impresso em cartão rígido e impermeável</translation>
         <source>The field is empty; type a number</source>
         <translation>O campo está vazio; digite um número</translation>
     </message>
+    <message>
+        <source>“%1” can mean %2 or %3; type one of them</source>
+        <translation>“%1” pode significar %2 ou %3; digite um deles</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::NumericalErrorCheck</name>
@@ -6311,10 +6335,6 @@ impresso em cartão rígido e impermeável</translation>
 <context>
     <name>dipwright::NumericalErrorDialog</name>
     <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -6328,11 +6348,11 @@ impresso em cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>Painted in both</source>
-        <translation>Pintado em ambas</translation>
+        <translation>Pintado em ambos</translation>
     </message>
     <message>
         <source>Painted in one</source>
-        <translation>Pintado em uma</translation>
+        <translation>Pintado em só um</translation>
     </message>
     <message>
         <source>Share of the part&apos;s surface that is painted in both computations</source>
@@ -6359,14 +6379,6 @@ impresso em cartão rígido e impermeável</translation>
         <translation>%1: a imersão não pinta nada, portanto não há o que comparar.</translation>
     </message>
     <message>
-        <source>%1: this sheet is accurate enough. 95 % of it is within %2 (numerical error).</source>
-        <translation>%1: esta folha é exata o bastante. 95 % dela fica dentro de %2 (erro numérico).</translation>
-    </message>
-    <message>
-        <source>%1: this sheet is not accurate enough. 95 % of it is only within %2 (numerical error). Use smaller film cells or more points, turn the part, or dip it twice.</source>
-        <translation>%1: esta folha não é exata o bastante. 95 % dela só fica dentro de %2 (erro numérico). Use células menores ou mais pontos na película, gire a peça ou mergulhe-a duas vezes.</translation>
-    </message>
-    <message>
         <source>Numerical error of the sheets</source>
         <translation>Erro numérico das folhas</translation>
     </message>
@@ -6383,8 +6395,20 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Salvar mapas em uma pasta</translation>
     </message>
     <message>
-        <source>How far the image on the sheet moves</source>
-        <translation>Quanto a imagem na folha se desloca</translation>
+        <source>95 % below</source>
+        <translation>95 % abaixo de</translation>
+    </message>
+    <message>
+        <source>How far the image on the sheet moves with half the step or half the cell width</source>
+        <translation>Quanto a imagem na folha se desloca com metade do passo ou da largura da célula</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is accurate enough. For 95 % of it, the numerical error is at most %2.</source>
+        <translation>%1: esta folha é exata o bastante. Em 95 % dela, o erro numérico é de no máximo %2.</translation>
+    </message>
+    <message>
+        <source>%1: this sheet is not accurate enough. For 95 % of it, the numerical error is up to %2. Use smaller film cells or more points, turn the part, or dip it twice.</source>
+        <translation>%1: esta folha não é exata o bastante. Em 95 % dela, o erro numérico chega a %2. Use células menores ou mais pontos na película, gire a peça ou mergulhe-a duas vezes.</translation>
     </message>
 </context>
 <context>
@@ -6467,10 +6491,6 @@ desce primeiro</translation>
         <translation>Alime&amp;ntação</translation>
     </message>
     <message>
-        <source>&amp;Spacing</source>
-        <translation>&amp;Espaçamento</translation>
-    </message>
-    <message>
         <source>&amp;Bare film</source>
         <translation>Película l&amp;ivre</translation>
     </message>
@@ -6535,10 +6555,6 @@ desce primeiro</translation>
         <translation>A borda que entra primeiro na impressora. A película incha mais ao longo da bobina. Um pedaço que incha de modo desigual mantém sua direção em relação à bobina.</translation>
     </message>
     <message>
-        <source>Width of the bare film around the ink. Each job is computed for its whole film. A piece that is cut close to the ink behaves differently near its edge.</source>
-        <translation>Largura da película livre em volta da tinta. Cada trabalho é calculado para a película inteira. Um pedaço cortado perto da tinta se comporta de outro modo na borda.</translation>
-    </message>
-    <message>
         <source>Turns pieces by 90°, but only if their film swells equally in both directions.</source>
         <translation>Gira pedaços em 90°, mas só se a película incha igualmente nos dois sentidos.</translation>
     </message>
@@ -6578,6 +6594,14 @@ desce primeiro</translation>
         <source>Add projects or drop their files here.</source>
         <translation>Adicione projetos ou solte seus arquivos aqui.</translation>
     </message>
+    <message>
+        <source>Width of the bare film around the ink. Choose it wide: each job is computed for its whole film, and a piece that is cut close to the ink behaves differently near its edge.</source>
+        <translation>Largura da película livre em volta da tinta. Escolha-a grande: cada trabalho é calculado para a película inteira, e um pedaço cortado perto da tinta se comporta de outro modo na borda.</translation>
+    </message>
+    <message>
+        <source>&amp;Spacing between pieces</source>
+        <translation>&amp;Espaçamento entre pedaços</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PaintArtwork</name>
@@ -6595,10 +6619,6 @@ desce primeiro</translation>
     <message>
         <source>Finding corners in photo %1</source>
         <translation>Procurando cantos na foto %1</translation>
-    </message>
-    <message>
-        <source>According to its places, photo %1 shows none of the print; give the places again, or photograph the dipped side</source>
-        <translation>Pelos seus pontos, a foto %1 não mostra nada da impressão; indique os pontos de novo, ou fotografe o lado mergulhado</translation>
     </message>
     <message>
         <source>In photo %1, black and white are swapped; the film was laid with its ink side down, or shifted by one square</source>
@@ -6657,8 +6677,12 @@ desce primeiro</translation>
         <translation>Com esta foto, as fotos da peça têm no total %1 milhões de pixels, mas o limite é %2 milhões; use menos fotos ou fotos menores</translation>
     </message>
     <message>
-        <source>Rings: expected places · lines: towards the seen places, enlarged %1 times</source>
-        <translation>Anéis: lugares esperados · linhas: em direção aos lugares vistos, ampliadas %1 vezes</translation>
+        <source>According to the places given for it, photo %1 shows none of the print; give the places again, or photograph the dipped side</source>
+        <translation>Pelos pontos indicados para ela, a foto %1 não mostra nada da impressão; indique os pontos de novo, ou fotografe o lado mergulhado</translation>
+    </message>
+    <message>
+        <source>Rings: expected places · lines: deviations of the seen places, enlarged %1 times</source>
+        <translation>Anéis: lugares esperados · linhas: desvios dos lugares vistos, ampliados %1 vezes</translation>
     </message>
 </context>
 <context>
@@ -6728,10 +6752,6 @@ desce primeiro</translation>
         <translation>95 %, mm</translation>
     </message>
     <message>
-        <source>Worst, mm</source>
-        <translation>Pior, mm</translation>
-    </message>
-    <message>
         <source>Error of the image on the part</source>
         <translation>Erro da imagem na peça</translation>
     </message>
@@ -6750,10 +6770,6 @@ desce primeiro</translation>
     <message>
         <source>Dipped with the c&amp;hessboard film (17 mm)</source>
         <translation>Mergulhada com a película de &amp;xadrez (17 mm)</translation>
-    </message>
-    <message>
-        <source>The pairs are places on the part &amp;itself</source>
-        <translation>Os pares são pontos da própria peç&amp;a</translation>
     </message>
     <message>
         <source>&amp;Measure pairs</source>
@@ -6780,10 +6796,6 @@ desce primeiro</translation>
         <translation>Grava a tabela, os pontos e as fotos com desvios em uma pasta</translation>
     </message>
     <message>
-        <source>Add photos of the dipped part, or drop them here. Use one camera; the part must be sharp, complete and fill the picture.</source>
-        <translation>Adicione fotos da peça mergulhada ou solte-as aqui. Use uma só câmera; a peça deve estar nítida, inteira e encher a imagem.</translation>
-    </message>
-    <message>
         <source>Now click the same place on the part in the 3D view.</source>
         <translation>Agora clique no mesmo ponto da peça na vista 3D.</translation>
     </message>
@@ -6792,44 +6804,56 @@ desce primeiro</translation>
         <translation>A câmera foi ajustada aos pares.</translation>
     </message>
     <message>
-        <source>Click a place in the photo, then the same place on the part. %1 of %2 pairs so far; spread them over several faces.</source>
-        <translation>Clique um ponto na foto e depois o mesmo ponto na peça. Até agora %1 de %2 pares; espalhe-os por várias faces.</translation>
-    </message>
-    <message>
-        <source>%1 pairs. Drag a place to correct it, press Delete to remove it. Then find the corners, or measure only the pairs.</source>
-        <translation>%1 pares. Arraste um ponto para corrigi-lo; Delete o remove. Depois procure os cantos ou meça só os pares.</translation>
-    </message>
-    <message>
         <source>N: number of measured places</source>
-        <translation>N: número de lugares medidos</translation>
-    </message>
-    <message>
-        <source>R: mean distance in the photo between a place and its expected place, ± standard deviation σ, in pixels</source>
-        <translation>R: distância média na foto entre um lugar e o lugar esperado, ± desvio padrão σ, em pixels</translation>
-    </message>
-    <message>
-        <source>R as a share of the photo&apos;s diagonal, as in Table II of the paper of 2020</source>
-        <translation>R como parte da diagonal da foto, como na Tabela II do artigo de 2020</translation>
-    </message>
-    <message>
-        <source>95 % of the places on the part are within this distance of their expected places, measured across the line of sight</source>
-        <translation>95 % dos lugares na peça ficam a menos desta distância dos lugares esperados, medida transversal à linha de visão</translation>
-    </message>
-    <message>
-        <source>Largest distance of a place on the part from its expected place, measured across the line of sight</source>
-        <translation>Maior distância de um lugar na peça ao lugar esperado, medida transversal à linha de visão</translation>
-    </message>
-    <message>
-        <source>If ticked, the program looks for the corners of the built-in chessboard. Otherwise it looks for chess squares in the model&apos;s texture.</source>
-        <translation>Se marcado, o programa procura os cantos do tabuleiro incluído. Senão procura quadrados de xadrez na textura do modelo.</translation>
-    </message>
-    <message>
-        <source>Tick this if the pairs are tips and edges of the part, not places in the image. Then only the pairs set the camera, so that a shift of the whole image becomes visible.</source>
-        <translation>Marque se os pares são pontas e arestas da peça, não lugares na imagem. Então só os pares definem a câmera, e um deslocamento da imagem inteira fica visível.</translation>
+        <translation>N: número de pontos medidos</translation>
     </message>
     <message>
         <source>The camera was fitted to the printed pattern, so a shift or rotation of the whole image is not measured.</source>
         <translation>A câmera foi ajustada ao padrão impresso; por isso, um deslocamento ou giro da imagem inteira não é medido.</translation>
+    </message>
+    <message>
+        <source>Largest, mm</source>
+        <translation>Maior, mm</translation>
+    </message>
+    <message>
+        <source>R: mean distance in the photo between the measured and the expected position of a place, ± standard deviation σ, in pixels</source>
+        <translation>R: distância média na foto entre a posição medida e a posição esperada de um ponto, ± desvio padrão σ, em pixels</translation>
+    </message>
+    <message>
+        <source>R as a share of the photo&apos;s diagonal, as in Table II of the 2020 paper</source>
+        <translation>R como porcentagem da diagonal da foto, como na Tabela II do artigo de 2020</translation>
+    </message>
+    <message>
+        <source>95 % of the places on the part are within this distance of their expected positions, measured perpendicular to the line of sight</source>
+        <translation>95 % dos pontos na peça ficam a menos desta distância de sua posição esperada, medida perpendicularmente à linha de visão</translation>
+    </message>
+    <message>
+        <source>Largest distance of a place on the part from its expected position, measured perpendicular to the line of sight</source>
+        <translation>Maior distância de um ponto na peça à sua posição esperada, medida perpendicularmente à linha de visão</translation>
+    </message>
+    <message>
+        <source>If ticked, the program looks for the corners of the built-in chessboard. Otherwise it looks for chessboard squares in the model&apos;s texture.</source>
+        <translation>Se marcado, o programa procura os cantos do tabuleiro de xadrez incluído. Senão, procura quadrados de xadrez na textura do modelo.</translation>
+    </message>
+    <message>
+        <source>The pairs mark the part &amp;itself, not the image</source>
+        <translation>Os pares marcam a própria peç&amp;a, não a imagem</translation>
+    </message>
+    <message>
+        <source>Tick this if the pairs are tips and edges of the part, not places in the image. Then the camera is fitted only to the pairs, so that a shift of the whole image becomes visible.</source>
+        <translation>Marque se os pares são pontas e arestas da peça, não lugares na imagem. Então a câmera é ajustada só aos pares, e um deslocamento da imagem inteira fica visível.</translation>
+    </message>
+    <message>
+        <source>Add photos of the dipped part, or drop them here. Take all photos with the same camera. The part must be sharp, completely visible and fill the picture.</source>
+        <translation>Adicione fotos da peça mergulhada ou solte-as aqui. Tire todas as fotos com a mesma câmera. A peça deve estar nítida, aparecer inteira e encher a imagem.</translation>
+    </message>
+    <message>
+        <source>Click a place in the photo, then the same place on the part in the 3D view. %1 of %2 pairs so far; spread them over several faces.</source>
+        <translation>Clique em um ponto na foto e depois no mesmo ponto da peça na vista 3D. Até agora %1 de %2 pares; distribua-os por várias faces.</translation>
+    </message>
+    <message>
+        <source>%1 pairs. Drag a place to correct it, or press Delete to remove it. Then click “Find corners”, or click “Measure pairs” to use only the pairs.</source>
+        <translation>%1 pares. Arraste um ponto para corrigi-lo, ou pressione Delete para removê-lo. Depois clique em “Procurar cantos”, ou em “Medir pares” para usar só os pares.</translation>
     </message>
 </context>
 <context>
@@ -6886,10 +6910,6 @@ desce primeiro</translation>
         <translation>≈ %1</translation>
     </message>
     <message>
-        <source>Misses a limit. %1</source>
-        <translation>Não cumpre um limite. %1</translation>
-    </message>
-    <message>
         <source>Compared with your pose: %1</source>
         <translation>Comparado com a sua pose: %1</translation>
     </message>
@@ -6908,6 +6928,10 @@ estiramento</translation>
 differences</source>
         <translation>Veredito,
 diferenças</translation>
+    </message>
+    <message>
+        <source>Does not meet a limit. %1</source>
+        <translation>Não cumpre um limite. %1</translation>
     </message>
 </context>
 <context>
@@ -6931,10 +6955,6 @@ diferenças</translation>
     <message>
         <source>Solvers</source>
         <translation>Solucionadores</translation>
-    </message>
-    <message>
-        <source>As the system</source>
-        <translation>Como o sistema</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -7017,10 +7037,6 @@ diferenças</translation>
         <translation>Per&amp;fil de película de novos projetos</translation>
     </message>
     <message>
-        <source>Keep results beside the project</source>
-        <translation>Guardar resultados ao lado do projeto</translation>
-    </message>
-    <message>
         <source>The film size proposed for new projects.</source>
         <translation>O tamanho de película proposto para novos projetos.</translation>
     </message>
@@ -7045,10 +7061,6 @@ diferenças</translation>
         <translation>Após a primeira execução, cada mudança recalcula os resultados que dependem dela.</translation>
     </message>
     <message>
-        <source>Saves the dips of a project in a file NAME.dips beside it, up to 64 MB. The results are there when you open the project again.</source>
-        <translation>Salva as imersões de um projeto num arquivo NOME.dips ao lado dele, até 64 MB. Os resultados estão lá quando você abre o projeto de novo.</translation>
-    </message>
-    <message>
         <source>A new language takes effect when you restart the program.</source>
         <translation>Um novo idioma vale após reiniciar o programa.</translation>
     </message>
@@ -7063,6 +7075,18 @@ diferenças</translation>
     <message>
         <source>%1 is assigned to both “%2” and “%3”. Change one of them.</source>
         <translation>%1 está atribuído a “%2” e a “%3”. Mude um deles.</translation>
+    </message>
+    <message>
+        <source>Keep results next to the project file</source>
+        <translation>Guardar resultados ao lado do arquivo do projeto</translation>
+    </message>
+    <message>
+        <source>Same as the system</source>
+        <translation>Igual ao sistema</translation>
+    </message>
+    <message>
+        <source>Saves the dips of a project in the file NAME.dips next to the project file, up to 64 MB. When you open the project again, its results are shown at once.</source>
+        <translation>Salva as imersões de um projeto no arquivo NOME.dips ao lado do arquivo do projeto, até 64 MB. Quando você abre o projeto de novo, os resultados aparecem na hora.</translation>
     </message>
 </context>
 <context>
@@ -7104,20 +7128,8 @@ diferenças</translation>
         <translation>Procurando impressoras</translation>
     </message>
     <message>
-        <source>No printer is set up on this machine. Save the sheet as PDF and print it elsewhere, at 100 %.</source>
-        <translation>Não há impressora configurada nesta máquina. Salve a folha em PDF e imprima em outro lugar, a 100 %.</translation>
-    </message>
-    <message>
         <source>Choose at least one sheet.</source>
         <translation>Escolha ao menos uma folha.</translation>
-    </message>
-    <message>
-        <source>Asking the printer …</source>
-        <translation>Consultando a impressora…</translation>
-    </message>
-    <message>
-        <source>Asking the printer</source>
-        <translation>Consultando a impressora</translation>
     </message>
     <message>
         <source>Printing …</source>
@@ -7130,14 +7142,6 @@ diferenças</translation>
     <message>
         <source>Printed on %1</source>
         <translation>Impresso em %1</translation>
-    </message>
-    <message>
-        <source>Handed to the queue of %1</source>
-        <translation>Entregue à fila de %1</translation>
-    </message>
-    <message>
-        <source>The printers that are set up on this machine.</source>
-        <translation>As impressoras instaladas nesta máquina.</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
@@ -7275,6 +7279,26 @@ diferenças</translation>
         <source>If this is not ticked, the program refuses a print with this problem and shows the reason.</source>
         <translation>Se não estiver marcado, o programa recusa uma impressão com este problema e mostra o motivo.</translation>
     </message>
+    <message>
+        <source>The printers that are set up on this computer.</source>
+        <translation>As impressoras configuradas neste computador.</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Save the sheet as PDF and print it elsewhere, at 100 %.</source>
+        <translation>Não há impressora configurada neste computador. Salve a folha em PDF e imprima em outro lugar, a 100 %.</translation>
+    </message>
+    <message>
+        <source>Checking the printer …</source>
+        <translation>Verificando a impressora…</translation>
+    </message>
+    <message>
+        <source>Checking the printer</source>
+        <translation>Verificando a impressora</translation>
+    </message>
+    <message>
+        <source>Sent to the print queue of %1</source>
+        <translation>Enviado à fila de impressão de %1</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PrintFields</name>
@@ -7285,14 +7309,6 @@ diferenças</translation>
     <message>
         <source>Shift Z</source>
         <translation>Desvio Z</translation>
-    </message>
-    <message>
-        <source>Turn</source>
-        <translation>Giro</translation>
-    </message>
-    <message>
-        <source>Swell</source>
-        <translation>Inchamento</translation>
     </message>
     <message>
         <source>After %1 and %2</source>
@@ -7311,20 +7327,12 @@ diferenças</translation>
         <translation>Quanto a segunda película está deslocada ao longo de Z.</translation>
     </message>
     <message>
-        <source>How far the second film is turned, from X towards Z.</source>
-        <translation>Quanto a segunda película está girada, de X para Z.</translation>
-    </message>
-    <message>
         <source>How much more the second film has swollen than the sheet assumes.</source>
         <translation>Quanto a segunda película inchou além do que a folha supõe.</translation>
     </message>
     <message>
         <source>Extra depth</source>
         <translation>Profundidade extra</translation>
-    </message>
-    <message>
-        <source>How much deeper the part is dipped; negative values are less deep. Surface that stays above the water gets no ink. A part that is dipped whole cannot go deeper.</source>
-        <translation>Quanto mais fundo a peça é mergulhada; valores negativos são menos fundos. O que fica acima da água não recebe tinta. Uma peça mergulhada por inteiro não pode ir mais fundo.</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -7337,6 +7345,22 @@ diferenças</translation>
     <message>
         <source>Show part</source>
         <translation>Mostrar peça</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotação</translation>
+    </message>
+    <message>
+        <source>Angle by which the second film is turned, from X towards Z.</source>
+        <translation>Ângulo em que a segunda película está girada, de X para Z.</translation>
+    </message>
+    <message>
+        <source>Extra swell</source>
+        <translation>Inchamento extra</translation>
+    </message>
+    <message>
+        <source>How much deeper the part is dipped. A negative value dips it less deep; surface that then stays above the water gets no ink. If the dip covers the whole part, it cannot go deeper.</source>
+        <translation>Quanto mais fundo a peça é mergulhada. Com um valor negativo, ela é mergulhada menos fundo; o que então fica acima da água não recebe tinta. Se a imersão já cobre a peça inteira, ela não pode ir mais fundo.</translation>
     </message>
 </context>
 <context>
@@ -7472,20 +7496,12 @@ diferenças</translation>
         <translation>A impressora está parada%1; reinicie-a nas configurações do sistema</translation>
     </message>
     <message>
-        <source>The printer has no paper of %1; set the sheet&apos;s paper to one that it has: %2</source>
-        <translation>A impressora não tem papel de %1; ajuste o papel da folha para um que ela tenha: %2</translation>
-    </message>
-    <message>
         <source>The sheet of %1 is larger than every paper of the printer (%2); make it smaller or print it in tiles</source>
         <translation>A folha de %1 é maior que qualquer papel da impressora (%2); diminua-a ou imprima-a em partes</translation>
     </message>
     <message>
-        <source>The printer has no paper named %1</source>
-        <translation>A impressora não tem papel chamado %1</translation>
-    </message>
-    <message>
         <source>The printer does not reach the outer %1 mm of the paper, and the sheet has colour there</source>
-        <translation>A impressora não alcança os %1 mm externos do papel, e a folha tem cor ali</translation>
+        <translation>A impressora não alcança os %1 mm externos do papel, mas a folha tem cor ali</translation>
     </message>
     <message>
         <source>The printer prints in grey only, and the sheet is coloured; choose a colour printer, or accept grey</source>
@@ -7518,10 +7534,6 @@ diferenças</translation>
     <message>
         <source>The job was cancelled at the printer</source>
         <translation>O trabalho foi cancelado na impressora</translation>
-    </message>
-    <message>
-        <source>This program was built without printing; print the sheet&apos;s PDF at 100 % instead</source>
-        <translation>Este programa foi compilado sem impressão; em vez disso, imprima o PDF da folha a 100 %</translation>
     </message>
     <message>
         <source>The sheet could not be sent to the printer</source>
@@ -7577,7 +7589,7 @@ diferenças</translation>
     </message>
     <message>
         <source>The spot colours are left out: they need a printer profile with an ICC profile in CMYK</source>
-        <translation>As cores especiais ficam de fora: precisam de um perfil de impressora com perfil ICC em CMYK</translation>
+        <translation>As cores especiais ficam de fora: elas precisam de um perfil de impressora com um perfil ICC em CMYK</translation>
     </message>
     <message>
         <source>The cut contour is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
@@ -7594,10 +7606,6 @@ diferenças</translation>
     <message>
         <source>Unknown: %1</source>
         <translation>Desconhecido: %1</translation>
-    </message>
-    <message>
-        <source>This print is missing in the print history: %1</source>
-        <translation>Esta impressão falta no histórico de impressão: %1</translation>
     </message>
     <message>
         <source>the folder %1 cannot be created</source>
@@ -7618,14 +7626,6 @@ diferenças</translation>
     <message>
         <source>There is no such printer; choose one of: %1</source>
         <translation>Essa impressora não existe; escolha uma de: %1</translation>
-    </message>
-    <message>
-        <source>The printer does not accept jobs at the moment%1; allow it in the system&apos;s settings</source>
-        <translation>A impressora não aceita trabalhos no momento%1; permita nas configurações do sistema</translation>
-    </message>
-    <message>
-        <source>The printer reports no paper to print tiles on</source>
-        <translation>A impressora não informa papel para imprimir as partes</translation>
     </message>
     <message>
         <source>The printer scales pages by default, and its queue cannot turn this off; the job bypasses the queue and goes directly to the printer</source>
@@ -7664,10 +7664,6 @@ diferenças</translation>
         <translation>O estado do trabalho %1 não muda há muito tempo (%2), e não é possível consultar esta impressora; verifique a impressora e remova o trabalho da fila se ela não imprimir</translation>
     </message>
     <message>
-        <source>The printer does not reach the outer %1 mm of the paper; enter its margins in its profile first</source>
-        <translation>A impressora não alcança os %1 mm externos do papel; ponha primeiro as margens no perfil dela</translation>
-    </message>
-    <message>
         <source>The printer refuses the job</source>
         <translation>A impressora recusa o trabalho</translation>
     </message>
@@ -7684,8 +7680,36 @@ diferenças</translation>
         <translation>A impressora só aceita este papel com a outra borda primeiro; gire a página em 90°</translation>
     </message>
     <message>
-        <source>%1 mm² of the part will be visibly too pale: the stretch needs more ink than is possible with full ink, the ink limit and the total area coverage</source>
-        <translation>%1 mm² da peça ficarão visivelmente pálidos demais: o estiramento exige mais tinta do que permitem a tinta cheia, o limite de tinta e a carga total de tinta</translation>
+        <source>%1 mm² of the part will be visibly too pale: the stretched film needs more ink there than full ink, the ink limit and the total area coverage allow</source>
+        <translation>%1 mm² da peça ficarão visivelmente pálidos demais: ali a película estirada precisa de mais tinta do que permitem a tinta cheia, o limite de tinta e a carga total de tinta</translation>
+    </message>
+    <message>
+        <source>This print could not be added to the print history: %1</source>
+        <translation>Esta impressão não pôde ser incluída no histórico de impressão: %1</translation>
+    </message>
+    <message>
+        <source>The printer does not accept jobs at the moment%1; allow jobs in the system&apos;s settings</source>
+        <translation>A impressora não aceita trabalhos no momento%1; permita trabalhos nas configurações do sistema</translation>
+    </message>
+    <message>
+        <source>The printer has no paper of %1; set the paper of the sheet to one of these: %2</source>
+        <translation>A impressora não tem papel de %1; ajuste o papel da folha para um destes: %2</translation>
+    </message>
+    <message>
+        <source>The printer reports no loaded paper for the tiles; load paper, or choose a paper for the tiles</source>
+        <translation>A impressora não informa papel carregado para as partes da folha; carregue papel ou escolha um papel para as partes</translation>
+    </message>
+    <message>
+        <source>The printer has no paper named %1; choose another paper</source>
+        <translation>A impressora não tem papel chamado %1; escolha outro papel</translation>
+    </message>
+    <message>
+        <source>The printer does not reach the outer %1 mm of the paper; enter the printer&apos;s margins in its profile first</source>
+        <translation>A impressora não alcança os %1 mm externos do papel; informe primeiro as margens da impressora no perfil dela</translation>
+    </message>
+    <message>
+        <source>This version of the program cannot print; print the sheet&apos;s PDF at 100 % with another program</source>
+        <translation>Esta versão do programa não imprime; imprima o PDF da folha a 100 % com outro programa</translation>
     </message>
 </context>
 <context>
@@ -7947,16 +7971,8 @@ diferenças</translation>
         <translation>Produção</translation>
     </message>
     <message>
-        <source>Paper of 2020</source>
-        <translation>Artigo de 2020</translation>
-    </message>
-    <message>
         <source>Custom</source>
         <translation>Personalizado</translation>
-    </message>
-    <message>
-        <source>Production is the accurate film model and the default. Paper of 2020 is the published model, for comparison.</source>
-        <translation>Produção é o modelo de película preciso e o padrão. Artigo de 2020 é o modelo publicado, para comparação.</translation>
     </message>
     <message>
         <source>Preset</source>
@@ -7985,10 +8001,6 @@ diferenças</translation>
     <message>
         <source>%1 (not installed)</source>
         <translation>%1 (não instalado)</translation>
-    </message>
-    <message>
-        <source>Longest edge</source>
-        <translation>Aresta mais longa</translation>
     </message>
     <message>
         <source>The measured values of one film: size, swell, relaxation and sides.</source>
@@ -8027,10 +8039,6 @@ diferenças</translation>
         <translation>Substitui a textura do modelo por outra imagem.</translation>
     </message>
     <message>
-        <source>Scales the part and the marks on it.</source>
-        <translation>Redimensiona a peça e as marcas nela.</translation>
-    </message>
-    <message>
         <source>Marks for the seam</source>
         <translation>Marcas para a emenda</translation>
     </message>
@@ -8051,10 +8059,6 @@ diferenças</translation>
         <translation>Impressão com a segunda película deslocada</translation>
     </message>
     <message>
-        <source>Visible with “Finished part”. The sheets do not change.</source>
-        <translation>Visível com “Peça pronta”. As folhas não mudam.</translation>
-    </message>
-    <message>
         <source>Apply preset</source>
         <translation>Aplicar predefinição</translation>
     </message>
@@ -8073,6 +8077,26 @@ diferenças</translation>
     <message>
         <source>Size: %1 × %2 × %3</source>
         <translation>Tamanho: %1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>Largest dimension</source>
+        <translation>Maior dimensão</translation>
+    </message>
+    <message>
+        <source>Scales the model, with the marks on it, so that its largest dimension (along X, Y or Z) has this length.</source>
+        <translation>Redimensiona o modelo, com as marcas nele, para que a maior dimensão (ao longo de X, Y ou Z) tenha este comprimento.</translation>
+    </message>
+    <message>
+        <source>To see it, choose “Finished part” in the 3D view. The sheets do not change.</source>
+        <translation>Para vê-la, escolha “Peça pronta” na vista 3D. As folhas não mudam.</translation>
+    </message>
+    <message>
+        <source>Model of 2020</source>
+        <translation>Modelo de 2020</translation>
+    </message>
+    <message>
+        <source>Production is the accurate film model and the default. Model of 2020 is the published film model, for comparison.</source>
+        <translation>Produção é o modelo de película preciso e o padrão. Modelo de 2020 é o modelo de película publicado, para comparação.</translation>
     </message>
 </context>
 <context>
@@ -8214,8 +8238,8 @@ Resultados: %2</translation>
 <context>
     <name>dipwright::Reader</name>
     <message>
-        <source>This system cannot confine the program that reads models and pictures, so nothing was read. Use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
-        <translation>Este sistema não consegue confinar o programa que lê modelos e imagens; por isso nada foi lido. Use outro sistema ou defina DIPWRIGHT_READ_UNCONFINED=1 para arquivos em que você confia</translation>
+        <source>This operating system cannot run the reader of models and pictures in a sandbox, so nothing was read. Use another system, or set DIPWRIGHT_READ_UNCONFINED=1 for files that you trust</source>
+        <translation>Este sistema operacional não consegue executar numa sandbox o programa que lê modelos e imagens; por isso nada foi lido. Use outro sistema ou defina DIPWRIGHT_READ_UNCONFINED=1 para arquivos em que você confia</translation>
     </message>
 </context>
 <context>
@@ -8285,7 +8309,7 @@ Resultados: %2</translation>
     </message>
     <message>
         <source>Drawing the proof</source>
-        <translation>Traçando a prova</translation>
+        <translation>Desenhando a prova</translation>
     </message>
     <message>
         <source>Front</source>
@@ -8379,10 +8403,6 @@ mm por mm</translation>
         <translation>Desenhando a imagem de cobertura</translation>
     </message>
     <message>
-        <source>Mean stretch at each point, final over rest length; ink side up</source>
-        <translation>Estiramento médio em cada ponto, comprimento final sobre o de repouso; lado da tinta para cima</translation>
-    </message>
-    <message>
         <source>On the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
         <translation>Na peça: mín. %1 · média %2 · 95 % abaixo de %3 · máx. %4</translation>
     </message>
@@ -8415,16 +8435,20 @@ mm por mm</translation>
 ± %1</translation>
     </message>
     <message>
-        <source>On the part: 95 % is within ±%1</source>
-        <translation>Na peça: 95 % ficam dentro de ±%1</translation>
-    </message>
-    <message>
         <source>Dark outline: film on the part · pale: unused film</source>
         <translation>Contorno escuro: película na peça · claro: película não usada</translation>
     </message>
     <message>
         <source>How far the image may be off because of the film&apos;s cells and the solver&apos;s steps; ink side up</source>
         <translation>Quanto a imagem pode se desviar por causa das células da película e dos passos do solver; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>Mean stretch at each point: final length divided by rest length; ink side up</source>
+        <translation>Estiramento médio em cada ponto: comprimento final dividido pelo de repouso; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>On the part: 95 % of the image moves by ±%1 or less</source>
+        <translation>Na peça: 95 % da imagem se deslocam no máximo ±%1</translation>
     </message>
 </context>
 <context>
@@ -8521,12 +8545,12 @@ mm por mm</translation>
         <translation>Revertendo a textura</translation>
     </message>
     <message>
-        <source>Continuing the colour past the edge</source>
-        <translation>Continuando a cor além da borda</translation>
-    </message>
-    <message>
         <source>The film image is too large for this computer&apos;s memory; choose a lower resolution</source>
         <translation>A imagem da película é grande demais para a memória deste computador; escolha uma resolução menor</translation>
+    </message>
+    <message>
+        <source>Adding bleed at the edges</source>
+        <translation>Acrescentando a sangria nas bordas</translation>
     </message>
 </context>
 <context>
@@ -8544,16 +8568,16 @@ mm por mm</translation>
         <translation>Permite a emenda</translation>
     </message>
     <message>
-        <source>What a click or a drag on the part in the view marks. Assign areas to the other dip to move the seam. With “Run live” the seam is updated at once.</source>
-        <translation>O que um clique ou um arrasto na peça na vista marca. Atribua áreas à outra imersão para mover a emenda. Com “Executar ao vivo” a emenda é atualizada na hora.</translation>
-    </message>
-    <message>
         <source>Marks the whole flat face that you click, up to its edges.</source>
         <translation>Marca toda a face plana em que você clica, até as suas arestas.</translation>
     </message>
     <message>
         <source>Assigns the place to %1</source>
         <translation>Atribui o lugar a %1</translation>
+    </message>
+    <message>
+        <source>What a click or drag on the part does. Assign areas to the other dip to move the seam. With “Run live” the seam is updated at once.</source>
+        <translation>O que um clique ou arrasto na peça faz. Atribua áreas à outra imersão para mover a emenda. Com “Executar ao vivo” a emenda é atualizada na hora.</translation>
     </message>
 </context>
 <context>
@@ -8568,7 +8592,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>The search was stopped. The best pose so far is at the top.</source>
-        <translation>A busca foi encerrada. A melhor pose até agora está no alto.</translation>
+        <translation>A busca foi interrompida. A melhor pose até agora está no alto.</translation>
     </message>
     <message>
         <source>Pose search</source>
@@ -8623,7 +8647,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>Rank %1</source>
-        <translation>Posição %1</translation>
+        <translation>Colocação %1</translation>
     </message>
     <message>
         <source>&amp;Use this pose</source>
@@ -8663,7 +8687,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>Rank %1 compared with rank %2: %3</source>
-        <translation>Posição %1 comparada com posição %2: %3</translation>
+        <translation>Colocação %1 comparada com a colocação %2: %3</translation>
     </message>
     <message>
         <source>The project&apos;s own pose</source>
@@ -8678,20 +8702,20 @@ mm por mm</translation>
         <translation>A mesma semente dá a mesma tabela. Outra semente experimenta outras direções.</translation>
     </message>
     <message>
-        <source>Gives the dips the pose that is selected in the table. This is one undo step.</source>
-        <translation>Dá às imersões a pose selecionada na tabela. É um único passo de desfazer.</translation>
-    </message>
-    <message>
         <source>Shows two selected poses side by side with linked cameras. If only one pose is selected, shows it beside the project&apos;s own pose.</source>
         <translation>Mostra duas poses selecionadas lado a lado com câmeras ligadas. Se só uma pose está selecionada, mostra-a ao lado da pose do projeto.</translation>
     </message>
     <message>
-        <source>Continues after the project&apos;s own dip</source>
-        <translation>Continua depois da imersão do próprio projeto</translation>
-    </message>
-    <message>
         <source>Click a pose to see its film on the part, also during the search. Undo brings back your own pose. Select two poses to compare them.</source>
         <translation>Clique em uma pose para ver a película dela na peça, também durante a busca. Desfazer traz de volta a sua pose. Selecione duas poses para compará-las.</translation>
+    </message>
+    <message>
+        <source>Sets the dips of the project to the pose that is selected in the table. Undo takes this back in one step.</source>
+        <translation>Põe as imersões do projeto na pose selecionada na tabela. Desfazer reverte isso em um só passo.</translation>
+    </message>
+    <message>
+        <source>Waiting until the dip of the project has finished</source>
+        <translation>Aguardando o fim da imersão do projeto</translation>
     </message>
 </context>
 <context>
@@ -8745,14 +8769,6 @@ mm por mm</translation>
         <translation>%1 · %2 · %3 · Película %4 · Escala %5</translation>
     </message>
     <message>
-        <source>This job&apos;s spot ink %1 differs in colour or printing order from that of another job; give both the same</source>
-        <translation>A tinta especial %1 deste trabalho difere em cor ou ordem de impressão da de outro trabalho; dê a ambas a mesma</translation>
-    </message>
-    <message>
-        <source>This job&apos;s white layer differs from that of %1; give both the same kind of white and the same ink name</source>
-        <translation>A camada de branco deste trabalho difere da de %1; dê a ambas o mesmo tipo de branco e o mesmo nome de tinta</translation>
-    </message>
-    <message>
         <source>This job&apos;s sheet has %1 dpi, but the sheet of %2 has %3 dpi; give both the same resolution</source>
         <translation>A folha deste trabalho tem %1 dpi, mas a folha de %2 tem %3 dpi; dê a ambas a mesma resolução</translation>
     </message>
@@ -8763,10 +8779,6 @@ mm por mm</translation>
     <message>
         <source>With its marks, this job&apos;s sheet needs %1 × %2 mm, but the film has only %3 × %4 mm inside its edges; use a larger film</source>
         <translation>Com suas marcas, a folha deste trabalho precisa de %1 × %2 mm, mas a película só tem %3 × %4 mm dentro de suas bordas; use uma película maior</translation>
-    </message>
-    <message>
-        <source>This job&apos;s sheet contains no ink</source>
-        <translation>A folha deste trabalho não contém tinta</translation>
     </message>
     <message>
         <source>The copies need %1 films, more than the limit of %2; choose fewer copies</source>
@@ -8781,16 +8793,28 @@ mm por mm</translation>
         <translation>Não foi possível gravar o PNG da folha: %1</translation>
     </message>
     <message>
-        <source>Paper of %1 × %2 mm is too small for a part of the sheet; use larger paper</source>
-        <translation>Papel de %1 × %2 mm é pequeno demais para uma parte da folha; use papel maior</translation>
-    </message>
-    <message>
         <source>The sheet needs more than %1 pages of this paper; use larger paper</source>
         <translation>A folha precisa de mais de %1 páginas deste papel; use papel maior</translation>
     </message>
     <message>
         <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashed lines</source>
         <translation>%1 · linha %2 de %3, coluna %4 de %5 · corte nas linhas tracejadas</translation>
+    </message>
+    <message>
+        <source>This job&apos;s spot ink %1 has another colour or printing order than in another job; give it the same colour and order in both jobs</source>
+        <translation>A tinta especial %1 tem neste trabalho outra cor ou ordem de impressão que em outro trabalho; dê a ela a mesma cor e ordem nos dois trabalhos</translation>
+    </message>
+    <message>
+        <source>This job&apos;s white layer differs from the white layer of %1; give both the same kind of white and the same ink name</source>
+        <translation>A camada de branco deste trabalho difere da camada de branco de %1; dê a ambas o mesmo tipo de branco e o mesmo nome de tinta</translation>
+    </message>
+    <message>
+        <source>This job&apos;s sheet contains no ink; remove the job from the film</source>
+        <translation>A folha deste trabalho não contém tinta; remova o trabalho da película</translation>
+    </message>
+    <message>
+        <source>Paper of %1 × %2 mm is too small for a tile of the sheet; use larger paper</source>
+        <translation>Papel de %1 × %2 mm é pequeno demais para uma parte da folha; use papel maior</translation>
     </message>
 </context>
 <context>
@@ -8800,16 +8824,16 @@ mm por mm</translation>
         <translation>Imersão %1: %2 lugares medidos em uma peça, erros de até %3 mm. Meça três peças ou mais para ver quais erros se repetem.</translation>
     </message>
     <message>
-        <source>Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; it is similar within %5 mm. Scatter: %6 mm for single places, %7 mm for whole parts.</source>
-        <translation>Imersão %1: %2 lugares medidos em %3 peças. O erro que se repete é de até %4 mm; é semelhante dentro de %5 mm. Dispersão: %6 mm em lugares isolados, %7 mm em peças inteiras.</translation>
-    </message>
-    <message>
         <source>Red: mean measured error (parts: %1), enlarged %2 times</source>
         <translation>Vermelho: erro médio medido (peças: %1), ampliado %2 vezes</translation>
     </message>
     <message>
         <source>Blue: correction of the next sheet, to the same scale</source>
         <translation>Azul: correção da próxima folha, na mesma escala</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; places less than %5 mm apart have similar errors. Scatter: %6 mm for single places, %7 mm for whole parts.</source>
+        <translation>Imersão %1: %2 lugares medidos em %3 peças. O erro que se repete é de até %4 mm; lugares a menos de %5 mm um do outro têm erros semelhantes. Dispersão: %6 mm em lugares isolados, %7 mm em peças inteiras.</translation>
     </message>
 </context>
 <context>
@@ -8829,10 +8853,6 @@ mm por mm</translation>
     <message>
         <source>Compared with</source>
         <translation>Comparado com</translation>
-    </message>
-    <message>
-        <source>What differs</source>
-        <translation>O que difere</translation>
     </message>
     <message>
         <source>Compared with %1</source>
@@ -8871,10 +8891,6 @@ mm por mm</translation>
         <translation>O nome com que as configurações são salvas no arquivo do projeto</translation>
     </message>
     <message>
-        <source>Shows both states with linked cameras, and first runs the dips that have no result yet</source>
-        <translation>Mostra os dois estados com câmeras ligadas e antes executa as imersões sem resultado</translation>
-    </message>
-    <message>
         <source>Restores the settings of the snapshot. Model, photos and measured parts stay. This can be undone.</source>
         <translation>Restaura as configurações do instantâneo. Modelo, fotos e peças medidas ficam. Isso pode ser desfeito.</translation>
     </message>
@@ -8889,6 +8905,14 @@ mm por mm</translation>
     <message>
         <source>A snapshot saves the project&apos;s settings under a name in the project file.</source>
         <translation>Um instantâneo salva as configurações do projeto com um nome no arquivo do projeto.</translation>
+    </message>
+    <message>
+        <source>Differences</source>
+        <translation>Diferenças</translation>
+    </message>
+    <message>
+        <source>Shows both versions side by side in linked views. Dips that have no result yet are run first.</source>
+        <translation>Mostra as duas versões lado a lado em vistas ligadas. As imersões ainda sem resultado são executadas antes.</translation>
     </message>
 </context>
 <context>
@@ -8924,12 +8948,12 @@ mm por mm</translation>
         <translation>Escolha o solucionador de um projeto em Imersão. “Melhor disponível” usa o melhor que possa rodar neste computador.</translation>
     </message>
     <message>
-        <source>Checking whether it can run here …</source>
-        <translation>Verificando se pode rodar aqui…</translation>
-    </message>
-    <message>
         <source>No solver found</source>
         <translation>Nenhum solucionador encontrado</translation>
+    </message>
+    <message>
+        <source>Checking whether this solver can run here …</source>
+        <translation>Verificando se este solucionador pode rodar aqui…</translation>
     </message>
 </context>
 <context>
@@ -8979,8 +9003,8 @@ mm por mm</translation>
         <translation>Visita rápida</translation>
     </message>
     <message>
-        <source>Shows the window in six steps.</source>
-        <translation>Mostra a janela em seis passos.</translation>
+        <source>Explains the window in six steps.</source>
+        <translation>Explica a janela em seis passos.</translation>
     </message>
 </context>
 <context>
@@ -9097,28 +9121,28 @@ mm por mm</translation>
         <translation>Linhas de mesmo valor no mapa.</translation>
     </message>
     <message>
-        <source>Length of the film&apos;s threads after the dip over their length before it, averaged around each point.</source>
-        <translation>Comprimento dos fios da película depois da imersão dividido pelo anterior, em média em volta de cada ponto.</translation>
-    </message>
-    <message>
-        <source>Area after the dip over area before it. The ink thins by this factor.</source>
-        <translation>Área depois da imersão dividida pela anterior. A tinta afina por este fator.</translation>
-    </message>
-    <message>
-        <source>The stretch in the direction of the largest stretch.</source>
-        <translation>O estiramento na direção do maior estiramento.</translation>
-    </message>
-    <message>
-        <source>The stretch in the direction of the smallest stretch. Below 1, the film wrinkles.</source>
-        <translation>O estiramento na direção do menor estiramento. Abaixo de 1 a película enruga.</translation>
-    </message>
-    <message>
-        <source>Fits the colours to the values on the part. If off, the colours span the two numbers on the right, so that you can compare maps.</source>
-        <translation>Ajusta as cores aos valores na peça. Se desligado, as cores abrangem os dois números à direita, para comparar mapas.</translation>
-    </message>
-    <message>
         <source>On the part: mean %1 · 95 % below %2 · largest %3</source>
         <translation>Na peça: média %1 · 95 % abaixo de %2 · maior %3</translation>
+    </message>
+    <message>
+        <source>Length after the dip divided by length before it, averaged over the directions around each point.</source>
+        <translation>Comprimento depois da imersão dividido pelo comprimento antes dela, em média sobre as direções em volta de cada ponto.</translation>
+    </message>
+    <message>
+        <source>Area after the dip divided by area before it. The ink thins by this factor.</source>
+        <translation>Área depois da imersão dividida pela área antes dela. A tinta afina por este fator.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction in which the film is stretched most.</source>
+        <translation>O estiramento na direção em que a película mais estica.</translation>
+    </message>
+    <message>
+        <source>The stretch in the direction in which the film is stretched least. Below 1, the film wrinkles.</source>
+        <translation>O estiramento na direção em que a película menos estica. Abaixo de 1 a película enruga.</translation>
+    </message>
+    <message>
+        <source>Fits the colours to the values on the part. If off, the scale runs between the two numbers on the right, so that you can compare maps.</source>
+        <translation>Ajusta as cores aos valores na peça. Se desligado, a escala vai de um ao outro dos dois números à direita, para comparar mapas.</translation>
     </message>
 </context>
 <context>
@@ -9139,43 +9163,43 @@ mm por mm</translation>
         <translation>O arquivo não é uma imagem legível; salve-a como PNG ou JPEG</translation>
     </message>
     <message>
-        <source>The picture is damaged: %1; save it anew</source>
-        <translation>A imagem está danificada: %1; salve-a de novo</translation>
-    </message>
-    <message>
         <source>%1, with %2 × %3 pixels</source>
         <translation>%1, com %2 × %3 pixels</translation>
-    </message>
-    <message>
-        <source>The picture is damaged: its ICC profile is cut off; save it anew</source>
-        <translation>A imagem está danificada: seu perfil ICC foi cortado; salve-a de novo</translation>
-    </message>
-    <message>
-        <source>The picture&apos;s ICC profile is damaged or does not match its pixels; save the picture anew as sRGB</source>
-        <translation>O perfil ICC da imagem está danificado ou não corresponde aos seus pixels; salve a imagem de novo como sRGB</translation>
-    </message>
-    <message>
-        <source>The picture&apos;s ICC profile is larger than %1 MB; save the picture anew as sRGB</source>
-        <translation>O perfil ICC da imagem é maior que %1 MB; salve a imagem de novo como sRGB</translation>
     </message>
     <message>
         <source>The photo is incomplete; copy it from the camera again</source>
         <translation>A foto está incompleta; copie-a de novo da câmera</translation>
     </message>
     <message>
-        <source>The picture file is incomplete; save it anew, or copy it again from its source</source>
-        <translation>O arquivo da imagem está incompleto; salve-o de novo ou copie-o outra vez da origem</translation>
-    </message>
-    <message>
         <source>HEIF pictures cannot be read on this computer; save the picture as JPEG, or set the camera to JPEG</source>
         <translation>Imagens HEIF não podem ser lidas neste computador; salve a imagem como JPEG ou ajuste a câmera para JPEG</translation>
     </message>
     <message>
-        <source>The CMYK picture is damaged or stored in an unsupported way; save it anew as JPEG, or as TIFF without tiles or planes</source>
+        <source>The picture is damaged: its ICC profile is incomplete; save it again</source>
+        <translation>A imagem está danificada: seu perfil ICC está incompleto; salve-a de novo</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s ICC profile is damaged or does not match its pixels; save the picture again as sRGB</source>
+        <translation>O perfil ICC da imagem está danificado ou não corresponde aos seus pixels; salve a imagem de novo como sRGB</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s ICC profile is larger than %1 MB; save the picture again as sRGB</source>
+        <translation>O perfil ICC da imagem é maior que %1 MB; salve a imagem de novo como sRGB</translation>
+    </message>
+    <message>
+        <source>The picture file is incomplete; save it again, or copy it again from its source</source>
+        <translation>O arquivo da imagem está incompleto; salve-o de novo ou copie-o outra vez da origem</translation>
+    </message>
+    <message>
+        <source>The CMYK picture is damaged or stored in an unsupported way; save it again as JPEG, or as TIFF without tiles or planes</source>
         <translation>A imagem CMYK está danificada ou gravada de um modo não suportado; salve-a de novo como JPEG, ou como TIFF sem blocos nem planos</translation>
     </message>
     <message>
-        <source>The Lab picture is damaged or stored in an unsupported way; save it anew as RGB, or as TIFF in 8 or 16 bits without tiles or planes</source>
+        <source>The picture is damaged: %1; save it again</source>
+        <translation>A imagem está danificada: %1; salve-a de novo</translation>
+    </message>
+    <message>
+        <source>The Lab picture is damaged or stored in an unsupported way; save it again as RGB, or as TIFF in 8 or 16 bits without tiles or planes</source>
         <translation>A imagem Lab está danificada ou gravada de um modo não suportado; salve-a de novo como RGB, ou como TIFF em 8 ou 16 bits sem blocos nem planos</translation>
     </message>
 </context>
@@ -9311,8 +9335,8 @@ mm por mm</translation>
         <translation>Todos os desvios juntos: 95 % da área pintada fica a menos de %1 do lugar previsto, e metade da área a menos de %2.</translation>
     </message>
     <message>
-        <source>Displacement %1 at the model&apos;s place %2; largest contributor: %3</source>
-        <translation>Deslocamento de %1 no lugar %2 do modelo; maior contribuição: %3</translation>
+        <source>Displacement of %1 at the place %2 on the model; largest contributor: %3</source>
+        <translation>Deslocamento de %1 no ponto %2 do modelo; maior contribuição: %3</translation>
     </message>
 </context>
 <context>
@@ -9422,19 +9446,19 @@ mm por mm</translation>
         <translation>2. Estire a película flutuando, por imersão ou à mão. Meça as duas réguas (%1 mm sem estiramento).</translation>
     </message>
     <message>
-        <source>3. Read every patch again. Repeat at three or four stretches, up to the largest of the job.</source>
-        <translation>3. Leia cada amostra de novo. Repita com três ou quatro estiramentos, até o maior do trabalho.</translation>
+        <source>3. Read every patch again. Repeat with 3 or 4 stretches, up to the largest stretch of the job.</source>
+        <translation>3. Leia cada amostra de novo. Repita com 3 ou 4 estiramentos, até o maior estiramento do trabalho.</translation>
     </message>
 </context>
 <context>
     <name>dipwright::WedgeTable</name>
     <message>
-        <source>The table of a wedge must begin with the line %1 and have at most %2 lines</source>
-        <translation>A tabela de uma cunha deve começar com a linha %1 e ter no máximo %2 linhas</translation>
+        <source>The table of a step wedge must begin with the line %1 and have at most %2 lines</source>
+        <translation>A tabela de uma cunha de tons deve começar com a linha %1 e ter no máximo %2 linhas</translation>
     </message>
     <message>
-        <source>Line %1 of the wedge must contain an ink (cyan, magenta, yellow, black, white or grey) and five numbers, separated by commas</source>
-        <translation>A linha %1 da cunha deve conter uma tinta (cyan, magenta, yellow, black, white ou grey) e cinco números, separados por vírgulas</translation>
+        <source>Line %1 of the table must contain an ink (cyan, magenta, yellow, black, white or grey) and five numbers, separated by commas</source>
+        <translation>A linha %1 da tabela deve conter uma tinta (cyan, magenta, yellow, black, white ou grey) e cinco números, separados por vírgulas</translation>
     </message>
 </context>
 <context>
@@ -9541,10 +9565,6 @@ mm por mm</translation>
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Cancelar</translation>
-    </message>
-    <message>
-        <source>Play the dip</source>
-        <translation>Reproduz a imersão</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
@@ -9803,10 +9823,6 @@ mm por mm</translation>
         <translation>Tro&amp;car imersões</translation>
     </message>
     <message>
-        <source>Make the second dip the first</source>
-        <translation>Torna a segunda imersão a primeira</translation>
-    </message>
-    <message>
         <source>Re&amp;load model</source>
         <translation>Recarregar mode&amp;lo</translation>
     </message>
@@ -9849,10 +9865,6 @@ mm por mm</translation>
     <message>
         <source>Run &amp;live</source>
         <translation>Executar ao &amp;vivo</translation>
-    </message>
-    <message>
-        <source>Run again after each change, once there is a result</source>
-        <translation>Executa de novo após cada mudança, depois do primeiro resultado</translation>
     </message>
     <message>
         <source>&amp;Find poses…</source>
@@ -9947,10 +9959,6 @@ mm por mm</translation>
         <translation>&amp;Só a película na peça</translation>
     </message>
     <message>
-        <source>Cut part and film open along a plane; move it by its slider or its frame</source>
-        <translation>Abre peça e película ao longo de um plano; o controle ou a moldura o move</translation>
-    </message>
-    <message>
         <source>S&amp;ee-through film</source>
         <translation>Pelíc&amp;ula translúcida</translation>
     </message>
@@ -9960,7 +9968,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>Click two places on the part to measure the distance between them</source>
-        <translation>Clique em dois lugares da peça para medir a distância entre eles</translation>
+        <translation>Clique em dois pontos da peça para medir a distância entre eles</translation>
     </message>
     <message>
         <source>What the film shows in the 3D view</source>
@@ -10000,11 +10008,11 @@ mm por mm</translation>
     </message>
     <message>
         <source>Move &amp;up the sheet by 5 mm</source>
-        <translation>Mover 5 mm folha a&amp;cima</translation>
+        <translation>Mover 5 mm para &amp;cima na folha</translation>
     </message>
     <message>
         <source>Move &amp;down the sheet by 5 mm</source>
-        <translation>Mover 5 mm folha a&amp;baixo</translation>
+        <translation>Mover 5 mm para &amp;baixo na folha</translation>
     </message>
     <message>
         <source>Move to the &amp;middle of the film</source>
@@ -10015,16 +10023,8 @@ mm por mm</translation>
         <translation>&amp;Visita rápida</translation>
     </message>
     <message>
-        <source>See the parts of the window in six steps</source>
-        <translation>As partes da janela em seis passos</translation>
-    </message>
-    <message>
         <source>User &amp;guide</source>
         <translation>&amp;Guia do usuário</translation>
-    </message>
-    <message>
-        <source>Open the user guide at the page about the focused field</source>
-        <translation>Abre o guia no trecho sobre o campo em foco</translation>
     </message>
     <message>
         <source>&amp;What is this?</source>
@@ -10035,20 +10035,44 @@ mm por mm</translation>
         <translation>Clique em um elemento da janela para ver o que ele faz</translation>
     </message>
     <message>
-        <source>Compute the sheets with finer steps and cells, and show how far and where the image moves</source>
-        <translation>Calcula as folhas com passos e células mais finos e mostra quanto e onde a imagem se desloca</translation>
-    </message>
-    <message>
         <source>Film on the part before the d&amp;ip</source>
         <translation>Película na peça antes da &amp;imersão</translation>
     </message>
     <message>
-        <source>While the part is placed, show it with the film of the results; otherwise show the flat film</source>
-        <translation>Ao posicionar a peça, mostrá-la com a película dos resultados; senão, mostrar a película plana</translation>
+        <source>Draw near and far places at the same scale, without perspective</source>
+        <translation>Desenha lugares próximos e distantes na mesma escala, sem perspectiva</translation>
     </message>
     <message>
-        <source>Draw near and far places at the same scale, without perspective</source>
-        <translation>Desenhar lugares próximos e distantes na mesma escala, sem perspectiva</translation>
+        <source>Exchange the order of the two dips</source>
+        <translation>Inverte a ordem das duas imersões</translation>
+    </message>
+    <message>
+        <source>As soon as there is a first result, run again after each change</source>
+        <translation>Depois do primeiro resultado, executa de novo após cada mudança</translation>
+    </message>
+    <message>
+        <source>Compute the sheets with finer steps and cells, and show where and how far the image changes</source>
+        <translation>Calcula as folhas com passos e células mais finos e mostra onde e quanto a imagem muda</translation>
+    </message>
+    <message>
+        <source>Play the dip, or pause it</source>
+        <translation>Reproduz ou pausa a imersão</translation>
+    </message>
+    <message>
+        <source>While you place the part, show it with the film of the last results; if this is off, show the flat film</source>
+        <translation>Ao posicionar a peça, mostra-a com a película dos últimos resultados; se desativado, mostra a película plana</translation>
+    </message>
+    <message>
+        <source>Cut the part and the film open along a plane; move the plane with its slider or its frame</source>
+        <translation>Abre a peça e a película ao longo de um plano; mova o plano com o controle ou com a moldura</translation>
+    </message>
+    <message>
+        <source>Explain the areas of the window in six steps</source>
+        <translation>Explica as áreas da janela em seis passos</translation>
+    </message>
+    <message>
+        <source>Open the user guide at the section about the selected field</source>
+        <translation>Abre o guia no trecho sobre o campo selecionado</translation>
     </message>
 </context>
 <context>
@@ -10156,12 +10180,12 @@ mm por mm</translation>
 <context>
     <name>dipwright::WindowMessages</name>
     <message>
-        <source>Read these files only if they belong to the model. A model or project from someone else may name your private files; they would then be saved inside the project.</source>
-        <translation>Leia estes arquivos apenas se pertencerem ao modelo. Um modelo ou projeto de outra pessoa pode citar seus arquivos privados; eles seriam então salvos dentro do projeto.</translation>
-    </message>
-    <message>
         <source>Read files</source>
         <translation>Ler arquivos</translation>
+    </message>
+    <message>
+        <source>Read these files only if they belong to the model or project. A model or project from someone else may refer to your private files. These files would then be saved in the project.</source>
+        <translation>Leia estes arquivos apenas se pertencerem ao modelo ou projeto. Um modelo ou projeto de outra pessoa pode se referir a seus arquivos privados. Esses arquivos seriam então salvos no projeto.</translation>
     </message>
 </context>
 <context>
@@ -10202,10 +10226,6 @@ mm por mm</translation>
         <translation>Marca a zona %1</translation>
     </message>
     <message>
-        <source>What a click or drag on the part in the view marks. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
-        <translation>O que um clique ou arrasto sobre a peça na vista marca. A zona A deve ser pintada com mais exatidão. A superfície sem marca é a zona C.</translation>
-    </message>
-    <message>
         <source>Extent</source>
         <translation>Extensão</translation>
     </message>
@@ -10224,6 +10244,10 @@ mm por mm</translation>
     <message>
         <source>How far the mark extends around the click: a radius along the surface, the face up to its edges, or everything with the same material in the model.</source>
         <translation>Até onde a marca vai em torno do clique: um raio ao longo da superfície, a face até suas arestas ou tudo o que tem o mesmo material no modelo.</translation>
+    </message>
+    <message>
+        <source>The zone that a click or drag on the part sets. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
+        <translation>A zona que um clique ou arrasto na peça define. A zona A deve ser pintada com mais exatidão. A superfície sem marca é a zona C.</translation>
     </message>
 </context>
 <context>
