@@ -248,20 +248,18 @@ std::optional<LinearPiece> ReverseMap::linear(const FilmPiece& piece,
     for (std::size_t corner = 0; corner < 3; ++corner) {
         linear.coordinates[corner] = appearance_.textureCoordinate(piece.surface[corner]);
     }
+    const bool isTextured = appearance_.hasTextureCoordinates(linear.bodyTriangle);
+    const auto& [a, b, c] = linear.coordinates;
+    const auto fits = [&](const SurfacePoint& point, const Eigen::Vector2f& coordinate) {
+        return !isTextured || mismatch(point, coordinate) <= tolerance_;
+    };
+    if (!fits(middles[0], (a + b) / 2) || !fits(middles[1], (b + c) / 2) ||
+        !fits(middles[2], (c + a) / 2)) {
+        return std::nullopt; // before the search for the centre, which takes most of the time
+    }
     const Eigen::Vector3f centre = (piece.corners[0] + piece.corners[1] + piece.corners[2]) / 3;
     const SurfacePoint middle = surface({piece.triangle, centre});
-    if (!onChart(middle)) {
-        return std::nullopt;
-    }
-    if (!appearance_.hasTextureCoordinates(linear.bodyTriangle)) {
-        return linear;
-    }
-    const auto& [a, b, c] = linear.coordinates;
-    const bool fits = mismatch(middles[0], (a + b) / 2) <= tolerance_ &&
-                      mismatch(middles[1], (b + c) / 2) <= tolerance_ &&
-                      mismatch(middles[2], (c + a) / 2) <= tolerance_ &&
-                      mismatch(middle, (a + b + c) / 3) <= tolerance_;
-    return fits ? std::optional(linear) : std::nullopt;
+    return onChart(middle) && fits(middle, (a + b + c) / 3) ? std::optional(linear) : std::nullopt;
 }
 
 } // namespace dipwright

@@ -1,8 +1,10 @@
 // Measures the film on users' models. Prints the table of docs/film-model.md, "Models", one line
 // per dip.
 //
-//   models_bench [points=COLUMNSxROWS | automatic] [found] [solver=ID] [against=ID] JOB.dipw …
+//   models_bench [points=COLUMNSxROWS | automatic] [found] [turned] [solver=ID] [against=ID]
+//   JOB.dipw …
 //
+// turned: measures the first dip also turned by 35°, 20° and −15°, a pose that nobody chose.
 // found: measures the job's own poses and the two poses that a pose search finds.
 // against: also dips with another solver, and prints how many pixels of the sheets differ.
 // Times are for the dip alone, in seconds and relative to the first line. A verdict is wrong if it
@@ -10,6 +12,7 @@
 
 #include "Bench.h"
 #include "base/Error.h"
+#include "pipeline/FilmRefinement.h"
 #include "pipeline/JobSearch.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SheetNumericalError.h"
@@ -27,7 +30,7 @@ namespace {
 struct Options {
     QStringList jobs;
     int columns = 0, rows = 0; // 0: the job's own numbers
-    bool isAutomatic = false, areFound = false;
+    bool isAutomatic = false, areFound = false, isTurned = false;
     QString solver, against; // names (ids) of solvers
 };
 
@@ -35,6 +38,7 @@ Options parsed(int argc, char** argv) {
     bench::Arguments arguments(argc, argv);
     Options options;
     options.areFound = arguments.take("found");
+    options.isTurned = arguments.take("turned");
     options.isAutomatic = arguments.take("automatic");
     options.solver = QString::fromStdString(arguments.value("solver"));
     options.against = QString::fromStdString(arguments.value("against"));
@@ -73,6 +77,13 @@ Project inFoundPoses(Project job, const SolverRegistry& registry) {
     return job;
 }
 
+Project turned(Project job) {
+    job.immersions.resize(1);
+    job.immersions[0].name = QStringLiteral("turned");
+    job.immersions[0].rotation = {Degrees(35), Degrees(20), Degrees(-15)};
+    return job;
+}
+
 // Returns the share of printed pixels in which a channel differs by more than 8 of 255.
 double differingPixels(const QImage& one, const QImage& other) {
     std::size_t printed = 0, differing = 0;
@@ -104,10 +115,11 @@ void print(const Project& job, const ImmersionResult& said, const DipNumericalEr
     const DippedFilm& film = said.laid->film();
     firstSeconds = firstSeconds > 0 ? firstSeconds : film.wallSeconds;
     std::printf(
-        "| %s, %s | %d × %d | %lld | %lld | %.1f | %.2f s, %.1f | %.1f %% | %.3f, %.3f | %.3f, "
-        "%.3f | %s, %.3f | %s |",
+        "| %s, %s | %d × %d, %.2f | %lld | %lld | %.1f | %.2f s, %.1f | %.1f %% | %.3f, %.3f | "
+        "%.3f, %.3f | %s, %.3f | %s |",
         qPrintable(job.name), qPrintable(said.immersion.name), film.grid.columns, film.grid.rows,
-        static_cast<long long>(film.steps), static_cast<long long>(film.equilibrium.stepsWithout),
+        said.refinement, static_cast<long long>(film.steps),
+        static_cast<long long>(film.equilibrium.stepsWithout),
         double(film.equilibrium.linearIterations) / double(std::max<std::int64_t>(film.steps, 1)),
         film.wallSeconds, film.wallSeconds / firstSeconds,
         100 * said.coverage->marked.any / std::max(said.coverage->paintedArea, 1e-9),
@@ -116,8 +128,11 @@ void print(const Project& job, const ImmersionResult& said, const DipNumericalEr
         qPrintable(adviceKey(said.verdict.advice)), said.numericalError->offBy.percentile95,
         isRight(said, check) ? "right" : "WRONG");
     if (other) {
-        std::printf(" %lld, %.2f %% |", static_cast<long long>(other->laid->film().steps),
-                    100 * differingPixels(said.texture->image, other->texture->image));
+        const SheetChange change = sheetChange(
+            sheetMoves(*said.laid, *other->laid, comparedPlaces(said.laid->body().mesh)));
+        std::printf(" %lld, %.2f %%, %.3f |", static_cast<long long>(other->laid->film().steps),
+                    100 * differingPixels(said.texture->image, other->texture->image),
+                    change.distance.percentile95);
     }
     std::printf("\n");
     for (const QString& note : said.solverNotes + check.notes) {
@@ -132,12 +147,14 @@ void judge(const Project& job, const Options& options, const SolverRegistry& reg
     if (!options.against.isEmpty()) {
         JobOptions otherwise;
         otherwise.solver = options.against;
-        otherwise.estimatesNumericalError = false;
         other = runJob(job, registry, otherwise, nullptr, {});
     }
-    const std::vector<DipNumericalError> check = sheetNumericalError(job, registry, {});
-    for (std::size_t number = 0; number < check.size(); ++number) {
-        print(job, said.immersions[number], check[number],
+    for (std::size_t number = 0; number < said.immersions.size(); ++number) {
+        const ImmersionResult& dip = said.immersions[number];
+        Project alone = job;
+        alone.immersions = {dip.immersion};
+        alone.film = filmOf(dip, job);
+        print(job, dip, sheetNumericalError(alone, registry, {}).front(),
               other ? &other->immersions[number] : nullptr);
     }
 }
@@ -149,13 +166,17 @@ int main(int argc, char** argv) {
     const QGuiApplication application(argc, argv);
     const Options options = parsed(argc, argv);
     const SolverRegistry registry;
-    std::printf("| model, pose | points | steps | without | iterations | dip | marked | half the "
+    std::printf("| model, pose | points, refinement | steps | without | iterations | dip | marked "
+                "| half the "
                 "step: all, unmarked | half the cell | verdict, off by | |%s\n",
-                options.against.isEmpty() ? "" : " other solver: steps, pixels |");
+                options.against.isEmpty() ? "" : " other solver: steps, pixels, p95 in mm |");
     for (const QString& file : options.jobs) {
         try {
             const Project job = withOptions(loadProject(file), options);
             judge(job, options, registry);
+            if (options.isTurned) {
+                judge(turned(job), options, registry);
+            }
             if (options.areFound) {
                 judge(inFoundPoses(job, registry), options, registry);
             }

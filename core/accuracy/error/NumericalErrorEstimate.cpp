@@ -139,16 +139,14 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
     }
     const std::vector<SurfacePoint> places = comparedPlaces(own.body().mesh);
     const std::vector<float> spacing = sheetMoves(own, *coarser.doubleSpacing, places);
-    const std::vector<float> step =
-        sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, places);
+    const std::vector<float> step = sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, places);
     estimate.doubleSpacing = sheetChange(spacing);
     estimate.doubleStep = sheetChange(step);
     estimate.offBy = sheetChange(largest(spacing, step)).distance;
 
     const std::vector<SurfacePoint>& points = own.contact().surface;
-    estimate.pointErrors =
-        largest(sheetMoves(own, *coarser.doubleSpacing, points),
-                sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, points));
+    estimate.pointErrors = largest(sheetMoves(own, *coarser.doubleSpacing, points),
+                                   sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, points));
     for (std::size_t point = 0; point < points.size(); ++point) {
         float& offBy = estimate.pointErrors[point];
         if (offBy < 0) {

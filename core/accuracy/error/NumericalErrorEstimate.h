@@ -1,5 +1,5 @@
-// Estimates the numerical error of a sheet from two coarser dips, which together take a fifth of the
-// work of the dip itself (docs/film-validation.md, "The verdict").
+// Estimates the numerical error of a sheet from two coarser dips, which together take a fifth of
+// the work of the dip itself (docs/film-validation.md, "The verdict").
 #pragma once
 
 #include "accuracy/error/SheetChange.h"
@@ -34,8 +34,8 @@ std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
                                        const std::function<bool()>& isCancelled);
 
 // Ratio of the change expected from a finer dip to the change measured with the coarser dips. Both
-// ratios are those of an error of first order: cells were doubled, and steps went from twice to four
-// times the dip's own. Measurements agree (docs/film-validation.md, "The verdict").
+// ratios are those of an error of first order: cells were doubled, and steps went from twice to
+// four times the dip's own. Measurements agree (docs/film-validation.md, "The verdict").
 inline constexpr double halfSpacingShare = 0.5;
 inline constexpr double halfStepShare = 0.25;
 

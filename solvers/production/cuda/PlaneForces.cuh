@@ -93,7 +93,8 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
 // Computes the forces, including a water drag of `drag` per point. With `length`, the displacement
 // first becomes start + length·newtonStep. Writes the forces to `forces` and the states of
 // linearisation to `stress`. Returns the roots of the sums of squares of the forces on free points
-// and of the elastic forces in the film.
+// and of the elastic forces in the film. One function, because a tile's places and sums stay in
+// shared memory and registers from the first to the last line.
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
                                             float drag, const float* length, Team& team,
                                             float2* memory) {

@@ -351,7 +351,8 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
 }
 
 // Solves the levels from `wholeLevel` on in this block's shared memory. Returns the patch with the
-// solution on `wholeLevel`; it lies at the beginning of `memory`.
+// solution on `wholeLevel`; it lies at the beginning of `memory`. One function, because both halves
+// of the cycle use the same layout of this memory.
 __device__ inline PlanePatch solveWhole(const ProductionModel& model, const ProductionDip& dip,
                                         ScaledVector firstRight, float2* memory) {
     const int first = model.wholeLevel, last = model.levelCount - 1;

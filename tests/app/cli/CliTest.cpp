@@ -459,8 +459,11 @@ private slots:
         QCOMPARE(cli(quick + spoilt + QStringList{"--no-certainty"}).exitCode, 0);
         QCOMPARE(cli(quick + QStringList{"--require", "perhaps"}).exitCode, 2);
         QCOMPARE(cli(quick + QStringList{"--until", "perhaps"}).exitCode, 2);
-        QCOMPARE(cli(quick + QStringList{"--work", "5"}).exitCode, 2);
+        QCOMPARE(cli(quick + QStringList{"--work", "-5"}).exitCode, 2);
         QCOMPARE(cli(quick + QStringList{"--until", "print", "--no-certainty"}).exitCode, 2);
+        const Outcome fixed =
+            cli(quick + QStringList{"--set", "film.points=60x80", "--until", "print"});
+        QVERIFY2(fixed.exitCode == 2 && fixed.err.contains("film.resolution=automatic"), fixed.err);
     }
 
     void optimize_limitsOfProject_areUsed() {

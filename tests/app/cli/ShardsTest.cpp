@@ -54,7 +54,7 @@ private slots:
             cli(search(QStringLiteral("parts.dipw")) << "--merge" << path(QStringLiteral("part1")));
         QVERIFY(merged.exitCode != 0);
         QCOMPARE(merged.errorLines().size(), 1);
-        QVERIFY2(merged.err.contains("each of the 2 parts"), merged.err);
+        QVERIFY2(merged.err.contains("each of the 2 result files"), merged.err);
     }
 
 private:

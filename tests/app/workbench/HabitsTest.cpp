@@ -402,6 +402,30 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), patience());
     }
 
+    void poseSearch_poseClickedWhileSearching_isDippedAndTheSearchGoesOn() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        driver.trigger("findPoses");
+        driver.find<QSpinBox>("searchedPoses")->setValue(30);
+        auto* start = driver.find<QPushButton>("startSearch");
+        start->click();
+        auto* table = driver.find<QTableWidget>("poseTable");
+        Document& document = *window_->document();
+        const std::vector<Immersion> before = document.project().immersions;
+        QTRY_VERIFY_WITH_TIMEOUT(table->rowCount() > 0, patience());
+        QVERIFY(!start->isEnabled()); // it is still searching
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                          table->visualItemRect(table->item(0, 0)).center());
+        const std::vector<Immersion> clicked = document.project().immersions;
+        QVERIFY(clicked != before);
+        QTRY_VERIFY_WITH_TIMEOUT(document.result() && document.isFresh(), patience());
+        QTRY_VERIFY_WITH_TIMEOUT(start->isEnabled(), patience());
+        QVERIFY(table->rowCount() > 0);
+        QVERIFY(document.project().immersions == clicked && document.isFresh());
+        document.undoStack().undo();
+        QVERIFY(document.project().immersions == before);
+    }
+
     void snapshot_goBack_restoresProject() {
         const WindowDriver driver(*window_);
         QVERIFY(!driver.action("snapshots")->isEnabled());

@@ -21,6 +21,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -444,6 +447,24 @@ private slots:
         dialog->findChild<QPushButton*>(QStringLiteral("removeEnded"))->click();
         QCOMPARE(table->rowCount(), 0);
         dialog->close();
+    }
+
+    void jobQueue_keptDips_areUsed() {
+        const QString path = savedProject("again");
+        JobQueue& queue = workbench_->queue();
+        QSignalSpy ended(&queue, &JobQueue::ended);
+        const auto secondsOfDip = [&](const char* folder) {
+            queue.add({path}, folder_.filePath(QLatin1String(folder)));
+            ended.wait(patience());
+            QFile report(folder_.filePath(QLatin1String(folder) + "/again/report.json"));
+            report.open(QIODevice::ReadOnly);
+            return QJsonDocument::fromJson(report.readAll())[QLatin1String("immersions")][0]
+                                                            [QLatin1String("wall_seconds")]
+                                                                .toDouble();
+        };
+        const double first = secondsOfDip("queue1");
+        QVERIFY(first > 0);
+        QCOMPARE(secondsOfDip("queue2"), first); // a dip that is repeated takes another time
     }
 
     void jobQueue_oneCancelled_othersRun() {

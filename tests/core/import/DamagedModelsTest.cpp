@@ -243,7 +243,7 @@ void DamagedModelsTest::ply_damaged_isRefused_data() {
     row("a corner that is no whole number", asciiPly().replace("3 0 2 1", "3 0.7 2 1"),
         "a point that does not exist");
     row("a number of corners that is no whole number", asciiPly().replace("3 0 2 1", "3.5 0 2 1"),
-        "no number");
+        "length of a list is not a whole number");
 }
 
 void DamagedModelsTest::ply_damaged_isRefused() {

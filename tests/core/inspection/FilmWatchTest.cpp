@@ -424,7 +424,7 @@ void FilmWatchTest::fitGrowth_insufficientPhotos_leavesGrowthUnknown() {
     const FilmWatch straight = watched({60, 65, 70, 75, 80}, 70, 0.003, 0.5, 0.1, random);
     QCOMPARE(straight.growth.known, GrowthKnowledge::RateOnly);
     QVERIFY(std::abs(straight.growth.rate.value / 0.003 - 1) < 0.1);
-    QVERIFY(watchSentences(straight).join(u' ').contains(QStringLiteral("grows no more")));
+    QVERIFY(watchSentences(straight).join(u' ').contains(QStringLiteral("stops growing")));
 }
 
 void FilmWatchTest::withMeasurement_profile_takesTheMeasuredValues() {
@@ -457,7 +457,7 @@ void FilmWatchTest::fitFlatFilm_degenerateCorners_areRefused() {
     const QSize film(10, 6), card(10, 13);
     QCOMPARE(refusal(film, card, {}), QString());
     // Only a single row or column of corners of one board is visible.
-    QVERIFY(refusal({60, 1}, card, {}).contains(QStringLiteral("both whole")));
+    QVERIFY(refusal({60, 1}, card, {}).contains(QStringLiteral("the whole card")));
     QVERIFY(refusal({1, 60}, card, {}).contains(QStringLiteral("both whole")));
     QVERIFY(refusal(film, {130, 1}, {}).contains(QStringLiteral("both whole")));
     // The given lens or card height does not fit this photo.
