@@ -1227,6 +1227,10 @@
         <source>Writing the tolerance map of %1</source>
         <translation>Toleranzkarte von %1 wird geschrieben</translation>
     </message>
+    <message>
+        <source>there is too little memory</source>
+        <translation>der Speicher reicht nicht</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -3605,6 +3609,10 @@
     <message>
         <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
         <translation>Handhabung und numerischer Fehler zusammen: höchstens ±%1 auf 95 % der bemalten Fläche; die Grenze ist ±%2. Verringern Sie den größten Beitrag oder drehen Sie das Teil.</translation>
+    </message>
+    <message>
+        <source>The dip is repeated with film cells of %1 to reduce the numerical error.</source>
+        <translation>Der Tauchvorgang wird mit Filmzellen von %1 wiederholt, um den numerischen Fehler zu verringern.</translation>
     </message>
 </context>
 <context>

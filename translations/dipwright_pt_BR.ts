@@ -1227,6 +1227,10 @@
         <source>Writing the tolerance map of %1</source>
         <translation>Gravando o mapa de tolerâncias de %1</translation>
     </message>
+    <message>
+        <source>there is too little memory</source>
+        <translation>a memória não é suficiente</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -3605,6 +3609,10 @@
     <message>
         <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
         <translation>Manuseio e erro numérico juntos: no máximo ±%1 em 95 % da área pintada; o limite é ±%2. Reduza a maior contribuição ou gire a peça.</translation>
+    </message>
+    <message>
+        <source>The dip is repeated with film cells of %1 to reduce the numerical error.</source>
+        <translation>A imersão é repetida com células da película de %1 para reduzir o erro numérico.</translation>
     </message>
 </context>
 <context>

@@ -300,9 +300,10 @@ public:
         syntax.addOption(
             {dpiOption, QStringLiteral("The sheet's resolution."), QStringLiteral("N")});
         declareFilmImage(syntax);
-        syntax.addOption({numericalErrorOption,
-                          QStringLiteral("Skips the dips of coarser films that estimate the "
-                                         "numerical error of the sheets.")});
+        syntax.addOption(
+            {numericalErrorOption,
+             QStringLiteral("Skips the dips of coarser films that estimate the "
+                            "numerical error of the sheets. Films are then not refined.")});
         syntax.addOption(
             {lawsOption, QStringLiteral("Simulates eight more dips per sheet, to show how much the "
                                         "sheet depends on film laws that are not measured.")});
@@ -388,6 +389,7 @@ private:
         JobOptions options;
         options.solver = parser.value(solverOption);
         options.estimatesNumericalError = !parser.isSet(numericalErrorOption);
+        options.refines = options.estimatesNumericalError;
         options.variesLaws = parser.isSet(lawsOption);
         options.computesTolerances = parser.isSet(tolerancesOption);
         if (parser.isSet(languageOption)) {

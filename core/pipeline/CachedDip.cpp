@@ -16,7 +16,7 @@ struct Text {
 };
 
 constexpr double mostMillimetres = 1e6, mostGrown = 1e3;
-constexpr double mostRefinement = 1000;
+constexpr double mostRefinement = 50;
 constexpr int longestFailure = 1000;
 
 // Reads the values of a stored dip in order and checks each against its range.

@@ -97,9 +97,16 @@ void restore(ImmersionResult& dip, const Project& project, const QByteArray& byt
     const auto gridOf = [&](double refinement) {
         FilmSettings film = project.film;
         film.refinement = refinement;
-        return isGraded(film) ? filmUnderBody(film, undersideOf(*dip.body, project.process),
-                                              dip.immersion.offset)
-                              : filmGrid(film);
+        if (refinement != 1 && !isRefinable(film)) {
+            throw damagedDips(where);
+        }
+        try {
+            return isGraded(film) ? filmUnderBody(film, undersideOf(*dip.body, project.process),
+                                                  dip.immersion.offset)
+                                  : filmGrid(film);
+        } catch (const Error&) { // too many points
+            throw damagedDips(where);
+        }
     };
     CachedDip kept =
         readCachedDip(bytes, gridOf, project.film.lattice == solver::Lattice::Isotropic, where);

@@ -15,8 +15,9 @@ struct JobOptions {
     QImage filmImage;        // replaces the reverse texture; null: uses the reverse texture
     bool chessboard = false; // uses the built-in chessboard as film image
     bool printsTexture() const { return !chessboard && filmImage.isNull(); }
-    // Estimates the numerical error of each sheet from coarser dips. The coarser dips take at most
-    // as long as the job's dips and run at the same time if cores are free.
+    // Estimates the numerical error of each sheet from coarser dips. They take about a fifth of the
+    // work of the job's dips and run at the same time if cores are free. Films that are refined are
+    // always judged.
     bool estimatesNumericalError = true;
     // Makes a draft (JobDraft.h): the proof has this size, relative to its full size; there is no
     // coverage picture and no read-back error. None: makes the whole result.

@@ -30,6 +30,7 @@
 #include <QScopeGuard>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 namespace dipwright {
@@ -72,6 +73,10 @@ struct Run {
                    ? &previous->immersions[number]
                    : nullptr;
     }
+    // The earlier sheet of an immersion. If dips share the body, it depends on all films.
+    const ImmersionResult* earlierSheet(std::size_t number, const TextureInputs& inputs) const {
+        return inputs.share && !earlierTogether() ? nullptr : earlier(number);
+    }
     // The earlier result, for what depends on all films. Null if a film has been refined.
     const JobResult* earlierTogether() const {
         return std::count(isRefined.begin(), isRefined.end(), true) > 0 ? nullptr : previous;
@@ -86,9 +91,14 @@ bool hasDipped(const ImmersionResult* earlier, const DipInputs& inputs) {
             (earlier->refinement == 1 && beginAlike(earlier->inputs.texture.dip, inputs)));
 }
 
+// Tells whether the film is refined as far as its settings allow.
+bool refines(const Run& run, const DipInputs& inputs) {
+    return inputs.refinement && run.options.refines;
+}
+
 // Tells whether the numerical error has to be estimated from coarser dips.
 bool isToBeJudged(const Run& run, const ImmersionResult* earlier, const DipInputs& inputs) {
-    return run.options.estimatesNumericalError &&
+    return (run.options.estimatesNumericalError || refines(run, inputs)) &&
            !(hasDipped(earlier, inputs) && earlier->numericalError);
 }
 
@@ -249,9 +259,8 @@ void compare(Comparison& comparison, const Run& run, const ImmersionResult& resu
     });
 }
 
-// The solver, the field and the comparison for the dips of one immersion.
+// The solver and the comparison for the dips of one immersion.
 struct Dipping {
-    const DistanceField* field; // null if no dip is simulated
     SolverChoice& solver;
     Comparison& comparison;
     const CancelToken& left;
@@ -259,19 +268,18 @@ struct Dipping {
 
 // Simulates a dip, if `isDipped` is false, and the coarser dips, if they are wanted. On a CPU they
 // run at the same time. On a GPU they run afterwards, because one GPU cannot run both at the same
-// time.
+// time. `field` may be null if no dip is simulated.
 void dipAndCompare(ImmersionResult& now, bool isDipped, const Run& run, std::size_t number,
-                   const Dipping& dipping, const Progress& progress) {
+                   const DistanceField* field, const Dipping& dipping, const Progress& progress) {
     const bool isBeside = dipping.solver.solver.deviceKind != QLatin1String("gpu");
     const auto compareNow = [&] {
-        compare(dipping.comparison, run, now, *dipping.field, dipping.solver.solver.id,
-                dipping.left);
+        compare(dipping.comparison, run, now, *field, dipping.solver.solver.id, dipping.left);
     };
     if (dipping.comparison.isWanted && isBeside) {
         compareNow();
     }
     if (!isDipped) {
-        dip(now, run, number, *dipping.field, dipping.solver, progress);
+        dip(now, run, number, *field, dipping.solver, progress);
     }
     if (dipping.comparison.isWanted && !isBeside) {
         compareNow();
@@ -288,39 +296,62 @@ void judge(ImmersionResult& now, const Run& run, Comparison& comparison) {
     }
 }
 
+// Repeats the dip of `now` with smaller cells. Throws Error if the solver fails or the film cannot
+// be judged.
+ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Run& run,
+                         std::size_t number, const DistanceField& field, const Dipping& dipping,
+                         const Progress& progress) {
+    ImmersionResult next;
+    next.immersion = now.immersion;
+    next.body = now.body;
+    next.appearance = now.appearance;
+    next.refinement = refinement;
+    dipping.comparison.isWanted = true;
+    dipAndCompare(next, false, run, number, &field, dipping, progress);
+    judge(next, run, dipping.comparison);
+    if (!next.numericalError->failure.isEmpty()) {
+        throw Error(next.numericalError->failure, next.immersion.name);
+    }
+    next.solverNotes = now.solverNotes + next.solverNotes;
+    return next;
+}
+
 // Repeats the dip with smaller cells while that may make its sheet good enough to print. If such a
 // dip fails, keeps the film before it.
-void refine(ImmersionResult& now, Run& run, std::size_t number, const Dipping& dipping,
-            const Progress& progress) {
-    double done = 0;
+void refine(ImmersionResult& now, Run& run, std::size_t number, JobResult& job,
+            const Dipping& dipping, const Progress& progress) {
     judge(now, run, dipping.comparison);
-    while (const std::optional<double> finer = nextRefinement(now, run.project, run.zones.get())) {
-        ImmersionResult next;
-        next.immersion = now.immersion;
-        next.body = now.body;
-        next.appearance = now.appearance;
-        next.refinement = *finer;
-        dipping.comparison.isWanted = true;
+    SolverChoice solver = dipping.solver; // a failure here must not change the other dips' solver
+    const Dipping finer{solver, dipping.comparison, dipping.left};
+    double done = 0;
+    while (const auto refinement = nextRefinement(now, run.project, run.zones.get())) {
+        if (!job.field) { // the first film was cached
+            job.field = cachedDistanceField(job.fieldInputs.model->mesh, job.fieldInputs.resolution,
+                                            progress.silent());
+        }
         const double nextDone = done + (1 - done) / 2;
-        try {
-            dipAndCompare(next, false, run, number, dipping, progress.part(done, nextDone));
-            judge(next, run, dipping.comparison);
-        } catch (const Error& error) {
+        const auto fail = [&](const QString& why) {
             dipping.comparison.isWanted = false;
-            now.solverNotes.append(Text::tr("The dip could not be repeated with smaller cells: %1")
-                                       .arg(error.message()));
-            return;
+            now.cannotBeRefined = true;
+            now.solverNotes.append(
+                Text::tr("The dip could not be repeated with smaller cells: %1").arg(why));
+        };
+        try {
+            now = finerDip(now, *refinement, run, number, *job.field, finer,
+                           progress.part(done, nextDone));
+        } catch (const Error& error) {
+            return fail(error.message());
+        } catch (const std::bad_alloc&) {
+            return fail(Text::tr("there is too little memory"));
         }
         done = nextDone;
-        now = std::move(next);
         run.isRefined[number] = true;
     }
 }
 
 // Does the first part of an immersion's work, up to the laid film.
 ImmersionResult dippedImmersion(Run& run, std::size_t number, const SheetInputs& inputs,
-                                const JobResult& job, const Dipping& dipping,
-                                const Progress& progress) {
+                                JobResult& job, const Dipping& dipping, const Progress& progress) {
     const ImmersionResult* earlier = run.earlier(number);
     const DipInputs& wanted = inputs.texture.dip;
     const bool isDipped = hasDipped(earlier, wanted);
@@ -332,11 +363,11 @@ ImmersionResult dippedImmersion(Run& run, std::size_t number, const SheetInputs&
     now.immersion = run.project.immersions[number];
     now.body = bodyOf(run, number, wanted.body);
     now.appearance = job.painted;
-    const bool refines =
-        wanted.refinement && run.options.refines && run.options.estimatesNumericalError;
-    dipAndCompare(now, isDipped, run, number, dipping, progress.part(0, refines ? firstDip : 1));
-    if (refines) {
-        refine(now, run, number, dipping, progress.part(firstDip, 1));
+    const bool isRefinable = refines(run, wanted);
+    dipAndCompare(now, isDipped, run, number, job.field.get(), dipping,
+                  progress.part(0, isRefinable ? firstDip : 1));
+    if (isRefinable) {
+        refine(now, run, number, job, dipping, progress.part(firstDip, 1));
     }
     now.inputs = inputs;
     return now;
@@ -362,7 +393,7 @@ std::shared_ptr<const BodyShare> shareOf(const Run& run, const ShareStage* stage
 // Does the second part: the picture on the film. `share` is null if the dips do not share the body.
 void paint(ImmersionResult& now, const Run& run, std::size_t number, const JobResult& job,
            const Progress& progress) {
-    const ImmersionResult* earlier = run.earlier(number);
+    const ImmersionResult* earlier = run.earlierSheet(number, now.inputs.texture);
     if (!earlier || earlier->inputs.texture != now.inputs.texture) {
         now.texture = std::make_shared<const ReverseTexture>(textureOf(
             *now.laid, job.colours.get(), now.inputs.texture,
@@ -411,9 +442,9 @@ std::optional<double> shortfallOf(const Sheet& sheet,
 
 // Does the last part: measurements of the film, its sheet, and the verdict.
 void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison& comparison) {
-    const ImmersionResult* earlier = run.earlier(number);
     Tasks measuring;
-    measuring.run([&] { measure(now, earlier, run); });
+    measuring.run([&] { measure(now, run.earlier(number), run); });
+    const ImmersionResult* earlier = run.earlierSheet(number, now.inputs.texture);
     if (!earlier || earlier->inputs != now.inputs) {
         run.user.throwIfCancelled();
         const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);
@@ -582,10 +613,9 @@ void runImmersions(JobResult& result, Run& run, const std::vector<SheetInputs>& 
     for (std::size_t number = 0; number < inputs.size(); ++number) {
         const double begin = part * double(number);
         runIsolated([&] {
-            immersions[number] =
-                dippedImmersion(run, number, inputs[number], result,
-                                {result.field.get(), solver, comparisons[number], left},
-                                progress.part(begin, begin + part));
+            immersions[number] = dippedImmersion(run, number, inputs[number], result,
+                                                 {solver, comparisons[number], left},
+                                                 progress.part(begin, begin + part));
         });
         if (!isShared) {
             stages.wait();
@@ -690,7 +720,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     }
     result.solver = result.immersions.back().solver;
     result.notes += notesOf(result);
-    if (options.refines) {
+    if (options.refines || !options.draftPictures) {
         result.notes += refinementNotes(result);
     }
     if (const QString note = colourNoteText(options.filmImage, Text::tr("The picture on the film"));

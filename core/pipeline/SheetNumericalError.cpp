@@ -7,6 +7,8 @@
 #include "dip/LaidFilm.h"
 #include "disk/FolderTransaction.h"
 #include "film/FilmGrid.h"
+#include "pipeline/FilmRefinement.h"
+#include "pipeline/Pipeline.h"
 #include "pipeline/SolverChoice.h"
 #include "project/FilmSizes.h"
 #include "project/Project.h"
@@ -32,6 +34,8 @@ constexpr int mapEdge = 1600; // pixels
 // Progress as a fraction of the time: after the field, then after the first and the second film of
 // an immersion. The third film has twice as many points per side and takes most of the time.
 constexpr double fieldDone = 0.02;
+constexpr double jobDone = 0.1;          // of all progress, if the job's films may be refined
+constexpr double smallestPictures = 0.1; // of that job; nobody looks at them
 constexpr double ownDone = 0.1;
 constexpr double halfStepDone = 0.3;
 constexpr double dipDone = 0.9; // as a fraction of one film's time
@@ -95,6 +99,24 @@ DipNumericalError numericalError(const Project& project, const Immersion& immers
     return result;
 }
 
+// Returns the projects of single dips, with the cells that the job uses for their sheets.
+std::vector<Project> dipsOf(const Project& project, const SolverRegistry& registry,
+                            const Progress& progress) {
+    std::vector<Project> dips;
+    std::optional<JobResult> job;
+    if (isRefinable(project.film)) {
+        JobOptions options;
+        options.draftPictures = smallestPictures;
+        job = runJob(project, registry, options, nullptr, progress);
+    }
+    for (std::size_t number = 0; number < project.immersions.size(); ++number) {
+        Project& dip = dips.emplace_back(project);
+        dip.immersions = {project.immersions[number]};
+        dip.film = job ? filmOf(job->immersions[number], project) : project.film;
+    }
+    return dips;
+}
+
 QJsonObject toJson(const SheetChange& change) {
     return {{"mean_mm", change.distance.mean},
             {"p95_mm", change.distance.percentile95},
@@ -122,16 +144,20 @@ std::vector<DipNumericalError> sheetNumericalError(const Project& project,
         throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
     withHalfSpacing(project); // throws before any work if the film is too fine
+    const bool mayBeRefined = isRefinable(project.film);
+    const std::vector<Project> dips =
+        dipsOf(project, registry, progress.part(0, mayBeRefined ? jobDone : 0));
+    const Progress checks = progress.part(mayBeRefined ? jobDone : 0, 1);
     SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelToken);
     const auto field = cachedDistanceField(project.model->mesh, project.fieldResolution,
-                                           progress.part(0, fieldDone));
+                                           checks.part(0, fieldDone));
     std::vector<DipNumericalError> result;
-    const double share = (1 - fieldDone) / double(project.immersions.size());
-    for (const Immersion& immersion : project.immersions) {
+    const double share = (1 - fieldDone) / double(dips.size());
+    for (const Project& dip : dips) {
         const double begin = fieldDone + share * double(result.size());
-        const Progress part = progress.part(begin, begin + share);
+        const Progress part = checks.part(begin, begin + share);
         result.push_back(withFallback(solver, registry, [&](const solver::SolverModule& module) {
-            return numericalError(project, immersion, *field, module, part);
+            return numericalError(dip, dip.immersions.front(), *field, module, part);
         }));
         result.back().notes = std::exchange(solver.notes, {});
     }

@@ -1,6 +1,7 @@
 #include "search/PoseDips.h"
 
 #include "accuracy/error/NumericalErrorEstimate.h"
+#include "accuracy/verdict/FinerFilm.h"
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "parallel/ParallelFor.h"
@@ -21,7 +22,7 @@ constexpr std::size_t pointsInBatch = 100'000;
 // jobSteps for the job's shorter steps. Measured on nine models (docs/pose-search.md).
 constexpr double dipOverhead = 7.5e4, jobSteps = 1.8;
 // Time of a dip with its verdict, relative to the dip alone.
-constexpr double withVerdict = 1.9;
+constexpr double withVerdict = 1.4;
 // The borders of the fine cells are moved outwards to multiples of this share of the body's longest
 // edge. Many films of a batch then become equal, and a device can simulate their dips together.
 constexpr double alikeShare = 1.0 / 6;
@@ -184,7 +185,8 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
     }
 }
 
-// Judges dips as the job would, but for their ink. `laid` is null for a dip that failed.
+// Judges dips as the job would, but for their ink. Films that the job would refine are not refined
+// here: the verdict is the one to be expected. `laid` is null for a dip that failed.
 void PoseDips::addVerdicts(std::vector<JudgedPose>& poses,
                            const std::vector<std::shared_ptr<const PosedBody>>& bodies,
                            const std::vector<std::shared_ptr<const LaidFilm>>& laid) const {
@@ -207,8 +209,9 @@ void PoseDips::addVerdicts(std::vector<JudgedPose>& poses,
         const LaidFilm& own = *laid[places[dip]];
         const NumericalErrorEstimate error = estimateNumericalError(own, coarser[dip]);
         const Coverage covered = coverage(own);
-        poses[places[dip]].verdict =
-            verdict({own, covered, &error, 0, zones_.get()}, subject_.tolerance, subject_.verdict);
+        poses[places[dip]].verdict = afterRefinement(
+            verdict({own, covered, &error, 0, zones_.get()}, subject_.tolerance, subject_.verdict),
+            own.film(), subject_.film);
     }
 }
 

@@ -12,7 +12,6 @@
 
 #include "Bench.h"
 #include "base/Error.h"
-#include "pipeline/FilmRefinement.h"
 #include "pipeline/JobSearch.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SheetNumericalError.h"
@@ -149,12 +148,9 @@ void judge(const Project& job, const Options& options, const SolverRegistry& reg
         otherwise.solver = options.against;
         other = runJob(job, registry, otherwise, nullptr, {});
     }
-    for (std::size_t number = 0; number < said.immersions.size(); ++number) {
-        const ImmersionResult& dip = said.immersions[number];
-        Project alone = job;
-        alone.immersions = {dip.immersion};
-        alone.film = filmOf(dip, job);
-        print(job, dip, sheetNumericalError(alone, registry, {}).front(),
+    const std::vector<DipNumericalError> check = sheetNumericalError(job, registry, {});
+    for (std::size_t number = 0; number < check.size(); ++number) {
+        print(job, said.immersions[number], check[number],
               other ? &other->immersions[number] : nullptr);
     }
 }

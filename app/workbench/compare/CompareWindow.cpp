@@ -16,6 +16,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace dipwright {
 
@@ -50,10 +51,13 @@ CompareWindow::CompareWindow(const std::array<ComparedState, 2>& states,
                                         : Navigation::Turntable);
         sides_[side] = std::make_unique<ComparedSide>(states[side], kept, jobs_, registry,
                                                       *views_[side], nullptr);
-        connect(&sides_[side]->session(), &DipSession::finished, this, [this] {
-            showSides();
-            views_[0]->fit(); // the bodies are lower now
-        });
+        connect(&sides_[side]->session(), &DipSession::finished, this,
+                [this, isFirst = true]() mutable {
+                    showSides();
+                    if (std::exchange(isFirst, false)) { // refined films follow
+                        views_[0]->fit();                // the bodies are lower now
+                    }
+                });
         connect(&sides_[side]->session(), &DipSession::stopped, this,
                 [this](const std::exception_ptr& why) {
                     if (why) {

@@ -70,7 +70,13 @@ void DipJob::process(const Progress& progress) {
         task_.project, fineness.level, fineness.coarsest, registry_, task_.earlier,
         progress.part(0, dipDone),
         [this](std::size_t immersion, const FilmFrame& frame) { record(immersion, frame); }));
-    outcome_.recordings.assign(recordings_.begin(), recordings_.end());
+    for (std::size_t number = 0; number < recordings_.size(); ++number) {
+        // A finer dip that failed has left a recording of another film.
+        const auto& recording = recordings_[number];
+        const std::size_t points = result->immersions[number].laid->film().grid.pointCount();
+        outcome_.recordings.push_back(
+            recording && recording->grid().pointCount() == points ? recording : nullptr);
+    }
     if (fineness.isDraft() && task_.before.result) {
         fineness.moves = movesSince(*task_.before.result, *result);
     }

@@ -49,7 +49,10 @@ void DipSession::projectChanged() {
     }
     // After an undo, the last outcome may fit again.
     if (document_->isFresh()) {
-        if (std::exchange(wanted_, false) && !running_) {
+        if (canRefine()) { // a refinement that a change has stopped goes on
+            wanted_ = wanted_ || (running_ && dip_.isCancelled());
+            reach_ = wanted_ ? DipReach::AllDrafts : reach_;
+        } else if (std::exchange(wanted_, false) && !running_) {
             emit stopped(nullptr);
         }
         if (running_ && !records_ && !isRefining()) {
@@ -71,7 +74,7 @@ void DipSession::run(std::size_t mostPoints, DipReach reach) {
     wanted_ = false;
     mostPoints_ = mostPoints;
     reach_ = reach;
-    if (!document_ || (document_->isFresh() && (running_ || !canRefine())) ||
+    if (!document_ || (document_->isFresh() && !mayRefine()) ||
         (reach == DipReach::FirstDraft && (mayGoOn() || document_->isFresh()))) {
         return;
     }
@@ -101,6 +104,11 @@ bool DipSession::canRefine() const {
     return document_ && document_->isFresh() && outcome_.result && canBeRefined(*outcome_.result);
 }
 
+// Tells whether a refinement can start, now or when the running jobs have ended.
+bool DipSession::mayRefine() const {
+    return canRefine() && !(running_ && !dip_.isCancelled());
+}
+
 bool DipSession::canRecord() const {
     const auto recorded = recording();
     return document_ && document_->isFresh() && !shown_.fineness.isDraft() && reading() &&
@@ -114,7 +122,7 @@ bool DipSession::record(std::size_t mostPoints) {
     mostPoints_ = mostPoints;
     started_ = document_->project();
     running_ = records_ = true;
-    start(DipStage::Refinement); // as the results on show, which may be refined
+    start(canRefine() ? DipStage::Job : DipStage::Refinement); // as the results on show
     emit started();
     return true;
 }
@@ -204,12 +212,22 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
     outcome_ = outcome;
     document_->setResult(outcome.result);
     emit finished();
-    if (!running_ && !jobs_.isBusy() && canRefine()) {
-        started_ = document_->project();
-        running_ = true;
-        start(DipStage::Refinement);
-        emit shownChanged();
+    if (!running_ && canRefine()) {
+        refine();
     }
+}
+
+// Starts a refinement, at once or when the other jobs have ended.
+void DipSession::refine() {
+    if (jobs_.isBusy()) {
+        wanted_ = true;
+        reach_ = DipReach::AllDrafts;
+        return;
+    }
+    started_ = document_->project();
+    running_ = true;
+    start(DipStage::Refinement);
+    emit shownChanged();
 }
 
 void DipSession::lookAt(std::size_t immersion) {

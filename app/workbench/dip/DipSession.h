@@ -72,8 +72,10 @@ signals:
 
 private:
     bool mayGoOn() const;
+    bool mayRefine() const;
     void start(DipStage stage);
     void takeOutcome(const DipOutcome& outcome);
+    void refine();
     void goOn();
     void fail(const Fineness& fineness, bool cancelled, const std::exception_ptr& failure);
     void stop(std::exception_ptr why);

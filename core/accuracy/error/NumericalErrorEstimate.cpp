@@ -46,14 +46,12 @@ void throwIf(bool isCancelled) {
     }
 }
 
-float largest(float a, float b) {
-    return a < 0 || b < 0 ? std::min(a, b) : std::max(a, b);
-}
-
-std::vector<float> largest(std::vector<float> a, const std::vector<float>& b) {
-    std::transform(a.begin(), a.end(), b.begin(), a.begin(),
-                   [](float one, float other) { return largest(one, other); });
-    return a;
+// Returns the larger move of each place. Where the steps were not compared, because the film with
+// the longest steps does not paint the place, the move with double cells counts alone.
+std::vector<float> largest(std::vector<float> spacing, const std::vector<float>& step) {
+    std::transform(spacing.begin(), spacing.end(), step.begin(), spacing.begin(),
+                   [](float one, float other) { return one < 0 ? one : std::max(one, other); });
+    return spacing;
 }
 
 SheetChange scaled(SheetChange change, double share) {

@@ -44,8 +44,9 @@ struct NumericalErrorEstimate {
     // Measured changes: from the dip itself to double cells, and between both coarser dips.
     SheetChange doubleSpacing, doubleStep;
     // Numerical error in mm: the larger of both changes, at evenly spread points of the body that
-    // all three dips paint. For an error of first order, the first is the distance to the sheet of
-    // an infinitely fine film, and the second is twice the distance to infinitely short steps.
+    // the dip and the dip with double cells paint. For an error of first order, the first is the
+    // distance to the sheet of an infinitely fine film, and the second is twice the distance to
+    // infinitely short steps.
     Distribution offBy;
     // Numerical error of each film point on the body; NaN where not all dips paint, 0 off the body.
     std::vector<float> pointErrors;

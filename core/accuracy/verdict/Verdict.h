@@ -28,6 +28,7 @@ struct VerdictReason {
         FarOffPlaces, // numerical error exceeds `limit` mm on the share `value` of the painted area
         Border,       // only one of the compared dips paints the share `value` of the body
         Unbalanced,   // `value` steps ended without equilibrium; `most`: the largest residual
+        Refined,      // search only: the job repeats the dip with cells of `value` mm
         Air,          // trapped air keeps the share `value` of the body's surface dry
         Pale,         // the share `value` of the painted area will be too pale
         Damaged,      // film tore or was released on the share `value` of the painted area

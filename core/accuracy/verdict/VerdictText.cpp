@@ -61,6 +61,9 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("In %1 steps of the dip, the film did not converge; the residual force was "
                         "up to %2 % of the elastic force. Set smaller cells (Film > Cells).")
             .arg(QLocale().toString(qlonglong(reason.value)), percent(reason.most));
+    case Kind::Refined:
+        return Text::tr("The dip is repeated with film cells of %1 to reduce the numerical error.")
+            .arg(length(reason.value));
     default:
         return {};
     }

@@ -122,6 +122,34 @@ private slots:
         }
     }
 
+    // The limit is so small that automatic cells do not keep it, but cells of half the size do.
+    void result_errorTooLarge_isRefinedByItself() {
+        document().edit({}, {}, [](Project& project) {
+            project.immersions.resize(1);
+            project.film.resolution = FilmResolution::Automatic;
+            project.tolerance.limits.back() = Millimetres(0.12);
+            project.film.work = 20;
+        });
+        WindowDriver driver(*window_);
+        driver.trigger("run");
+        QTRY_VERIFY_WITH_TIMEOUT(session().isRefining(), patience());
+        const auto first = document().result();
+        QVERIFY(document().isFresh() && banner().isVisible());
+        driver.trigger("cancel");
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience());
+        QCOMPARE(document().result(), first); // it can be used
+        QVERIFY(document().isFresh() && session().canRefine() && banner().isVisible());
+        driver.trigger("run"); // starts when the cancelled job has ended
+        QTRY_VERIFY_WITH_TIMEOUT(session().isRefining(), patience());
+        document().edit({}, {}, [](Project& project) { project.baseColour = "#202020"; });
+        document().undoStack().undo();
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning() && !session().canRefine(), patience());
+        QVERIFY(document().isFresh() && !banner().isVisible());
+        const ImmersionResult& dip = document().result()->immersions[0];
+        QVERIFY(dip.refinement > 1);
+        QCOMPARE(session().recording()->grid().pointCount(), dip.laid->film().grid.pointCount());
+    }
+
     void close_whileRefining_ends() {
         drag(15);
         release();

@@ -1,8 +1,10 @@
 // Tests that films with automatic cells are refined until their sheets can be printed, and that the
-// limit of work holds.
+// limit of work holds. Takes a quarter of a minute, because it runs a job of two films several
+// times.
 #include "pipeline/FilmRefinement.h"
 #include "TestFolders.h"
 
+#include "pipeline/DipCache.h"
 #include "pipeline/JobDraft.h"
 #include "pipeline/Pipeline.h"
 #include "project/ProjectStore.h"
@@ -13,10 +15,9 @@ using namespace dipwright;
 
 namespace {
 
-// The turtle with one dip, and with a zone limit that its automatic cells do not keep.
+// The turtle with a zone limit that the automatic cells of the first dip do not keep.
 Project exactTurtle() {
     Project project = loadProject(sampleFolder("/turtle.dipw"));
-    project.immersions.resize(1);
     project.film.resolution = FilmResolution::Automatic;
     project.tolerance.limits.back() = Millimetres(0.6);
     project.sheet.resolution = DotsPerInch(50);
@@ -34,6 +35,14 @@ bool isCertain(const Verdict& verdict) {
     return std::any_of(
         verdict.reasons.begin(), verdict.reasons.end(),
         [](const VerdictReason& reason) { return reason.kind == VerdictReason::Kind::Certain; });
+}
+
+QStringList hashes(const JobResult& result) {
+    QStringList hashes;
+    for (const ImmersionResult& dip : result.immersions) {
+        hashes << dip.sheet.job.hash;
+    }
+    return hashes;
 }
 
 bool notesContain(const JobResult& result, const char* text) {
@@ -69,9 +78,22 @@ private slots:
     void runJob_stoppedBeforeRefinement_goesOnToTheSameSheet() {
         QVERIFY(canBeRefined(*coarse_) && !canBeRefined(*refined_));
         const JobResult result = runJob(turtle_, registry_, smallPictures(), coarse_.get(), {});
-        QCOMPARE(result.immersions[0].sheet.job.hash, refined_->immersions[0].sheet.job.hash);
+        QCOMPARE(hashes(result), hashes(*refined_));
         const JobResult again = runJob(turtle_, registry_, smallPictures(), &result, {});
         QCOMPARE(again.immersions[0].laid, result.immersions[0].laid); // nothing is left to do
+    }
+
+    void runJob_cachedDips_goOnToTheSameSheets() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("turtle.dipw"));
+        for (const JobResult* result : {coarse_.get(), refined_.get()}) {
+            cacheDips(*result, path);
+            const auto kept = cachedDips(turtle_, registry_, path, {});
+            QVERIFY(kept && !kept->field);
+            QCOMPARE(kept->immersions[0].refinement, result->immersions[0].refinement);
+            QCOMPARE(hashes(runJob(turtle_, registry_, smallPictures(), kept.get(), {})),
+                     hashes(*refined_));
+        }
     }
 
     void runJob_otherLimits_doNotTakeOverTheRefinedFilm() {

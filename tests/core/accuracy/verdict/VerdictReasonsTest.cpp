@@ -1,6 +1,6 @@
 // Tests verdicts on films whose positions the test sets, with and without an estimate of the
 // numerical error.
-#include "accuracy/verdict/Verdict.h"
+#include "accuracy/verdict/FinerFilm.h"
 
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
@@ -123,6 +123,20 @@ private slots:
         NumericalErrorEstimate estimate = movedBy(*laid, 0.75);
         estimate.doubleStep.distance.percentile95 = 1.6; // a quarter of it is compared
         QCOMPARE(judged(*laid, &estimate).reasons.front().kind, VerdictReason::Kind::Step);
+    }
+
+    void afterRefinement_affordableCells_replaceTheNumericalReasons() {
+        const auto laid = filmWith({}, true);
+        const NumericalErrorEstimate estimate = movedBy(*laid, 0.75);
+        const Verdict now = judged(*laid, &estimate);
+        QCOMPARE(now.advice, Advice::CheckFirst);
+        FilmSettings film;
+        film.resolution = FilmResolution::Automatic;
+        const Verdict expected = afterRefinement(now, laid->film(), film);
+        QCOMPARE(expected.advice, Advice::Print);
+        QCOMPARE(expected.reasons.front().kind, VerdictReason::Kind::Refined);
+        film.resolution = FilmResolution::Cell; // never refined
+        QCOMPARE(afterRefinement(now, laid->film(), film).advice, Advice::CheckFirst);
     }
 
     void verdict_shareAboveLimit_checkFirstThenDoNotPrint_data() {

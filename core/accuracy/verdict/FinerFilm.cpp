@@ -1,0 +1,90 @@
+#include "accuracy/verdict/FinerFilm.h"
+
+#include "dip/FilmUnderBody.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+using Kind = VerdictReason::Kind;
+
+// The next cells are at most this share of the present ones. Less would hardly change the sheet.
+constexpr double mostOfCell = 0.9;
+// The next cell if the verdict proposes none, as a share of the present one.
+constexpr double withoutProposal = 0.5;
+constexpr double million = 1e6;
+// The numbers of columns and rows are rounded, so a film may get slightly more points.
+constexpr double roundedLines = 1.02;
+
+bool isNumerical(Kind kind) {
+    switch (kind) {
+    case Kind::NothingAlike:
+    case Kind::OffBy:
+    case Kind::OffByMuch:
+    case Kind::Step:
+    case Kind::FarOffPlaces:
+    case Kind::Border:
+    case Kind::Unbalanced:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool isTooLarge(const VerdictReason& reason) {
+    return reason.advice > Advice::Print && isNumerical(reason.kind);
+}
+
+} // namespace
+
+std::optional<double> wantedCell(const Verdict& verdict, const DippedFilm& film) {
+    if (std::none_of(verdict.reasons.begin(), verdict.reasons.end(), isTooLarge)) {
+        return std::nullopt;
+    }
+    const double own = film.grid.leastSpacing();
+    std::optional<double> proposed;
+    for (const VerdictReason& reason : verdict.reasons) {
+        if (reason.kind == Kind::OffBy && reason.most > 0) {
+            proposed = std::min(proposed.value_or(reason.most), reason.most);
+        }
+    }
+    return std::min(proposed.value_or(withoutProposal * own), mostOfCell * own);
+}
+
+double smallestCell(const DippedFilm& film, const FilmSettings& settings) {
+    const auto points = double(film.grid.pointCount());
+    const auto steps = double(std::max<std::int64_t>(film.steps, 1));
+    const double byWork = std::cbrt(points * steps / (settings.work * million));
+    const double byPoints = roundedLines * std::sqrt(points / maximumFilmGrid);
+    return film.grid.leastSpacing() * std::max(byWork, byPoints);
+}
+
+std::optional<double> finerCell(const Verdict& verdict, const DippedFilm& film,
+                                const FilmSettings& settings) {
+    const std::optional<double> wanted =
+        isRefinable(settings) ? wantedCell(verdict, film) : std::nullopt;
+    if (!wanted) {
+        return std::nullopt;
+    }
+    const double cell = std::max(*wanted, smallestCell(film, settings));
+    return cell <= mostOfCell * film.grid.leastSpacing() ? std::optional(cell) : std::nullopt;
+}
+
+Verdict afterRefinement(Verdict verdict, const DippedFilm& film, const FilmSettings& settings) {
+    const std::optional<double> cell = finerCell(verdict, film, settings);
+    if (!cell || *cell > *wantedCell(verdict, film)) {
+        return verdict;
+    }
+    ReasonList expected;
+    for (const VerdictReason& reason : verdict.reasons) {
+        if (!isTooLarge(reason)) {
+            expected.add(reason);
+        }
+    }
+    expected.add({Kind::Refined, Advice::Print, *cell});
+    return std::move(expected).verdict();
+}
+
+} // namespace dipwright
