@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dipwright {
@@ -14,6 +15,9 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
+
+// A number of doublings that exceeds a whole number by less than this counts as whole.
+constexpr double almostWhole = 0.01;
 
 QString millimetresText(double length) {
     return QLocale().toString(length, 'f', 2);
@@ -30,7 +34,15 @@ std::optional<double> nextRefinement(const ImmersionResult& dip, const Project& 
     const std::optional<double> cell =
         finerCell(numericalVerdict(*dip.laid, dip.numericalError.get(), zones, project.tolerance),
                   film, project.film);
-    return cell ? std::optional(dip.refinement * film.grid.leastSpacing() / *cell) : std::nullopt;
+    if (!cell) {
+        return std::nullopt;
+    }
+    const double doublings = 3 * std::log2(film.grid.leastSpacing() / *cell); // of the work
+    const double allowed =
+        3 * std::log2(film.grid.leastSpacing() / smallestCell(film, project.film));
+    const double taken = std::min(std::max(1.0, std::ceil(doublings - almostWhole)),
+                                  std::floor(allowed + almostWhole));
+    return taken < 1 ? std::nullopt : std::optional(dip.refinement * std::exp2(taken / 3));
 }
 
 FilmSettings filmOf(const ImmersionResult& dip, const Project& project) {

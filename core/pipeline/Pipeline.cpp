@@ -287,12 +287,13 @@ void dipAndCompare(ImmersionResult& now, bool isDipped, const Run& run, std::siz
 }
 
 // Waits for the coarser dips and estimates the numerical error, if it is wanted.
-void judge(ImmersionResult& now, const Run& run, Comparison& comparison) {
+void judge(ImmersionResult& now, const Run& run, Comparison& comparison,
+           const std::optional<FilmBefore>& before = {}) {
     if (std::exchange(comparison.isWanted, false)) {
         comparison.dips.wait();
         run.user.throwIfCancelled();
         now.numericalError = std::make_shared<const NumericalErrorEstimate>(
-            estimateNumericalError(*now.laid, std::exchange(comparison.films, {})));
+            estimateNumericalError(*now.laid, std::exchange(comparison.films, {}), before));
     }
 }
 
@@ -308,7 +309,7 @@ ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Ru
     next.refinement = refinement;
     dipping.comparison.isWanted = true;
     dipAndCompare(next, false, run, number, &field, dipping, progress);
-    judge(next, run, dipping.comparison);
+    judge(next, run, dipping.comparison, FilmBefore{*now.laid, refinement / now.refinement});
     if (!next.numericalError->failure.isEmpty()) {
         throw Error(next.numericalError->failure, next.immersion.name);
     }

@@ -129,22 +129,39 @@ SheetChange NumericalErrorEstimate::halfStep() const {
     return scaled(doubleStep, halfStepShare);
 }
 
-NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser) {
+NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser,
+                                              const std::optional<FilmBefore>& before) {
     NumericalErrorEstimate estimate;
     estimate.failure = coarser.failure;
     if (!coarser.failure.isEmpty()) {
         return estimate;
     }
+    const auto spacingMoves = [&](const std::vector<SurfacePoint>& places) {
+        return sheetMoves(own, *coarser.doubleSpacing, places);
+    };
+    const auto stepMoves = [&](const std::vector<SurfacePoint>& places) {
+        return sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, places);
+    };
+    const auto withBefore = [&](std::vector<float> errors,
+                                const std::vector<SurfacePoint>& places) {
+        if (!before) {
+            return errors;
+        }
+        std::vector<float> moves = sheetMoves(own, before->laid, places);
+        const auto left = float(std::max(1.0, 1 / (before->ratio - 1)));
+        for (float& move : moves) {
+            move = move < 0 ? move : left * move;
+        }
+        return largest(std::move(errors), moves);
+    };
     const std::vector<SurfacePoint> places = comparedPlaces(own.body().mesh);
-    const std::vector<float> spacing = sheetMoves(own, *coarser.doubleSpacing, places);
-    const std::vector<float> step = sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, places);
+    const std::vector<float> spacing = spacingMoves(places), step = stepMoves(places);
     estimate.doubleSpacing = sheetChange(spacing);
     estimate.doubleStep = sheetChange(step);
-    estimate.offBy = sheetChange(largest(spacing, step)).distance;
+    estimate.offBy = sheetChange(withBefore(largest(spacing, step), places)).distance;
 
     const std::vector<SurfacePoint>& points = own.contact().surface;
-    estimate.pointErrors = largest(sheetMoves(own, *coarser.doubleSpacing, points),
-                                   sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, points));
+    estimate.pointErrors = withBefore(largest(spacingMoves(points), stepMoves(points)), points);
     for (std::size_t point = 0; point < points.size(); ++point) {
         float& offBy = estimate.pointErrors[point];
         if (offBy < 0) {

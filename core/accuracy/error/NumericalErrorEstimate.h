@@ -7,6 +7,7 @@
 #include "dip/Dip.h"
 
 #include <functional>
+#include <optional>
 
 namespace dipwright {
 
@@ -58,8 +59,19 @@ struct NumericalErrorEstimate {
     SheetChange halfStep() const;
 };
 
-// Estimates the numerical error of the film `own`. Uses all cores; deterministic.
-NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser);
+// The film of the dip that was repeated with smaller cells, and the ratio of its cells to the new
+// ones, > 1.
+struct FilmBefore {
+    const LaidFilm& laid;
+    double ratio;
+};
+
+// Estimates the numerical error of the film `own`. A film that was repeated until its error seemed
+// small enough is also compared with the film before: otherwise a chance agreement with the coarser
+// dips would end the repetition. For an error of first order, the move from that film times
+// 1 / (ratio − 1) is the error that is left. Uses all cores; deterministic.
+NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser,
+                                              const std::optional<FilmBefore>& before = {});
 
 // Returns the numerical error at each of `places` on the body, in mm. It is 0 where `own` does not
 // paint or the error is unknown. Uses all cores.

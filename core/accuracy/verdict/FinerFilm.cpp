@@ -10,8 +10,9 @@ namespace {
 
 using Kind = VerdictReason::Kind;
 
-// The next cells are at most this share of the present ones. Less would hardly change the sheet.
-constexpr double mostOfCell = 0.9;
+// The next cells are at most this share of the present ones: they double the work. Less would
+// hardly change the sheet.
+const double mostOfCell = std::exp2(-1.0 / 3);
 // The next cell if the verdict proposes none, as a share of the present one.
 constexpr double withoutProposal = 0.5;
 constexpr double million = 1e6;
