@@ -2948,6 +2948,10 @@
         <source>Most of the film stays empty. A film of format %1 (%2 × %3) is large enough.</source>
         <translation>Der größte Teil des Films bleibt leer. Ein Film im Format %1 (%2 × %3) ist groß genug.</translation>
     </message>
+    <message>
+        <source>Film cells over the part</source>
+        <translation>Filmzellen über dem Teil</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>
@@ -3478,6 +3482,10 @@
     <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source> million</source>
+        <translation> Mio.</translation>
     </message>
 </context>
 <context>

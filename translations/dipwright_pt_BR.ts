@@ -2948,6 +2948,10 @@
         <source>Most of the film stays empty. A film of format %1 (%2 × %3) is large enough.</source>
         <translation>A maior parte da película fica vazia. Uma película no formato %1 (%2 × %3) é grande o bastante.</translation>
     </message>
+    <message>
+        <source>Film cells over the part</source>
+        <translation>Células da película sobre a peça</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>
@@ -3478,6 +3482,10 @@
     <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source> million</source>
+        <translation> milhões</translation>
     </message>
 </context>
 <context>

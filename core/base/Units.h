@@ -51,7 +51,8 @@ enum class Unit {
     Cells,
     Density,
     Share,
-    ShareRate
+    ShareRate,
+    Million
 };
 inline constexpr double pi = 3.14159265358979323846;
 constexpr double radians(Degrees angle) {

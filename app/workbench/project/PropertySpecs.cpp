@@ -86,6 +86,7 @@ PropertySection printedFilmProperties() {
              Text::tr("If the numerical error is too large to print a sheet, its dip is repeated "
                       "with smaller cells, but never with more than this many million points × "
                       "steps. 60 takes about 20 s on two cores. 0: the dip is not repeated."),
+         .unit = Unit::Million,
          .relevant =
              [](const Project& project) {
                  return isProduction(project) &&

@@ -52,6 +52,8 @@ QString unitSuffix(Unit unit, LengthUnit length) {
         return Text::tr(" %");
     case Unit::ShareRate:
         return Text::tr(" %/s");
+    case Unit::Million:
+        return Text::tr(" million");
     case Unit::None:
         break;
     }
@@ -69,6 +71,7 @@ int unitDecimals(Unit unit, LengthUnit length) {
     case Unit::Angle:
         return 1;
     case Unit::Resolution:
+    case Unit::Million:
         return 0;
     case Unit::Ratio:
     case Unit::Cells:
