@@ -27,7 +27,7 @@ void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStrea
            "required.\n";
 }
 
-// Returns the parser's help text. The command's name stands where the user types it.
+// Returns the parser's help text. In its usage line, the command's name follows the program's name.
 QString commandHelp(const QCommandLineParser& parser, const QString& name) {
     const QString text = parser.helpText();
     const auto end = text.indexOf(QLatin1Char('\n'));

@@ -1,6 +1,6 @@
 // Records each print: when, on which printer, and from which sheet. The sheet is identified by the
-// job number on it. Each print is one small file with the user's data, so several programs on
-// several machines can write at the same time.
+// job number on it. Each print is recorded in its own small file, in the user's folder for program
+// data. So several programs on several machines can write at the same time.
 #pragma once
 
 #include "settings/Profile.h"

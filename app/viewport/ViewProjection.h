@@ -14,9 +14,9 @@ struct ViewRay {
     Eigen::Vector3f direction = -Eigen::Vector3f::UnitY(); // unit length
 };
 
-// Returns a coordinate along the world's X, Y or Z. It belongs to the point nearest to the ray on
-// the line through `held` along this axis. Returns the coordinate of `held` if the ray is parallel
-// to the axis.
+// Takes the line through `held` that is parallel to the world's X, Y or Z. Finds the point of this
+// line that is nearest to the ray, and returns its coordinate on this axis. Returns the coordinate
+// of `held` if the ray is parallel to the axis.
 double placeAlong(int axis, const Eigen::Vector3f& held, const ViewRay& ray);
 
 // The camera's position, in mm, world frame.

@@ -10,7 +10,8 @@ namespace dipwright {
 
 namespace {
 
-constexpr double step = 1e-6; // step of the derivatives, relative to the parameter or to 1
+// Step of the derivatives, relative to the parameter's size, or to 1 if that is larger.
+constexpr double step = 1e-6;
 constexpr int mostEvaluations = 200;
 constexpr double leastCondition = 1e-11; // smallest over largest diagonal entry of the R factor
 

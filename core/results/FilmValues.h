@@ -31,7 +31,8 @@ public:
 
     bool isPainted(double column, double row) const { return painted_[triangle(column, row)] != 0; }
 
-    // Returns the gravest mark of painted film; nothing before showMarks().
+    // Returns the most serious mark of painted film. Returns nothing if showMarks() has not been
+    // called.
     std::optional<solver::PointMark> mark(double column, double row) const {
         return marks_.empty() ? std::nullopt : mostSeriousMark(marks_[triangle(column, row)]);
     }

@@ -46,7 +46,7 @@ public:
     // Returns the mesh that pictures show. Places below are of this mesh.
     const TriangleMesh& mesh() const { return fine_ ? fine_->mesh() : mesh_; }
 
-    // Returns the gravest mark of the last dipped film at a place.
+    // Returns the most serious mark of the last dipped film at a place.
     std::optional<solver::PointMark> mark(const SurfacePoint& seen) const {
         const auto marks = seen.isValid() ? films_.marks(seen) : std::nullopt;
         return marks ? mostSeriousMark(*marks) : std::nullopt;

@@ -24,7 +24,9 @@ struct JudgedPose {
     std::vector<float> depths; // mm along the surface from each place to the end of the paint
     double trappedAir = 0;     // share of the surface that is in trapped air
     double filmUsed = 0;       // share of the film's area that paints
-    Verdict verdict;           // of the dip, without its ink; not judged unless confirmed
+    // The verdict on the dip, but not on its ink. Only poses that were dipped with the job's own
+    // film are judged.
+    Verdict verdict;
 };
 
 // The places of a body at which its dips are measured. Immutable; any thread may use it.

@@ -78,8 +78,8 @@ Eigen::Matrix2f edgesInPlane(const Corners& corners) {
     return edges;
 }
 
-// Returns the triangle with all lengths in overlap widths. An overlap width is `band` mm in
-// `measured`, and at least `least` mm on the body in every direction.
+// Returns the triangle `onBody` in units of the overlap width. This width is `band` mm on the flat
+// film (`measured`), and at least `least` mm on the body in every direction.
 Corners inOverlapWidths(const Corners& measured, const Corners& onBody, float band, float least) {
     const Eigen::Matrix2f body = edgesInPlane(onBody);
     if (!(body.determinant() > 0)) {

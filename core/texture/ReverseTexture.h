@@ -17,7 +17,8 @@
 
 namespace dipwright {
 
-// Makes the appearance of the body in one spot ink: a tint is a grey of 1 − tint in linear light.
+// Makes the body's appearance in one spot ink. It is grey: a tint t becomes the grey 1 − t in
+// linear light.
 using SpotAppearance = std::function<SurfaceAppearance()>;
 
 // The colours of an appearance, prepared for filtering.

@@ -47,8 +47,9 @@ public:
 private:
     struct Level {
         int width = 0, height = 0;
-        std::vector<std::array<std::uint16_t, 4>>
-            texels; // linear light; empty for a first level of eight bits
+        // Linear light. Empty for the first level of an image with 8 bits per channel, whose texels
+        // are read from the image itself.
+        std::vector<std::array<std::uint16_t, 4>> texels;
     };
     // The four texels round a place and their weights.
     struct Corners {

@@ -6,7 +6,8 @@
 namespace dipwright {
 
 // One ink's law. All densities are passed as natural logarithms; −∞ stands for density 0. For
-// white, the hiding share replaces the density. Const members may be used from several threads.
+// white, the share of the background that the ink hides replaces the density. Const members may be
+// used from several threads.
 class Thinning {
 public:
     Thinning(const InkLaw& law, FilmInk ink);

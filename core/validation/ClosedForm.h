@@ -17,12 +17,13 @@ struct Meridian {
     std::function<double(double arc)> radius;
     std::function<double(double arc)> height;
     std::function<double(double radius, double height)> arc;
-    double fullArc = 0;   // arc length where the comparison ends
+    // Arc length up to which a simulated film is compared with the closed form, mm.
+    double fullArc = 0;
     double fullDepth = 0; // depth of the pole, in mm, when the contact line is at `fullArc`
 };
 Meridian sphereMeridian(double radius, double polarAngle);
-// `across` and `along` are the half-axes across and along Y. The comparison ends at the polar
-// parameter `parameter`, in radians; π/2 is the equator.
+// `across` and `along` are the half-axes across and along Y. `parameter` is the polar parameter at
+// `fullArc`, in radians; π/2 is the equator.
 Meridian spheroidMeridian(double across, double along, double parameter);
 Meridian coneMeridian(double halfAngle, double contactRadius);
 
@@ -70,8 +71,8 @@ double filmOnCylinder(double cylinderRadius, double arc, const FloatingFilm& fil
 // Returns which film point ends on the inner side of a torus with a vertical axis: R is its radius
 // on the flat film. The torus is a tube of radius ρ around a circle of radius c. θ is the angle
 // around the tube from its lowest circle inwards. The contact circle has the radius a = c − ρ·sin
-// θ. The film within it is a disc that is stretched equally in all directions (u = A·R), elastic or
-// viscous. The film outside the circle has no influence. λm = λθ = a/R, so
+// θ. The film within it is a disc that is stretched equally in all directions, elastic or viscous.
+// The film outside the circle has no influence. λm = λθ = a/R, so
 //   dR/dθ = −ρ·R/a,  R = c·exp(−∫ρ/a dθ).
 double insideTorusFilmRadius(double circleRadius, double tubeRadius, double angle);
 

@@ -32,7 +32,8 @@ struct Case {
     std::size_t points; // the paper's N
     double paperShare;  // R divided by the diagonal, %
     double square;      // mm; with 17 mm, the tetrahedron would show only a few corners
-    double aside;       // mm, sideways offset of the cameras from straight below, one to each side
+    double aside;       // sideways over downward distance of the cameras from the part; one camera
+                        // is on each side
 };
 
 // The known errors of film and placement.

@@ -4,7 +4,7 @@
 //
 // DIPWRIGHT_BREAK_EVERYWHERE=1 breaks at every operation; =3/16 breaks at the third operation and
 // every 16th after it. If it is unset, each case is broken at a few operations only, because
-// breaking at all takes long. The counts are printed (scripts/break).
+// breaking at every operation takes long. The counts are printed (scripts/break).
 
 #include "CliProcess.h"
 #include "TestFolders.h"
@@ -28,7 +28,7 @@ namespace {
 
 constexpr int mostGrowth = 4 * 1024;       // kB over many cycles; libraries cache memory
 const int pointsOfACase = sampleOf(4, 12); // breaks per case, unless isEverywhere() is true
-// Smallest number of operations that a recovery at a start takes.
+// The least number of file operations in a recovery, which runs when a program starts.
 constexpr int operationsOfAStart = 16;
 
 bool isEverywhere() {
@@ -255,7 +255,8 @@ void BreakingTest::writes_killedOrFailing_areWholeAtNextStart() {
         const QString job = place_.path(QStringLiteral("job.dipw"));
         place_.run(QStringLiteral(DIPWRIGHT_KEEP_DOCUMENT),
                    {QStringLiteral("recover"), place_.path(QStringLiteral("recovery"))});
-        place_.cli({QStringLiteral("solvers")}); // removes the marker files of loading solvers
+        // Removes the marker files that a program killed while loading solvers has left.
+        place_.cli({QStringLiteral("solvers")});
         return place_.cli({QStringLiteral("info"), job}).exitCode == 0;
     };
     restore();
@@ -270,7 +271,8 @@ void BreakingTest::writes_killedOrFailing_areWholeAtNextStart() {
     const int operations = int(contentsOf(log).count('\n'));
     const std::vector<const char*> ways{"kill", "EIO", "ENOSPC", "ESTALE"};
     const Points points = pointsOf(operations, pointsOfACase);
-    // Breaks at a few operations more, because a failure may cause further operations.
+    // If every operation is broken, also breaks at the next two, because a failure may cause
+    // further operations.
     const int last = operations + (isEverywhere() ? 2 : 0);
     int breaks = 0;
     QStringList faults;

@@ -1,4 +1,5 @@
-// Shows what the program has done and what went wrong. Its report can be copied.
+// Shows what the program has done and what went wrong. The user can copy this log, together with
+// details of the machine, as a report.
 #pragma once
 
 #include <QWidget>

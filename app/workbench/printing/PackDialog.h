@@ -41,7 +41,7 @@ protected:
     void reject() override; // cancels a running job first
 
 private:
-    // The result of a project, and the modification time of its file at that time.
+    // The result of a project, and the modification time that its file had when the job started.
     struct Dipped {
         QDateTime written;
         std::shared_ptr<const JobResult> result;

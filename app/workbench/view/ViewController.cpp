@@ -44,7 +44,7 @@ void ViewController::connectCamera(const WindowActions& actions) {
 
 void ViewController::connectDisplay(const WindowActions& actions) {
     auto* endMeasure = new QShortcut(Qt::Key_Escape, &window_);
-    endMeasure->setEnabled(false); // others may use the key then
+    endMeasure->setEnabled(false); // while nothing is measured, others may use Escape
     connect(actions.measure, &QAction::toggled, endMeasure, &QShortcut::setEnabled);
     connect(endMeasure, &QShortcut::activated, actions.measure,
             [&actions] { actions.measure->setChecked(false); });

@@ -1,6 +1,6 @@
 // Compensates each of a printer's four inks for the stretch of the film, by the ink's own law
-// (docs/film-model.md, "Ink"). The compensation follows the separation and changes the amount of
-// each ink.
+// (docs/film-model.md, "Ink"). The compensation is done after the separation, and changes the
+// amount of each ink.
 #pragma once
 
 #include "settings/InkSettings.h"
@@ -21,9 +21,9 @@ public:
     // `colour` must be CMYK.
     PlateCompensation(const PrinterColour& colour, const InkSettings& settings);
 
-    // Returns the amount to print of ink `ink`, 0 … 255, so that `wanted` shows where the film's
-    // area has grown by `areaStretch`. Never more than full ink. Keeps the density within the ink
-    // limit unless `wanted` itself is denser.
+    // Returns the amount to print of ink `ink`, 0 … 255, so that film whose area has grown by
+    // `areaStretch` looks like the amount `wanted` on unstretched film. Never more than full ink.
+    // Keeps the density within the ink limit unless `wanted` itself is denser.
     std::uint8_t printed(int ink, std::uint8_t wanted, float areaStretch) const;
     // Returns the amount, 0 … 255, that has the same density on unstretched film as `printed` has
     // on this stretched film.
@@ -35,7 +35,7 @@ private:
     struct InkTable {
         Thinning law;
         std::array<float, 256> densities; // never decreasing
-        std::vector<float> printed;       // amounts by wanted amount, then by step of the stretch
+        std::vector<float> printed;       // amounts; the steps of the stretch vary fastest
 
         float density(double amount) const;
         double amount(float density) const;

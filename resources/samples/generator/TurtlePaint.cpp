@@ -246,7 +246,7 @@ Colour withMark(const Colour& colour, const Vector3f& place) {
 }
 
 // Returns the distance to the edge of the shell, mm; negative where the shell is nearer than the
-// limbs. It gives the outline a constant width.
+// limbs. Because it is a distance, the outline that is painted by it has a constant width.
 float toShellEdge(const Vector3f& place) {
     const Field difference = [](const Vector3f& at) {
         return shellDistance(at) - limbDistance(at);

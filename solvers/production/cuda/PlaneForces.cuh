@@ -31,8 +31,8 @@ struct FilmTile {
     }
 };
 
-// Returns the edges of a triangle between displaced points. restX, restZ: the undeformed edges, or
-// 0 for directions.
+// Returns the edges of a triangle between displaced points. restX, restZ: lengths of the undeformed
+// edges; 0 if at() returns changes of displacements.
 template <typename At>
 __device__ inline numerics::EdgePair<float> triangleEdges(const numerics::TriangleCorners& triangle,
                                                           float restX, float restZ, const At& at) {
@@ -91,10 +91,10 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
 }
 
 // Computes the forces, including a water drag of `drag` per point. With `length`, the displacement
-// first becomes start + length·newtonStep. Writes the forces to `forces` and the states of
-// linearisation to `stress`. Returns the roots of the sums of squares of the forces on free points
-// and of the elastic forces in the film. One function, because a tile's places and sums stay in
-// shared memory and registers from the first to the last line.
+// first becomes start + length·newtonStep. Writes the forces to `forces`, and to `stress` the
+// values from which its derivative is computed later. Returns the roots of the sums of squares of
+// the forces on free points and of the elastic forces in the film. One function, because a tile's
+// places and sums stay in shared memory and registers from the first to the last line.
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
                                             float drag, const float* length, Team& team,
                                             float2* memory) {

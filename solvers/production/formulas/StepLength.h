@@ -21,9 +21,9 @@ DIPWRIGHT_HOST_DEVICE inline double contactIncrement(double travel, double steep
     return travel * (steepness > leastSteepness ? steepness : leastSteepness);
 }
 
-// Returns the descent after which the nearest point that is not next to film on the body may make
-// contact, but at least 10 % of `travel`. So a step does not run past the first contact of any part
-// of the body.
+// Some points have no film on the body near them. Returns the descent after which the first of
+// these points may make contact, but at least 10 % of `travel`. So a step does not run past the
+// first contact of any part of the body.
 DIPWRIGHT_HOST_DEVICE inline double approachIncrement(double travel, double nearestClearance) {
     const double least = 0.1 * travel;
     return nearestClearance > least ? nearestClearance : least;

@@ -28,8 +28,8 @@ TexturedMesh boxWithPicture(const Eigen::Vector3d& size, const QImage& picture);
 // left and right edges meet on the meridian of +Z.
 TexturedMesh globe(double radius, int rings, int segments, const QImage& picture);
 // Returns a sphere of two charts: its halves x < 0 and x > 0, projected along X. The charts lie in
-// the left and the right half of `picture`. A fifth of its width is between them, and a tenth
-// outside them on each side.
+// the left and the right half of `picture`. Of the picture's width, a fifth is free between the
+// charts, and a tenth on the outer side of each.
 TexturedMesh halvedBall(double radius, int rings, int segments, const QImage& picture);
 
 // Returns film that lies flat under a box of this size and has adhered to the box's bottom.

@@ -351,7 +351,8 @@ void ReverseTextureTest::reverseTexture_inkLimit_reportsShortfallArea() {
     options.ink.limit = 1;
     const ReverseTexture texture =
         reversed(test::plainModel(boxMesh(boxSize), QColor(0, 0, 0)), film, options);
-    // The whole painted bottom: the stretched cells between 28 × 28 points.
+    // All of the painted bottom is too pale. It has 27 × 27 stretched cells, between 28 × 28
+    // points.
     const double painted = 27 * 27 * film.grid.spacingX(0) * film.grid.spacingZ(0) * 1.44;
     QVERIFY(std::abs(texture.shortfallArea - painted) < 0.01 * painted);
 }
