@@ -1,5 +1,5 @@
-// Measures how soon results follow the hand in the real window. Turns the part for some seconds as
-// a dragged ring does, releases it, and waits for the result.
+// Measures how soon results appear in the real window while the part is dragged. Turns the part for
+// some seconds as a dragged ring does, releases it, and waits for the result.
 //
 //   live_window [--seconds=N] [--size=WIDTHxHEIGHT] [--pictures=FOLDER] PROJECT.dipw …
 //

@@ -1,5 +1,5 @@
-// Tests that results follow the hand: drafts while the part is dragged, then the result, in a real
-// window. Takes half a minute, because each case runs a job of two films.
+// Tests that results appear while the user drags: drafts while the part is dragged, then the
+// result, in a real window. Takes half a minute, because each case runs a job of two films.
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -51,7 +51,8 @@ private slots:
         QCOMPARE(document().result(), before_); // sheets are printed from it
         drag(20);
         QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
-        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience()); // no more while it is held
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(),
+                                 patience()); // no further drafts while the ring is held
         QCOMPARE(document().result(), before_);
     }
 
