@@ -113,7 +113,7 @@ public:
               "DIR");
         value(filmOption,
               "The film: the name of a size, WIDTHxHEIGHT, or a roll as roll:WIDTH or "
-              "roll:WIDTHxLENGTH, in mm. A roll is cut off after the last piece. Without it A4.",
+              "roll:WIDTHxLENGTH, in mm. A roll is cut off after the last piece. Default: A4.",
               "SIZE");
         value(spacingOption, "The distance between two pieces in mm, 0 to 200; default 3.", "MM");
         value(marginOption, "The bare film around the ink in mm, 7 to 200; default 7.", "MM");

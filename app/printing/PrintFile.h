@@ -21,8 +21,9 @@ std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>
 PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
                                 const PrinterColour* colour);
 
-// Returns the settings for tiles on this paper. Tiles keep clear of the paper's unprintable edges,
-// and at least the usual distance from the paper's edges.
+// Returns the settings for tiles on this paper. `lost` is the width of each edge that the printer
+// cannot print. The margins of the tiles are at least as wide as `lost` and as the default of
+// TileSettings.
 TileSettings tileSettings(QSizeF paper, const QMarginsF& lost);
 
 // Returns the sheet with the job numbers that it has when it is printed with the profile. If the
@@ -48,8 +49,8 @@ struct PrintFileRequest {
 };
 
 // Writes TIFF if the file name ends in .tif or .tiff, else PDF. Records the file in the print
-// history. Returns warnings. Throws Error if the printer cannot reach colour near the sheet's edge,
-// as printing does.
+// history. Returns warnings. Like printing, throws Error if colour lies near the sheet's edge where
+// the printer cannot print.
 QStringList writePrintFile(const Sheet& original, const PrintFileRequest& request,
                            const QString& path, const PrintHistory& history);
 

@@ -68,9 +68,10 @@ public:
     // visible.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
-    void turn(double rightPixels, double upPixels);   // like a drag by these numbers of pixels
-    void zoom(double factor);                         // keeps the centre in place
-    void zoomAt(const QPointF& place, double factor); // keeps the place under `place`
+    void turn(double rightPixels, double upPixels); // like a drag by these numbers of pixels
+    void zoom(double factor);                       // keeps the centre in place
+    // Keeps the surface point that is shown at the widget position `place` there.
+    void zoomAt(const QPointF& place, double factor);
     void mouse(const ViewMouse& mouse);
     void setCamera(const ViewCamera& camera);
     ViewPicture draw();

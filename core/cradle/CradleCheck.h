@@ -1,5 +1,5 @@
-// Checks a finished cradle by means independent of its making: rays and closest points on its
-// triangles.
+// Checks a finished cradle with methods that were not used to make it: rays and closest points on
+// its triangles.
 #pragma once
 
 #include "base/Progress.h"
@@ -16,7 +16,8 @@ struct SeatPiece {
     bool isPadded = false;         // an earlier dip has painted it
 };
 
-// How firmly a body rests in its cradle, with the plate on a table and the body on top.
+// How firmly a body rests in its cradle, with the cradle's plate (docs/cradle.md) on a table and
+// the body on top.
 struct CradleStability {
     // Tilt of the plate in degrees at which the body tips over, for a body of uniform density.
     // Negative if it tips over without tilt.

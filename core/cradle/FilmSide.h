@@ -10,8 +10,9 @@
 
 namespace dipwright {
 
-// A body's surface, cut into small pieces that are grouped by the dip that paints them. Coordinates
-// are in this dip's pose frame.
+// A body's surface, for the cradle of one dip ("this dip"). The surface is cut into small pieces.
+// They are grouped by what paints them: this dip, earlier dips, or nothing. Coordinates are in this
+// dip's pose frame.
 struct FilmSide {
     // The surface that this dip's film reaches or may reach: all that it paints, and every face
     // under the final waterline that turns up by no more than the overhang.

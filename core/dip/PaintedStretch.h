@@ -17,7 +17,8 @@ struct Wrinkling {
     double share = 0; // this area as a share of the film that paints, 0 … 1
     double least = 1; // the smallest λ2
 };
-inline constexpr float wrinkledBelow = 0.99f; // a value of λ2; film profiles are known to about 1 %
+// A limit of λ2. It is less than 1 because film profiles are known only to about 1 %.
+inline constexpr float wrinkledBelow = 0.99f;
 
 struct PaintedStretch {
     std::vector<std::uint8_t> points; // per film point: 1 if it belongs to a painted triangle

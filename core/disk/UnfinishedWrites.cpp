@@ -22,7 +22,8 @@ QDir noteFolder() {
             QStringLiteral("/unfinished")};
 }
 
-// Completes the work that a note names. Returns false if work remains.
+// A note is a file that records an unfinished write. Completes or removes the write that `note`
+// records. Returns false if work remains.
 bool completeTransaction(const UnfinishedNote& note, const std::function<bool()>& shouldContinue) {
     bool done = true;
     if (isHiddenFile(note.work)) {

@@ -24,8 +24,9 @@ void addFan(TriangleMesh& mesh, Index hub, Index first, Index segments, bool alo
     }
 }
 
-// Adds the band between two rings of `segments` positions each. Looking along the rings from
-// outside, the ring `from` lies to the left of the ring `to`.
+// Adds the band between two rings of `segments` positions each. Seen from outside the body and
+// facing the direction in which the rings are numbered, the ring `from` is on the left of the ring
+// `to`.
 void addBand(TriangleMesh& mesh, Index from, Index to, Index segments) {
     for (Index s = 0; s < segments; ++s) {
         const Index next = (s + 1) % segments;

@@ -86,7 +86,7 @@ std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
 }
 
 std::vector<std::uint32_t> oppositeEdges(const TriangleMesh& mesh) {
-    // Edges are grouped by the lower of their two positions and sorted by the higher one.
+    // Edges are grouped by the smaller of their two position indices and sorted by the larger one.
     struct Edge {
         std::uint32_t higher, number;
         bool operator<(const Edge& other) const {

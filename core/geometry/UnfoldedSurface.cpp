@@ -13,7 +13,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double edgesInRadius = 40; // edges of the refined mesh within the radius
-// least weight of each corner at the middle, because directions are undefined at a corner itself
+// The start place has at least this weight of each corner of its triangle, because directions are
+// undefined if it lies on a corner.
 constexpr double leastWeight = 1e-3;
 // a path counts as shorter if its length is below this share of the other's
 constexpr double shorterShare = 1 - 1e-9;
@@ -108,8 +109,8 @@ private:
         }
     }
 
-    // Computes the corner c of the triangle (a, b, c), counterclockwise, across its edge from a to
-    // b.
+    // Computes the place of corner c from the places of a and b. The corners (a, b, c) are
+    // counterclockwise, and the path to c crosses the edge from a to b.
     void reach(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         const double fromA = places_[a].norm(), fromB = places_[b].norm();
         const double base = length(a, b);
@@ -117,8 +118,8 @@ private:
             return;
         }
         const double toA = length(a, c), toB = length(b, c);
-        // The edge lies on the x axis and begins at the origin. The corner is above it; the middle,
-        // where the distances start, is below.
+        // The edge lies on the x axis and begins at the origin. The corner is above it; the start
+        // place is below.
         const double cx = (toA * toA - toB * toB + base * base) / (2 * base);
         const double cy = std::sqrt(std::max(0.0, toA * toA - cx * cx));
         const double sx = (fromA * fromA - fromB * fromB + base * base) / (2 * base);
@@ -137,8 +138,8 @@ private:
         const Eigen::Vector2d toLeft = -source;
         const Eigen::Vector2d toRight = Eigen::Vector2d(base, 0) - source;
         const Eigen::Vector2d toCorner = Eigen::Vector2d(cx, cy) - source;
-        // Seen from the source, the direction turns counterclockwise from a to b. On a curved
-        // surface that angle differs from the angle in the triangle's plane.
+        // Seen from the source, there is a counterclockwise angle from a to b. On a curved surface
+        // this angle differs from the angle in the triangle's plane.
         const double whole = -turned(toLeft, toRight);
         const double part = -turned(toLeft, toCorner);
         double seen = -turned(places_[a], places_[b]);

@@ -20,12 +20,14 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::BuiltPlaces)
 };
 
-constexpr double step = 0.25;          // mm on the sheet to either side, for derivatives
-constexpr int rounds = 8;              // iterations of Newton's method
-constexpr double close = 1e-3;         // pixels: a smaller residual counts as converged
-constexpr double farthest = 20;        // mm on the sheet: largest offset that is searched
-constexpr double leastFromFront = 0.2; // least ratio of the axes of a circle in the photo
-constexpr double samePlace = 0.01;     // mm on the model: nearer places count as one place
+constexpr double step = 0.25;   // mm on the sheet to either side, for derivatives
+constexpr int rounds = 8;       // iterations of Newton's method
+constexpr double close = 1e-3;  // pixels: a smaller residual counts as converged
+constexpr double farthest = 20; // mm on the sheet: largest offset that is searched
+// A small circle of the sheet appears in the photo as an ellipse. Places where the ratio of its
+// axes is smaller than this are not used.
+constexpr double leastFromFront = 0.2;
+constexpr double samePlace = 0.01; // mm on the model: nearer places count as one place
 
 // Tells where places of one film's sheet appear in the photos.
 class SeenFilm {
@@ -69,7 +71,7 @@ private:
 
 struct Found {
     Eigen::Vector2d off;
-    double pixels = 0; // pixels per mm of the sheet, in the direction with the fewest
+    double pixels = 0; // pixels per mm of the sheet, in the direction in which they are fewest
 };
 
 std::optional<Found> sheetOffset(const PrintedPlace& place, const SeenFilm& film) {

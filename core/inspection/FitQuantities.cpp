@@ -19,8 +19,8 @@ struct Text {
 };
 
 constexpr double percent = 0.01;
-// A viscous film has no relaxation time. Its fit starts with a time of this share of the dip's
-// duration.
+// The relaxation time of viscous film is 0, but the fit needs a start above 0. It starts from this
+// share of the dip's duration.
 constexpr double viscousStart = 0.03;
 // Relaxation times from 1/300 of the dip's duration to 300 times that duration are tried.
 constexpr double farthestRelaxation = 300;

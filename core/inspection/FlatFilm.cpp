@@ -25,8 +25,8 @@ struct Text {
 };
 
 constexpr double sure95 = 1.959964; // half the 95 % interval, in standard deviations
-// Largest residual of a flat card, as a share of half the picture's diagonal. Corners are found ten
-// times as accurately.
+// Largest residual of a flat card, as a share of half the picture's diagonal. The error with which
+// corners are found is about a tenth of this.
 constexpr double mostCardOff = 0.001;
 constexpr double mm = 100; // mm per unit of the fit, so that the fit's numbers are near 1
 
@@ -108,8 +108,8 @@ public:
         return settings_.lens.value_or(p.size() > 14 ? Lens{p[14], p[15]} : Lens{});
     }
 
-    // The film's corners, in units of the fit. Three places of each: printed, on an evenly swollen
-    // film, and as it lies.
+    // The film's corners, in units of the fit. Each corner has three places: on the printed page,
+    // on an evenly swollen film, and as seen in the photo.
     const Places& printed() const { return film_; }
     static Eigen::Vector2d onWater(const Eigen::VectorXd& p, const Eigen::Vector2d& printed) {
         return {p[8] * printed.x() + p[10] * printed.y() + p[12],
@@ -133,8 +133,9 @@ private:
     }
 
     // Returns the homography of the plane that lies `cardAbove` over the water. Only its third
-    // column differs, by the camera's matrix times a step along the normal. Without the focal
-    // length, the normal is perpendicular to the first two columns.
+    // column differs, by the camera's matrix times a step along the normal. The inverse of the
+    // camera's matrix turns the first two columns into directions in the plane; the normal is
+    // perpendicular to both.
     Eigen::Matrix3d raised(const Eigen::Matrix3d& water) const {
         if (settings_.cardAbove == 0 || !settings_.focalLength) {
             return water;
@@ -213,8 +214,8 @@ void requireDetermined(const LeastSquaresFit& fit, const QString& where) {
     }
 }
 
-// Wrong data on camera or card need not show as scatter of the film's corners, but they do show on
-// the card.
+// Wrong values for camera or card may not scatter the film's corners, but they always move the
+// card's corners from their places on a flat card.
 void requireFlatCard(const FlatFit& problem, const LeastSquaresFit& fit, const QString& where) {
     const double off = problem.cardOff(fit.residuals);
     if (!(off < mostCardOff)) {

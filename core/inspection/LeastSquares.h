@@ -17,7 +17,7 @@ struct LeastSquaresFit {
     // Covariance of the parameters, for independent residuals of standard deviation 1.
     Eigen::MatrixXd covariance;
     bool converged = false;
-    // False if the residuals do not separate the parameters; `covariance` is then useless.
+    // False if the residuals do not determine every parameter; `covariance` is then useless.
     bool determined = false;
 };
 

@@ -19,10 +19,10 @@ inline constexpr qint64 mostCacheBytes = qint64(64) << 20;
 QString dipCacheFile(const QString& project);
 
 // Adds the dips of `result` to the cache file beside `project`, and removes the oldest dips until
-// the file has at most `most` bytes. Replaces the file by an atomic write. Does not cache a dip if
-// another solver took over. Writes nothing if all dips are cached already. Drops unreadable
-// contents. May be called from any thread, but only from one at a time for each project. Throws
-// Error if the file cannot be written.
+// the file has at most `most` bytes. Replaces the file by an atomic write. Does not cache a dip
+// that another solver computed because the chosen solver failed. Writes nothing if all dips are
+// cached already. Drops unreadable contents. May be called from any thread, but only from one at a
+// time for each project. Throws Error if the file cannot be written.
 void cacheDips(const JobResult& result, const QString& project, qint64 most = mostCacheBytes);
 
 // Returns a result that can be passed to runJob() as `previous`. It contains only the cached films

@@ -22,8 +22,8 @@ struct JobOptions {
     // Makes a draft (JobDraft.h): the proof has this size, relative to its full size; there is no
     // coverage picture and no read-back error. None: makes the whole result.
     std::optional<double> draftPictures;
-    // Measures how much each sheet depends on the assumed laws. Takes eight more dips for each
-    // immersion (LawChanges.h).
+    // Measures how much each sheet depends on the assumed laws. Simulates each dip eight more times
+    // (LawChanges.h).
     bool variesLaws = false;
     // Repeats dips with smaller cells until their sheets can be printed, as far as the film's
     // settings allow (FilmRefinement.h). False: ImmersionResult::finer says what is left to do.

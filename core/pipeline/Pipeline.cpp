@@ -47,7 +47,8 @@ constexpr double lawsBegin = 0.3;        // if laws are varied
 constexpr double tolerancesBegin = 0.15; // if tolerances are computed
 constexpr double cradlesBegin = 0.6;
 constexpr double dipsDone = 0.7; // as a fraction of the time after the field
-constexpr double firstDip = 0.3; // of an immersion's dips, if its film may be refined
+// Share of the time for an immersion's dips that the first dip takes, if its film may be refined.
+constexpr double firstDip = 0.3;
 constexpr double sharesDone = 0.75;
 constexpr double proofDone = 0.97;
 constexpr double draftTolerance = 1; // of a draft's texture, pixels
@@ -77,7 +78,8 @@ struct Run {
     const ImmersionResult* earlierSheet(std::size_t number, const TextureInputs& inputs) const {
         return inputs.share && !earlierTogether() ? nullptr : earlier(number);
     }
-    // The earlier result, for what depends on all films. Null if a film has been refined.
+    // The earlier result, from which the parts that depend on all films are reused. Null if a film
+    // has been refined.
     const JobResult* earlierTogether() const {
         return std::count(isRefined.begin(), isRefined.end(), true) > 0 ? nullptr : previous;
     }
@@ -599,7 +601,7 @@ void runImmersions(JobResult& result, Run& run, const std::vector<SheetInputs>& 
     std::vector<Comparison> comparisons(inputs.size());
     Tasks sheets;
     Tasks pictures; // each picture starts the task of its sheet
-    Tasks stages;   // what pictures and shares need of the body alone
+    Tasks stages;   // preparations for pictures and shares that depend only on the body
     const auto leave = qScopeGuard([&left] { left.cancel(); });
     prepareStages(result, run, inputs.front().texture, stages);
     const auto beginPicture = [&](std::size_t number) {

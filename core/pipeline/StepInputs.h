@@ -66,7 +66,8 @@ struct DipInputs {
     FieldInputs field;
     std::array<Millimetres, 2> offset{};
     FilmSettings film;
-    ProcessSettings process;                    // with an empty `solver`, which could be "auto"
+    // Its `solver` is empty, because the project may say "auto"; the chosen solver is below.
+    ProcessSettings process;
     QString solver;                             // the id of the chosen solver
     std::optional<RefinementInputs> refinement; // none: the film is not refined
     bool operator==(const DipInputs&) const = default;

@@ -8,7 +8,7 @@
 
 namespace dipwright {
 
-// All arrays are per fine triangle.
+// All arrays have one value per triangle of the RefinedMesh (the fine triangles).
 struct Suitability {
     std::vector<std::uint8_t> reached; // 1 if the dip paints its middle
     // Larger principal stretch of the film there; 1 where there is no film.

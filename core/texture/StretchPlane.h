@@ -17,8 +17,8 @@ float areaStretchOf(std::uint16_t code);
 QImage unstretched(QSize pixels);
 
 // Convert a plane to a picture and back, so that it can be transformed like an image. The picture
-// is wide, with the code in every channel. If a film image (RGBA) is given, only its painted pixels
-// are opaque. Transparent pixels become unstretched on the way back.
+// has 16 bits per channel (RGBA64) and the code in every channel. If a film image (RGBA) is given,
+// only its painted pixels are opaque. Transparent pixels become unstretched on the way back.
 QImage pictureOfStretch(const QImage& plane, const QImage& film = {});
 QImage stretchOfPicture(const QImage& picture);
 

@@ -5,8 +5,8 @@
 // - milliseconds per dip
 // - difference of the objective from the objective with the job's own film: mean and standard
 //   deviation
-// - rank correlation with the own film (Spearman)
-// - how many of the own film's five best poses are among the coarse film's first twelve
+// - rank correlation with the job's own film (Spearman)
+// - how many of the five best poses of the job's own film are among the coarse film's first twelve
 // - loss of objective if the best of the coarse film's first 1, 3, 6 or 12 poses is chosen
 // - mean difference of each measure
 #include "Bench.h"

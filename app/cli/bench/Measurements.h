@@ -85,8 +85,8 @@ struct BenchSolver {
 // to 117,600 points.
 std::vector<StepRow> measureTableOne(const BenchSolver& solver, BenchBodies& bodies, int rows,
                                      const Progress& progress);
-// Measures the paper's Figure 7: three bodies are dipped through a film of 21,600 points. The
-// field's edge has 32 samples, and is then doubled up to `finest`.
+// Measures the paper's Figure 7: three bodies are dipped through a film of 21,600 points. The field
+// first has 32 samples along an edge. This number is doubled repeatedly, up to `finest`.
 std::vector<StepRow> measureFieldSweep(const BenchSolver& solver, BenchBodies& bodies, int finest,
                                        const Progress& progress);
 // Measures whole dips of the sphere with both presets, with films of columns × rows points.

@@ -25,13 +25,14 @@ public:
     void setDocument(Document* document);
     Document* document() const { return document_; }
     // Runs the dips that are out of date. Waits for other jobs first. Cancels a run with older
-    // values, but lets a first draft finish, so that drafts follow a drag. `mostPoints`:
-    // approximate number of film points that are recorded.
+    // values, but lets a first draft finish, so that new drafts appear while the user drags.
+    // `mostPoints`: approximate number of film points that are recorded.
     void run(std::size_t mostPoints, DipReach reach = DipReach::AllDrafts);
     // Whether the results on show are current but have no recording, because they were read from a
     // cache.
     bool canRecord() const;
-    // Runs their dips again to record them. The results stay the same. Returns false if jobs run.
+    // Runs the dips of the results on show again, to record them. The results stay the same.
+    // Returns false if jobs run.
     bool record(std::size_t mostPoints);
     // Sets the result that the first run can reuse.
     void setKept(std::shared_ptr<const JobResult> kept) { results_.add(0, std::move(kept)); }
@@ -42,7 +43,8 @@ public:
     // Whether the film of a finished result is being refined. The result can be used meanwhile, and
     // stays if this is cancelled.
     bool isRefining() const { return running_ && stage_ == DipStage::Refinement; }
-    // Whether the results on show are current, but their film can still be refined: run() goes on.
+    // Whether the results on show are current, but their film can still be refined. run() then
+    // continues the refinement.
     bool canRefine() const;
 
     // The outcome of the last finished job; empty before the first. Sheets are printed from it.

@@ -61,8 +61,8 @@ public:
     }
     // Takes the lock of the file if it is free. Returns the state in which it found the lock.
     LockState lock() { return lock_->acquire(path_); }
-    // Throws ChangedFile if another program has written the file since version(), or Error. After
-    // an exception, file and document are unchanged.
+    // Throws ChangedFile if another program has written the file since version(). Throws Error if
+    // the file cannot be written. After an exception, file and document are unchanged.
     void save();
     // Saves to `path` and replaces an existing file. Throws Error, also if that file is open
     // elsewhere. With the document's own path, overwrites even what another program has written.

@@ -241,7 +241,7 @@ void SearchController::take(const Update& update) {
 
 void SearchController::apply(const std::vector<Immersion>& immersions) {
     if (session_.document() && !immersions.empty()) {
-        session_.document()->endMerge(); // poses tried before this one stay a step of their own
+        session_.document()->endMerge(); // poses tried before keep their own undo step
         setImmersions(*session_.document(), immersions);
     }
 }

@@ -1,5 +1,5 @@
-// Edits one value of a project or profile with a spin box, a choice, a tick or a line of text. The
-// value's schema rule decides which.
+// Edits one value of a project or profile with a spin box, a combo box, a check box or a line of
+// text. The value's schema rule decides which.
 #pragma once
 
 #include "project/Field.h"

@@ -1,4 +1,5 @@
-// Chooses what the next click on the body marks for the seam of two dips.
+// Fields in which the user chooses what the next click on the body marks: the dip that paints the
+// place, or whether the seam may run there.
 #pragma once
 
 #include "workbench/widgets/MarkFields.h"

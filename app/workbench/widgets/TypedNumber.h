@@ -10,8 +10,8 @@ namespace dipwright {
 
 // The possible meanings of a typed text. `values` are in the field's unit. Usually there is one
 // value. There is no value if the text is not a number or its unit does not fit the quantity. There
-// are two values, the decimal reading first, if a sign may be a decimal sign or separate groups of
-// digits, as in the English "1,234".
+// are two values, the decimal reading first, if a sign may be either the decimal sign or the
+// separator of digit groups, as in the English "1,234".
 struct TypedNumber {
     std::vector<double> values;
     QString unknownUnit; // as typed; empty: no unit, or a known one

@@ -31,9 +31,9 @@ struct MaterialFile {
 // in the capitals that assimp expects. Options before the name of a colour's picture are parsed
 // here and overwritten with blanks. After -s, -o and -t the format allows one to three numbers;
 // assimp 5.2.5 expects three, and then ignores them.
-// Reports a fault for pictures and values of physically based materials that belong to no material.
-// assimp 5.2.5 crashes at these, or drops them silently. Pictures before the first material are
-// always a fault. Such values are a fault only in a file without materials.
+// A picture before the first material is always a fault. A value of a physically based material
+// (Pr, Pm, …) before the first material is a fault only if the file has no material; otherwise it
+// is dropped. assimp 5.2.5 crashes at these lines, or drops them silently.
 MaterialFile materialFile(const QByteArray& bytes, const QString& name);
 
 // Converts a text with a byte order mark to UTF-8 and removes the mark. Returns other texts

@@ -9,8 +9,8 @@
 
 namespace dipwright {
 
-// A model as read: not welded, repaired or scaled. It has all triangles in the file's units with
-// valid corners, the materials and pictures in use, and no charts.
+// A model as read: not welded, repaired or scaled. It has all triangles whose corners are valid, in
+// the file's units. It has the materials and pictures that are used, and no charts.
 struct UntrustedModel {
     TexturedMesh mesh;
     QStringList warnings; // what was left out, in sentences for the user

@@ -25,8 +25,8 @@ QString nameOf(const PieceToPack& piece) {
     return QStringLiteral("%1, %2").arg(piece.sheet.job.project, piece.sheet.job.immersion);
 }
 
-// Collects the plates of all pieces, without their tints. White becomes the last of the plates
-// printed before the four inks, or of the plates printed after them.
+// Collects the plates of all pieces, without their tints. White becomes the last plate of its
+// group. One group is printed before the four inks, the other after them.
 std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
     std::vector<SheetPlate> plates;
     std::vector<SheetPlate> white;

@@ -26,16 +26,16 @@ struct PreparedSheet {
     PdfSettings settings;
 };
 PreparedSheet preparedSheet(const Sheet& sheet, const PrintCorrection& correction);
-// The PNG of writeSheetPng(). `prepared` must be without a printer's colour.
+// The PNG of writeSheetPng(). `prepared` must have been made without a PrinterColour.
 QByteArray sheetPng(const PreparedSheet& prepared);
 // The PDF of writeSheetPdf(), with the correction that `prepared` was made with.
 QByteArray sheetPdf(const PreparedSheet& prepared, const PrintCorrection& correction);
 
 // Writes a TIFF of the whole page for raster image processors, in RGB or CMYK, with resolution and
 // ICC profile, compressed without loss. In CMYK, a sheet's white is an additional named sample. The
-// film image is moved to whole pixels and not resampled: the resolutions in X and Y correct the
-// scales. The page is never turned. The same sheet gives the same bytes. Throws Error if `device`
-// cannot be written.
+// film image is not resampled. It is shifted to a whole number of pixels, and the file's
+// resolutions in X and Y correct the printer's scales. The page is never turned. The same sheet
+// gives the same bytes. Throws Error if `device` cannot be written.
 void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection& correction = {});
 
 } // namespace dipwright

@@ -13,7 +13,8 @@
 
 namespace dipwright::cpu {
 
-// Columns of one chunk, which sleep and wake together: 64 bytes.
+// Number of columns in a chunk (64 bytes). A chunk is skipped (it sleeps) until one of its points
+// may move.
 inline constexpr int chunkColumns = 16;
 // mm²; points that are closer than this do not pull.
 inline constexpr float shortestSquared = 1e-20f;
@@ -58,8 +59,8 @@ struct StoreTask {
     int chunks = 0;
     const std::uint8_t* isBusy = nullptr;
     float wakeDistance = 0;
-    std::uint8_t* hasMoved =
-        nullptr; // output, per chunk: set if a point is farther than this from rest
+    // Output, per chunk: set if a point is farther than `wakeDistance` from rest.
+    std::uint8_t* hasMoved = nullptr;
 };
 
 // One row in one Jacobi sweep. Sums the corrections of all constraints of each point and multiplies
@@ -76,7 +77,8 @@ struct JacobiTask {
     float vertical = 1;          // 0: the water keeps free points in its plane
     std::array<float, 3> rest{}; // rest lengths: along the row, between rows, diagonal
     int chunks = 0;
-    const std::uint8_t* isBusy = nullptr; // chunks + 1 values; other chunks do not move
+    // chunks + 1 values. Only the points of chunks whose value is not 0 move.
+    const std::uint8_t* isBusy = nullptr;
     const std::uint8_t* isBusyBelow = nullptr;
 };
 

@@ -1,11 +1,12 @@
 // The paper's step on the GPU (docs/film-model.md, "The paper's model").
 //
 // A block keeps its tile of the film in registers while the kernel runs. Around the tile lies a
-// halo, as wide as the reach of one pass's sweeps. A warp's lanes hold neighbours along a row;
-// neighbouring rows are read from shared memory. A pass begins with a halo exchange: each block
-// sends its own points near its edges and receives its halo from the neighbouring blocks. Each sent
-// point carries the number of the pass, so the receiver sees when the point has arrived. So no
-// block waits longer than it needs, and there is no barrier between blocks.
+// halo. A pass is a few sweeps between two exchanges of halos; the halo is as wide as the distance
+// over which these sweeps act. A warp's lanes hold neighbours along a row; neighbouring rows are
+// read from shared memory. A pass begins with a halo exchange: each block sends its own points near
+// its edges and receives its halo from the neighbouring blocks. Each sent point carries the number
+// of the pass, so the receiver sees when the point has arrived. So no block waits longer than it
+// needs, and there is no barrier between blocks.
 //
 // As on the CPU, points are displacements from the flat film. The arithmetic is the CPU's,
 // operation by operation, so this file must be compiled without contraction. The motion is so
@@ -223,8 +224,9 @@ __device__ inline bool moveOn(const PaperModel& film, Point& point, float& motio
              film.clearanceMargin); // the sweeps may move it as far again
 }
 
-// Moves one column of a strip from the end of a step to the start of the next step's sweeps.
-// Samples the field for all points together, to overlap the memory accesses.
+// Predicts one column of a strip: advances its points from the end of a step to the places where
+// the sweeps of the next step start. Samples the field for all points together, to overlap the
+// memory accesses.
 template <int stripRows>
 __device__ inline void predict(const PaperModel& film, const PaperDip& dip, int column,
                                int firstRow, double descent, Point (&points)[stripRows],
@@ -316,7 +318,8 @@ public:
         load();
     }
 
-    // Moves the points from the end of a step to the start of the next step's sweeps.
+    // Advances the points from the end of a step to the places where the sweeps of the next step
+    // start.
     __device__ __forceinline__ void startStep(double descent) {
         predict(film_, dip_, column_, firstRow_, descent, points_, isOwn_);
     }

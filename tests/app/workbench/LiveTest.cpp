@@ -51,8 +51,8 @@ private slots:
         QCOMPARE(document().result(), before_); // sheets are printed from it
         drag(20);
         QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
-        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(),
-                                 patience()); // no further drafts while the ring is held
+        // No further drafts while the ring is held.
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience());
         QCOMPARE(document().result(), before_);
     }
 

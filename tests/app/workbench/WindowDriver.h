@@ -1,4 +1,5 @@
-// Drives a real main window as a user would, for the tests and for the pictures.
+// Drives a real main window as a user would, for tests, benchmarks and the pictures in the
+// documentation.
 #pragma once
 
 #include "workbench/main/MainWindow.h"

@@ -297,7 +297,7 @@ void DipTest::simulateDip_observer_seesTheLastFrame() {
     QCOMPARE(buffers.size(), std::size_t(1));
 }
 
-// A device that computes beside the host shows frames late.
+// A device that computes at the same time as the host shows frames late.
 void DipTest::simulateDip_lateFrames_carryTheirOwnSteps() {
     Dip dip;
     Script script;

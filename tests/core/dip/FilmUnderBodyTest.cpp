@@ -90,7 +90,8 @@ void FilmUnderBodyTest::filmUnderBody_ball_isFineWhereFilmIsDrawnIn() {
     const solver::FilmGrid grid = filmUnderBody(film, under, {});
     QVERIFY(!grid.isEven());
     QCOMPARE(grid.width, 210.0);
-    // Viscous film that ends at the equator started up to 35·√2 mm from the middle.
+    // Viscous film that lies on the equator after the dip was up to 35·√2 mm from the film's middle
+    // before it.
     QVERIFY(coarsest(grid, -49.5, 49.5) <= cell * (1 + 1e-9));
     QVERIFY(coarsest(grid, -105, 105) > 1.5 * cell);
     QVERIFY(double(grid.pointCount()) < 0.6 * (210 / cell) * (297 / cell));

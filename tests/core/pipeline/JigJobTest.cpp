@@ -107,8 +107,8 @@ private slots:
         }
     }
 
-    // Both balls draw on the film between them, so that each ball gets less film on the inside than
-    // on the outside.
+    // Both balls pull film from the space between them, so that each ball gets less film on the
+    // inside than on the outside.
     void runJob_jigWithNearParts_shareTheFilmBetweenThem() {
         const JobResult near = run(twoBalls(36), *registry_);
         const ImmersionResult& dip = near.immersions.front();

@@ -1,5 +1,5 @@
-// Tests with the models in ../shared, which are not in the repository. Without them the cases are
-// skipped, and scripts/test counts them.
+// Tests with the models in ../shared, which are not in the repository. Without the models the cases
+// are skipped, and scripts/test counts the skipped cases.
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include "artwork/EditArtwork.h"
@@ -106,9 +106,9 @@ private slots:
         QVERIFY(once > 10'000);
     }
 
-    // The documentation gives these errors. The model Spot has legs that are six film cells wide,
-    // and its head is dipped after the shoulders have released film. Its error is within the limit
-    // from 315 × 446 points on, but such a film is too slow for a test.
+    // The expected errors are in docs/film-validation.md, "The sheet". The model Spot has legs that
+    // are six film cells wide, and its head is dipped after the shoulders have released film. Its
+    // error is within the limit from 315 × 446 points on, but such a film is too slow for a test.
     void sheetNumericalError_spot_isAsDocumented() {
         Project project;
         applyPreset(project, QStringLiteral("production"));
@@ -125,12 +125,14 @@ private slots:
         const double spacing = numericalError[0].halfSpacing.distance.percentile95;
         QVERIFY2(
             step < (isWhole ? 0.06 : 0.12),
-            qPrintable(QStringLiteral("half the step moves 95 % by up to %1 mm, expected < %2 mm")
+            qPrintable(QStringLiteral(
+                           "half the step moves 95 % of the sheet by up to %1 mm, expected < %2 mm")
                            .arg(step)
                            .arg(isWhole ? 0.06 : 0.12)));
         QVERIFY2(
             spacing < (isWhole ? 0.42 : 0.73),
-            qPrintable(QStringLiteral("half the cell moves 95 % by up to %1 mm, expected < %2 mm")
+            qPrintable(QStringLiteral(
+                           "half the cell moves 95 % of the sheet by up to %1 mm, expected < %2 mm")
                            .arg(spacing)
                            .arg(isWhole ? 0.42 : 0.73)));
     }

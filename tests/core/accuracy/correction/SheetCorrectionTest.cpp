@@ -52,8 +52,9 @@ void dip(AsBuilt& built, double scatter, double whole, std::mt19937& random) {
     }
 }
 
-// Returns the root mean square distance, in mm, between the film of a next part without scatter and
-// its place. Measured halfway between the measured places.
+// Returns the root mean square distance, in mm, between the place where film lands on the next
+// part, without scatter, and the place where it should land. Measured halfway between the measured
+// places.
 double nextResidual(const AsBuilt& built) {
     const RepeatingError error(built, 1);
     double sum = 0;
@@ -82,8 +83,9 @@ double worstFallen(int parts, double scatter, double whole) {
     for (int seed = 1; seed <= 20; ++seed) {
         worst = std::min(worst, fallen(parts, scatter, whole, seed));
     }
-    qInfo("parts %d, scatter %.2f mm, scatter of parts %.2f mm: falls by %.1f %% at least", parts,
-          scatter, whole, 100 * worst);
+    qInfo(
+        "parts %d, scatter %.2f mm, scatter of parts %.2f mm: the error falls by at least %.1f %%",
+        parts, scatter, whole, 100 * worst);
     return worst;
 }
 
@@ -130,7 +132,7 @@ private slots:
             most = std::max(most, error.at(place.sheet).norm());
             mean = std::max(mean, place.mean.norm());
         }
-        qInfo("means up to %.3f mm, corrected by %.3f mm at most", mean, most);
+        qInfo("largest mean error of a place %.3f mm, largest correction %.3f mm", mean, most);
         QVERIFY(most < 0.1 && mean > 0.3);
     }
 

@@ -95,7 +95,7 @@ void CrossingTriangleTest::crossingForces_onlyFloatingPartsOfTheSidesPull() {
     QVERIFY(std::abs(force.vz - onV.second) < 1e-12);
 }
 
-// The force on s is minus the sum of the forces on the edges.
+// The force on s is minus the sum of the forces on the edges s–h and s–v.
 void CrossingTriangleTest::crossingForces_heldCorners_balanceTheForces() {
     const Matrix P{0.3, -0.1, 0.2, 0.5};
     Crossing triangle = crossing(true, false, true);
@@ -149,7 +149,7 @@ void CrossingTriangleTest::relaxedCrossingShape_hasTheFloatingGradient() {
     const Matrix floating = floatingGradient(anchor, whole);
     const Matrix edges = whole * inverse(rest);
     QVERIFY(distance(edges * relaxedCrossingShape(anchor, whole, rest, 1.0), floating) < 1e-12);
-    // Nearly flat film keeps its rest shape.
+    // A triangle that is squeezed to almost no area keeps its rest shape.
     const Matrix flat{1, 0, 0, 0.001};
     QVERIFY(distance(relaxedCrossingShape(anchor, flat, rest, 1.0), rest) == 0);
 }

@@ -1,5 +1,5 @@
-// Tests the search for equilibrium with one spring as the smallest backend. Tests its linear solver
-// with a matrix in place of the film.
+// Tests the search for equilibrium with the smallest backend possible: one spring instead of a
+// film. Tests its linear solver with a matrix in place of the film.
 
 #include "production/formulas/Equilibrium.h"
 
@@ -71,8 +71,8 @@ Spring spring(double x, std::function<double(double)> pull, std::function<double
     return film;
 }
 
-// A system of `size` equations. The diagonal has `diagonal` or more; the other entries are random,
-// unsymmetric numbers up to 1. Smoothing divides by the diagonal.
+// A system of `size` equations. The entries on the diagonal are at least `diagonal`; the other
+// entries are random, unsymmetric numbers up to 1. Smoothing divides by the diagonal.
 struct Matrix {
     using Real = double;
     using Vector = std::vector<double>;
@@ -248,7 +248,8 @@ void EquilibriumTest::findEquilibrium_uphillStep_isTurnedDownhill() {
     QVERIFY(std::abs(film.x - 3) < 1e-6);
 }
 
-// The remaining forces are only rounding errors of places far from rest.
+// The remaining forces are only rounding errors. They arise because the positions are far from
+// rest.
 void EquilibriumTest::findEquilibrium_farFromRest_acceptsRounding() {
     const double rounding = NewtonLimits().flatForce * 100;
     Spring film = spring(

@@ -21,7 +21,8 @@ private Q_SLOTS:
     void pointDrag_growsWithAreaAndSpeed();
 };
 
-// On a surface with the steepness sin(angle), the body descends by travel · sin(angle).
+// If the contact line moves by `travel` along a surface with the steepness sin(angle), the body
+// descends by travel · sin(angle).
 void StepLengthTest::contactIncrement_followsTheSteepness() {
     QCOMPARE(contactIncrement(0.5, 1), 0.5);
     QCOMPARE(contactIncrement(0.5, std::sin(0.5)), 0.5 * std::sin(0.5));
