@@ -1192,10 +1192,6 @@
         <translation>Das Modell ist zumindest teilweise umgestülpt. Film haftet nicht auf Flächen, die nach innen zeigen. Importieren Sie das Modell neu; der Import wendet diese Flächen nach außen.</translation>
     </message>
     <message>
-        <source>The dip could not be repeated with smaller cells: %1</source>
-        <translation>Der Tauchvorgang konnte nicht mit kleineren Zellen wiederholt werden: %1</translation>
-    </message>
-    <message>
         <source>The check of the numerical error would need a film of %1 × %2 points, which is too many; halve the number of film points</source>
         <translation>Die Prüfung des numerischen Fehlers bräuchte einen Film von %1 × %2 Punkten; das sind zu viele. Halbieren Sie die Zahl der Filmpunkte</translation>
     </message>
@@ -1230,6 +1226,10 @@
     <message>
         <source>there is too little memory</source>
         <translation>der Speicher reicht nicht</translation>
+    </message>
+    <message>
+        <source>%1: the dip could not be repeated with smaller cells: %2</source>
+        <translation>%1: Der Tauchvorgang konnte nicht mit kleineren Zellen wiederholt werden: %2</translation>
     </message>
 </context>
 <context>

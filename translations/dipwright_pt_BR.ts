@@ -1192,10 +1192,6 @@
         <translation>O modelo está virado do avesso, pelo menos em alguns lugares. A película não adere a faces voltadas para dentro. Importe o modelo de novo; a importação vira essas faces para fora.</translation>
     </message>
     <message>
-        <source>The dip could not be repeated with smaller cells: %1</source>
-        <translation>A imersão não pôde ser repetida com células menores: %1</translation>
-    </message>
-    <message>
         <source>The check of the numerical error would need a film of %1 × %2 points, which is too many; halve the number of film points</source>
         <translation>A verificação do erro numérico precisaria de uma película de %1 × %2 pontos, o que é demais; reduza à metade o número de pontos da película</translation>
     </message>
@@ -1230,6 +1226,10 @@
     <message>
         <source>there is too little memory</source>
         <translation>a memória não é suficiente</translation>
+    </message>
+    <message>
+        <source>%1: the dip could not be repeated with smaller cells: %2</source>
+        <translation>%1: a imersão não pôde ser repetida com células menores: %2</translation>
     </message>
 </context>
 <context>

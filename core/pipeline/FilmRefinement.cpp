@@ -16,9 +16,6 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
-// A number of doublings that exceeds a whole number by less than this counts as whole.
-constexpr double almostWhole = 0.01;
-
 QString millimetresText(double length) {
     return QLocale().toString(length, 'f', 2);
 }
@@ -27,22 +24,14 @@ QString millimetresText(double length) {
 
 std::optional<double> nextRefinement(const ImmersionResult& dip, const Project& project,
                                      const ZonedBody* zones) {
-    if (!dip.numericalError || dip.cannotBeRefined) {
+    if (!dip.numericalError || !dip.refinementFailure.isEmpty()) {
         return std::nullopt;
     }
     const DippedFilm& film = dip.laid->film();
     const std::optional<double> cell =
         finerCell(numericalVerdict(*dip.laid, dip.numericalError.get(), zones, project.tolerance),
                   film, project.film);
-    if (!cell) {
-        return std::nullopt;
-    }
-    const double doublings = 3 * std::log2(film.grid.leastSpacing() / *cell); // of the work
-    const double allowed =
-        3 * std::log2(film.grid.leastSpacing() / smallestCell(film, project.film));
-    const double taken = std::min(std::max(1.0, std::ceil(doublings - almostWhole)),
-                                  std::floor(allowed + almostWhole));
-    return taken < 1 ? std::nullopt : std::optional(dip.refinement * std::exp2(taken / 3));
+    return cell ? std::optional(dip.refinement * film.grid.leastSpacing() / *cell) : std::nullopt;
 }
 
 FilmSettings filmOf(const ImmersionResult& dip, const Project& project) {
@@ -61,10 +50,18 @@ QStringList refinementNotes(const JobResult& result) {
             notes.append(Text::tr("%1: the film's cells were reduced to %2 mm.")
                              .arg(dip.immersion.name, millimetresText(own)));
         }
+        if (!dip.refinementFailure.isEmpty()) {
+            notes.append(Text::tr("%1: the dip could not be repeated with smaller cells: %2")
+                             .arg(dip.immersion.name, dip.refinementFailure));
+            continue;
+        }
         const auto cell = dip.numericalError ? wantedCell(dip.verdict, film) : std::nullopt;
-        if (cell && isRefinable(settings) && !dip.finer && *cell < smallestCell(film, settings)) {
-            const double work = double(film.grid.pointCount()) * double(film.steps) / 1e6 *
-                                std::pow(own / *cell, 3);
+        if (!cell || !isRefinable(settings) || dip.finer) {
+            continue;
+        }
+        const double work =
+            double(film.grid.pointCount()) * double(film.steps) / 1e6 * std::pow(own / *cell, 3);
+        if (work > settings.work) {
             notes.append(
                 Text::tr("%1: cells of %2 mm might be small enough to print the sheet, but "
                          "would need about %3 million points × steps; the project allows "

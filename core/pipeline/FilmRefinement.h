@@ -11,12 +11,10 @@
 
 namespace dipwright {
 
-// Returns the refinement (FilmSettings::refinement) with which the dip is to be repeated: for the
-// cells that the verdict proposes, for half the cells if it proposes none, or for the smallest
-// cells that the work allows. Each refinement doubles the work a whole number of times, so small
-// differences between solvers rarely lead to other cells. None if the sheet can be printed as it
-// is, if smaller cells do not help, or if the work does not allow smaller cells. `zones` is the
-// result of markedZones().
+// Returns the refinement (FilmSettings::refinement) with which the dip is to be repeated: with
+// finerCell(). None if the sheet can be printed as it is, if smaller cells do not help, if the
+// limits do not allow them, or if a dip with smaller cells failed. `zones` is the result of
+// markedZones().
 std::optional<double> nextRefinement(const ImmersionResult& dip, const Project& project,
                                      const ZonedBody* zones);
 

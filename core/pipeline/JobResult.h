@@ -35,7 +35,7 @@ struct ImmersionResult {
     // Refinement with which the dip is to be repeated (FilmRefinement.h); none: it is fine enough,
     // or smaller cells are not possible.
     std::optional<double> finer;
-    bool cannotBeRefined = false; // a dip with smaller cells failed
+    QString refinementFailure; // why a dip with smaller cells failed; empty: none has failed
     std::shared_ptr<const Coverage> coverage;
     std::shared_ptr<const NumericalErrorEstimate> numericalError; // null: not requested
     Verdict verdict;                                              // verdict on this dip alone

@@ -335,9 +335,7 @@ void refine(ImmersionResult& now, Run& run, std::size_t number, JobResult& job,
         const double nextDone = done + (1 - done) / 2;
         const auto fail = [&](const QString& why) {
             dipping.comparison.isWanted = false;
-            now.cannotBeRefined = true;
-            now.solverNotes.append(
-                Text::tr("The dip could not be repeated with smaller cells: %1").arg(why));
+            now.refinementFailure = why;
         };
         try {
             now = finerDip(now, *refinement, run, number, *job.field, finer,
@@ -362,6 +360,9 @@ ImmersionResult dippedImmersion(Run& run, std::size_t number, const SheetInputs&
     ImmersionResult now;
     if (isDipped) {
         now = *earlier;
+        if (earlier->inputs.texture.dip != wanted) { // other limits may need other cells
+            now.refinementFailure.clear();
+        }
     }
     now.immersion = run.project.immersions[number];
     now.body = bodyOf(run, number, wanted.body);

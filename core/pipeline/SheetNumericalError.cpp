@@ -9,6 +9,7 @@
 #include "film/FilmGrid.h"
 #include "pipeline/FilmRefinement.h"
 #include "pipeline/Pipeline.h"
+#include "pipeline/SameSheets.h"
 #include "pipeline/SolverChoice.h"
 #include "project/FilmSizes.h"
 #include "project/Project.h"
@@ -34,8 +35,10 @@ constexpr int mapEdge = 1600; // pixels
 // Progress as a fraction of the time: after the field, then after the first and the second film of
 // an immersion. The third film has twice as many points per side and takes most of the time.
 constexpr double fieldDone = 0.02;
-constexpr double jobDone = 0.1;          // of all progress, if the job's films may be refined
-constexpr double smallestPictures = 0.1; // of that job; nobody looks at them
+constexpr double jobDone = 0.1; // of all progress, if the job's films may be refined
+// Of that job; nobody looks at its pictures and sheets.
+constexpr double smallestPictures = 0.1;
+constexpr DotsPerInch smallestResolution{50};
 constexpr double ownDone = 0.1;
 constexpr double halfStepDone = 0.3;
 constexpr double dipDone = 0.9; // as a fraction of one film's time
@@ -101,13 +104,16 @@ DipNumericalError numericalError(const Project& project, const Immersion& immers
 
 // Returns the projects of single dips, with the cells that the job uses for their sheets.
 std::vector<Project> dipsOf(const Project& project, const SolverRegistry& registry,
-                            const Progress& progress) {
+                            const JobResult* known, const Progress& progress) {
     std::vector<Project> dips;
     std::optional<JobResult> job;
     if (isRefinable(project.film)) {
         JobOptions options;
         options.draftPictures = smallestPictures;
-        job = runJob(project, registry, options, nullptr, progress);
+        options.refines = !(known && makeSameSheets(known->project, project));
+        Project small = project;
+        small.sheet.resolution = smallestResolution;
+        job = runJob(small, registry, options, known, progress);
     }
     for (std::size_t number = 0; number < project.immersions.size(); ++number) {
         Project& dip = dips.emplace_back(project);
@@ -139,14 +145,15 @@ bool isAccurateEnough(const DipNumericalError& numericalError) {
 
 std::vector<DipNumericalError> sheetNumericalError(const Project& project,
                                                    const SolverRegistry& registry,
-                                                   const Progress& progress) {
+                                                   const Progress& progress,
+                                                   const JobResult* known) {
     if (!project.model) {
         throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
     withHalfSpacing(project); // throws before any work if the film is too fine
     const bool mayBeRefined = isRefinable(project.film);
     const std::vector<Project> dips =
-        dipsOf(project, registry, progress.part(0, mayBeRefined ? jobDone : 0));
+        dipsOf(project, registry, known, progress.part(0, mayBeRefined ? jobDone : 0));
     const Progress checks = progress.part(mayBeRefined ? jobDone : 0, 1);
     SolverChoice solver = chooseSolver(project.process.solver, registry, progress.cancelToken);
     const auto field = cachedDistanceField(project.model->mesh, project.fieldResolution,

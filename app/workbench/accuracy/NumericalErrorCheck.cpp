@@ -12,8 +12,8 @@ void NumericalErrorCheck::start(const Document& document) {
     const Project project = document.project();
     last_ = startJob(
         jobs_, messages_, tr("Checking the numerical error"), tr("Check numerical error"),
-        [project, &registry = registry_](const Progress& progress) {
-            return sheetNumericalError(project, registry, progress);
+        [project, known = document.result(), &registry = registry_](const Progress& progress) {
+            return sheetNumericalError(project, registry, progress, known.get());
         },
         [this, project, now = QPointer<const Document>(&document)](
             const std::vector<DipNumericalError>& numericalError) {

@@ -2,6 +2,7 @@
 
 #include "pipeline/JobTolerances.h"
 #include "pipeline/Pipeline.h"
+#include "pipeline/SameSheets.h"
 #include "workbench/jobs/StartJob.h"
 
 namespace dipwright {
@@ -22,6 +23,7 @@ void ToleranceCheck::start(const Document& document) {
          &registry = registry_](const Progress& progress) {
             JobOptions options;
             options.estimatesNumericalError = false;
+            options.refines = !(earlier && makeSameSheets(earlier->project, project)); // as shown
             ToleranceResult told;
             told.job = std::make_shared<const JobResult>(
                 runJob(project, registry, options, earlier.get(), progress.part(0, dipped)));

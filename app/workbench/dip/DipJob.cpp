@@ -43,14 +43,15 @@ QString DipJob::title() const {
                : QCoreApplication::translate("DipJob", "Simulating the dip");
 }
 
-// A film that is refined is dipped several times, each time with more points. The last dip counts.
+// A film that is refined is dipped several times, each time with more points. One of these dips is
+// the result.
 void DipJob::record(std::size_t immersion, const FilmFrame& frame) {
-    std::shared_ptr<DipRecording>& recording = recordings_[immersion];
-    if (!recording || recording->grid().pointCount() != frame.grid.pointCount()) {
-        recording = std::make_shared<DipRecording>(task_.project.immersions[immersion],
-                                                   task_.mostPoints, mostFrames);
+    auto& recordings = recordings_[immersion];
+    if (recordings.empty() || recordings.back()->grid().pointCount() != frame.grid.pointCount()) {
+        recordings.push_back(std::make_shared<DipRecording>(task_.project.immersions[immersion],
+                                                            task_.mostPoints, mostFrames));
     }
-    recording->add(frame);
+    recordings.back()->add(frame);
 }
 
 void DipJob::process(const Progress& progress) {
@@ -71,11 +72,13 @@ void DipJob::process(const Progress& progress) {
         progress.part(0, dipDone),
         [this](std::size_t immersion, const FilmFrame& frame) { record(immersion, frame); }));
     for (std::size_t number = 0; number < recordings_.size(); ++number) {
-        // A finer dip that failed has left a recording of another film.
-        const auto& recording = recordings_[number];
         const std::size_t points = result->immersions[number].laid->film().grid.pointCount();
-        outcome_.recordings.push_back(
-            recording && recording->grid().pointCount() == points ? recording : nullptr);
+        const auto& recordings = recordings_[number];
+        const auto found =
+            std::find_if(recordings.begin(), recordings.end(), [&](const auto& recording) {
+                return recording->grid().pointCount() == points;
+            });
+        outcome_.recordings.push_back(found == recordings.end() ? nullptr : *found);
     }
     if (fineness.isDraft() && task_.before.result) {
         fineness.moves = movesSince(*task_.before.result, *result);

@@ -68,7 +68,7 @@ private:
     Done done_;
     Failed failed_;
     DipOutcome outcome_;
-    std::vector<std::shared_ptr<DipRecording>> recordings_;
+    std::vector<std::vector<std::shared_ptr<DipRecording>>> recordings_; // of each immersion
 };
 
 } // namespace dipwright

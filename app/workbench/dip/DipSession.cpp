@@ -2,6 +2,8 @@
 
 #include "pipeline/SameSheets.h"
 
+#include <QTimer>
+
 #include <utility>
 
 namespace dipwright {
@@ -14,6 +16,9 @@ DipSession::DipSession(JobRunner& jobs, const SolverRegistry& registry, QObject*
             if (!running_) {
                 emit stopped(nullptr);
             }
+        } else if (refines_) {
+            // Other sessions that wait for the same jobs come first.
+            QTimer::singleShot(0, this, &DipSession::refine);
         }
     });
 }
@@ -29,7 +34,7 @@ void DipSession::setDocument(Document* document) {
 }
 
 void DipSession::clear() {
-    wanted_ = false;
+    wanted_ = refines_ = false;
     outcome_ = {};
     shown_ = {};
     results_.clear();
@@ -49,10 +54,7 @@ void DipSession::projectChanged() {
     }
     // After an undo, the last outcome may fit again.
     if (document_->isFresh()) {
-        if (canRefine()) { // a refinement that a change has stopped goes on
-            wanted_ = wanted_ || (running_ && dip_.isCancelled());
-            reach_ = wanted_ ? DipReach::AllDrafts : reach_;
-        } else if (std::exchange(wanted_, false) && !running_) {
+        if (std::exchange(wanted_, false) && !running_) {
             emit stopped(nullptr);
         }
         if (running_ && !records_ && !isRefining()) {
@@ -91,6 +93,7 @@ void DipSession::run(std::size_t mostPoints, DipReach reach) {
     started_ = document_->project();
     running_ = true;
     if (canRefine()) {
+        refines_ = true;
         start(DipStage::Refinement);
     } else if (reach != DipReach::JobOnly && mayGoOn()) {
         goOn();
@@ -152,6 +155,7 @@ void DipSession::goOn() {
 }
 
 void DipSession::cancel() {
+    refines_ = false;
     const bool isPending = std::exchange(wanted_, false) && !running_;
     jobs_.cancelAll();
     stop(nullptr);
@@ -164,6 +168,7 @@ void DipSession::fail(const Fineness& fineness, bool cancelled, const std::excep
     if (!running_) {
         return; // it was cancelled already
     }
+    refines_ = refines_ && !failure; // it would fail again
     const bool isDraft = failure && fineness.isDraft(); // a coarse film may miss the body
     if (wanted_) {
         running_ = records_ = false; // the next run starts when the jobs are idle
@@ -191,7 +196,8 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
         return;
     }
     results_.add(outcome.fineness.level, outcome.result);
-    if (!std::exchange(records_, false) && !isRefining() && document_->isFresh()) {
+    const bool isRecorded = std::exchange(records_, false);
+    if (!isRecorded && !isRefining() && document_->isFresh()) {
         stop(nullptr); // an undo made the last outcome current
         return;
     }
@@ -212,16 +218,12 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
     outcome_ = outcome;
     document_->setResult(outcome.result);
     emit finished();
-    if (!running_ && canRefine()) {
-        refine();
-    }
+    refines_ = !isRecorded && canRefine(); // begins when the jobs are idle
 }
 
-// Starts a refinement, at once or when the other jobs have ended.
+// Starts the refinement that is due, unless something else has begun or the results are old.
 void DipSession::refine() {
-    if (jobs_.isBusy()) {
-        wanted_ = true;
-        reach_ = DipReach::AllDrafts;
+    if (!refines_ || running_ || wanted_ || jobs_.isBusy() || !canRefine()) {
         return;
     }
     started_ = document_->project();

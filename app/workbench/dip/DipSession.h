@@ -97,7 +97,10 @@ private:
     CancelToken dip_; // cancels the running dip
     bool running_ = false;
     bool records_ = false; // runs only to record
-    bool wanted_ = false;  // run again when the current jobs have ended
+    // A refinement is due or running. A change that stops it leaves this set, so that it goes on
+    // after an undo.
+    bool refines_ = false;
+    bool wanted_ = false; // run again when the current jobs have ended
     std::size_t mostPoints_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "import/trusted/ReadPhotos.h"
 #include "pipeline/Pipeline.h"
+#include "pipeline/SameSheets.h"
 #include "viewport/DipView.h"
 #include "workbench/inspection/InspectionEdits.h"
 #include "workbench/jobs/StartJob.h"
@@ -51,6 +52,7 @@ MeasuredPart ofCorners(std::vector<PartPhoto> photos, const Project& project,
     JobOptions options;
     options.chessboard = project.inspection.chessboard;
     options.estimatesNumericalError = false;
+    options.refines = !(earlier && makeSameSheets(earlier->project, project)); // as printed
     const JobResult job = runJob(project, registry, options, earlier, progress.part(0.1, 0.6));
     std::vector<std::shared_ptr<const LaidFilm>> dips;
     for (const ImmersionResult& immersion : job.immersions) {

@@ -79,9 +79,10 @@ void JobRunner::run(const Entry& entry) {
     } catch (...) {
         failure = std::current_exception();
     }
-    postToThread(*this, [this, job = entry.job, cancelled, failure] {
+    postToThread(*this, [this, job = entry.job, token = entry.cancelToken, cancelled, failure] {
         --unfinished_;
-        job->finalize(cancelled, failure);
+        // A job that the user has cancelled leaves nothing, even if it ended meanwhile.
+        job->finalize(cancelled || token.isCancelled(), failure);
         if (unfinished_ == 0) {
             emit idle();
         }

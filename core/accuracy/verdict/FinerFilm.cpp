@@ -16,6 +16,8 @@ const double mostOfCell = std::exp2(-1.0 / 3);
 // The next cell if the verdict proposes none, as a share of the present one.
 constexpr double withoutProposal = 0.5;
 constexpr double million = 1e6;
+// A number of doublings that exceeds a whole number by less than this counts as whole.
+constexpr double almostWhole = 0.01;
 // The numbers of columns and rows are rounded, so a film may get slightly more points.
 constexpr double roundedLines = 1.02;
 
@@ -69,13 +71,17 @@ std::optional<double> finerCell(const Verdict& verdict, const DippedFilm& film,
     if (!wanted) {
         return std::nullopt;
     }
-    const double cell = std::max(*wanted, smallestCell(film, settings));
-    return cell <= mostOfCell * film.grid.leastSpacing() ? std::optional(cell) : std::nullopt;
+    const double own = film.grid.leastSpacing();
+    const auto doublings = [own](double cell) { return 3 * std::log2(own / cell); };
+    const double taken =
+        std::min(std::max(1.0, std::ceil(doublings(*wanted) - almostWhole)),
+                 std::floor(doublings(smallestCell(film, settings)) + almostWhole));
+    return taken < 1 ? std::nullopt : std::optional(own * std::exp2(-taken / 3));
 }
 
 Verdict afterRefinement(Verdict verdict, const DippedFilm& film, const FilmSettings& settings) {
     const std::optional<double> cell = finerCell(verdict, film, settings);
-    if (!cell || *cell > *wantedCell(verdict, film)) {
+    if (!cell || *cell > (1 + almostWhole) * *wantedCell(verdict, film)) {
         return verdict;
     }
     ReasonList expected;

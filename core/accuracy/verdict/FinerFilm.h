@@ -17,7 +17,9 @@ std::optional<double> wantedCell(const Verdict& verdict, const DippedFilm& film)
 double smallestCell(const DippedFilm& film, const FilmSettings& settings);
 
 // Returns the cell with which the dip is to be repeated, in mm; none if it stays as it is. This is
-// wantedCell(), or smallestCell() if it is larger.
+// at most wantedCell(), and such that the work doubles a whole number of times, so that small
+// differences between solvers rarely lead to other cells. If the limits do not allow it, it is the
+// smallest such cell that they allow.
 std::optional<double> finerCell(const Verdict& verdict, const DippedFilm& film,
                                 const FilmSettings& settings);
 

@@ -142,7 +142,9 @@ private slots:
         QVERIFY(document().isFresh() && session().canRefine() && banner().isVisible());
         driver.trigger("run"); // starts when the cancelled job has ended
         QTRY_VERIFY_WITH_TIMEOUT(session().isRefining(), patience());
-        document().edit({}, {}, [](Project& project) { project.baseColour = "#202020"; });
+        // A change stops it; after an undo it goes on.
+        document().edit({}, {}, [](Project& project) { project.sheet.bleed = Millimetres(4); });
+        QTRY_VERIFY_WITH_TIMEOUT(!session().isRefining(), patience());
         document().undoStack().undo();
         QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning() && !session().canRefine(), patience());
         QVERIFY(document().isFresh() && !banner().isVisible());

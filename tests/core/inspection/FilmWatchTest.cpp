@@ -458,8 +458,8 @@ void FilmWatchTest::fitFlatFilm_degenerateCorners_areRefused() {
     QCOMPARE(refusal(film, card, {}), QString());
     // Only a single row or column of corners of one board is visible.
     QVERIFY(refusal({60, 1}, card, {}).contains(QStringLiteral("the whole card")));
-    QVERIFY(refusal({1, 60}, card, {}).contains(QStringLiteral("both whole")));
-    QVERIFY(refusal(film, {130, 1}, {}).contains(QStringLiteral("both whole")));
+    QVERIFY(refusal({1, 60}, card, {}).contains(QStringLiteral("the whole card")));
+    QVERIFY(refusal(film, {130, 1}, {}).contains(QStringLiteral("the whole card")));
     // The given lens or card height does not fit this photo.
     for (const Lens lens : {Lens{-0.3, 0}, Lens{0.5, 0}, Lens{-1, -1}, Lens{1, 1}, Lens{-1, 1}}) {
         FlatSettings settings;
