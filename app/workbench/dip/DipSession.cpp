@@ -168,7 +168,7 @@ void DipSession::fail(const Fineness& fineness, bool cancelled, const std::excep
     if (!running_) {
         return; // it was cancelled already
     }
-    refines_ = refines_ && !failure; // it would fail again
+    refines_ = refines_ && !failure;                    // it would fail again
     const bool isDraft = failure && fineness.isDraft(); // a coarse film may miss the body
     if (wanted_) {
         running_ = records_ = false; // the next run starts when the jobs are idle
