@@ -1,6 +1,7 @@
 #include "pipeline/DeeperDip.h"
 
 #include "dip/Dip.h"
+#include "pipeline/Pipeline.h"
 #include "pipeline/SolverChoice.h"
 
 #include <QCoreApplication>
@@ -25,10 +26,7 @@ std::shared_ptr<const LaidFilm> deeperDip(const JobResult& result, std::size_t i
     const Project& project = result.project;
     const ImmersionResult& dip = result.immersions[immersion];
     SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelToken);
-    const auto field = result.field ? result.field
-                                    : cachedDistanceField(result.fieldInputs.model->mesh,
-                                                          result.fieldInputs.resolution,
-                                                          progress.part(0, fieldDone));
+    const auto field = distanceFieldOf(result, progress.part(0, fieldDone));
     progress(fieldDone, QCoreApplication::translate("Pipeline", "Simulating a deeper dip"));
     const ProcessSettings process = deeperProcess(project.process, *dip.body);
     const FilledField filled(*dip.body, *field);

@@ -22,15 +22,13 @@ QString millimetresText(double length) {
 
 } // namespace
 
-std::optional<double> nextRefinement(const ImmersionResult& dip, const Project& project,
-                                     const ZonedBody* zones) {
+std::optional<double> nextRefinement(const ImmersionResult& dip, const Verdict& verdict,
+                                     const FilmSettings& settings) {
     if (!dip.numericalError || !dip.refinementFailure.isEmpty()) {
         return std::nullopt;
     }
     const DippedFilm& film = dip.laid->film();
-    const std::optional<double> cell =
-        finerCell(numericalVerdict(*dip.laid, dip.numericalError.get(), zones, project.tolerance),
-                  film, project.film);
+    const std::optional<double> cell = finerCell(verdict, film, settings);
     return cell ? std::optional(dip.refinement * film.grid.leastSpacing() / *cell) : std::nullopt;
 }
 

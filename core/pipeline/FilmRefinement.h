@@ -13,10 +13,10 @@ namespace dipwright {
 
 // Returns the refinement (FilmSettings::refinement) with which the dip is to be repeated: with
 // finerCell(). None if the sheet can be printed as it is, if smaller cells do not help, if the
-// limits do not allow them, or if a dip with smaller cells failed. `zones` is the result of
-// markedZones().
-std::optional<double> nextRefinement(const ImmersionResult& dip, const Project& project,
-                                     const ZonedBody* zones);
+// limits do not allow them, or if a dip with smaller cells failed. `verdict` is the verdict on the
+// dip, or the part of it that is about the numerical error (numericalVerdict()).
+std::optional<double> nextRefinement(const ImmersionResult& dip, const Verdict& verdict,
+                                     const FilmSettings& settings);
 
 // Returns the film settings of a dip: the project's, with the cells that were used.
 FilmSettings filmOf(const ImmersionResult& dip, const Project& project);

@@ -1,5 +1,7 @@
 #include "pipeline/JobCradles.h"
 
+#include "pipeline/Pipeline.h"
+
 namespace dipwright {
 
 namespace {
@@ -10,10 +12,7 @@ constexpr double fieldDone = 0.1;
 
 std::vector<Cradle> jobCradles(const JobResult& result, const Progress& progress) {
     const Project& project = result.project;
-    const auto field = result.field ? result.field
-                                    : cachedDistanceField(result.fieldInputs.model->mesh,
-                                                          result.fieldInputs.resolution,
-                                                          progress.part(0, fieldDone));
+    const auto field = distanceFieldOf(result, progress.part(0, fieldDone));
     const DatumPins pins =
         datumPins(result.immersions.front().sheet, project.film, project.cradle.pinSpan);
     std::vector<Cradle> cradles;

@@ -1,6 +1,7 @@
 #include "pipeline/JobTolerances.h"
 
 #include "pipeline/FilmRefinement.h"
+#include "pipeline/Pipeline.h"
 #include "pipeline/SolverChoice.h"
 
 namespace dipwright {
@@ -15,10 +16,7 @@ JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& se
                             const SolverRegistry& registry, const Progress& progress) {
     const Project& project = result.project;
     SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelToken);
-    const auto field = result.field ? result.field
-                                    : cachedDistanceField(result.fieldInputs.model->mesh,
-                                                          result.fieldInputs.resolution,
-                                                          progress.part(0, fieldDone));
+    const auto field = distanceFieldOf(result, progress.part(0, fieldDone));
     JobTolerances tolerances;
     const double part = (1 - fieldDone) / double(result.immersions.size());
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {

@@ -326,12 +326,14 @@ void refine(ImmersionResult& now, Run& run, std::size_t number, JobResult& job,
     judge(now, run, dipping.comparison);
     SolverChoice solver = dipping.solver; // a failure here must not change the other dips' solver
     const Dipping finer{solver, dipping.comparison, dipping.left};
+    const auto next = [&] {
+        const Verdict verdict = numericalVerdict(*now.laid, now.numericalError.get(),
+                                                 run.zones.get(), run.project.tolerance);
+        return nextRefinement(now, verdict, run.project.film);
+    };
     double done = 0;
-    while (const auto refinement = nextRefinement(now, run.project, run.zones.get())) {
-        if (!job.field) { // the first film was cached
-            job.field = cachedDistanceField(job.fieldInputs.model->mesh, job.fieldInputs.resolution,
-                                            progress.silent());
-        }
+    while (const auto refinement = next()) {
+        job.field = distanceFieldOf(job, progress.silent()); // null if the first film was cached
         const double nextDone = done + (1 - done) / 2;
         const auto fail = [&](const QString& why) {
             dipping.comparison.isWanted = false;
@@ -459,9 +461,9 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     }
     measuring.wait();
     judge(now, run, comparison);
-    now.finer =
-        run.options.refines ? std::nullopt : nextRefinement(now, run.project, run.zones.get());
     now.verdict = dipVerdict(now, run.project, run.zones.get());
+    now.finer =
+        run.options.refines ? std::nullopt : nextRefinement(now, now.verdict, run.project.film);
     if (run.options.finished) {
         run.options.finished(number, now);
     }
@@ -469,9 +471,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
 
 // Fills in how much each sheet depends on the assumed laws.
 void varyLaws(JobResult& result, const Run& run, SolverChoice& solver, const Progress& progress) {
-    const auto field = result.field ? result.field
-                                    : cachedDistanceField(result.fieldInputs.model->mesh,
-                                                          result.fieldInputs.resolution, progress);
+    const auto field = distanceFieldOf(result, progress);
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
         ImmersionResult& immersion = result.immersions[number];
         progress(double(number) / double(result.immersions.size()), Text::tr("Varying the laws"));
@@ -677,6 +677,13 @@ QStringList notesOf(const JobResult& result) {
 }
 
 } // namespace
+
+std::shared_ptr<const DistanceField> distanceFieldOf(const JobResult& result,
+                                                     const Progress& progress) {
+    return result.field ? result.field
+                        : cachedDistanceField(result.fieldInputs.model->mesh,
+                                              result.fieldInputs.resolution, progress);
+}
 
 JobResult runJob(const Project& project, const SolverRegistry& registry, const JobOptions& options,
                  const JobResult* previous, const Progress& progress) {

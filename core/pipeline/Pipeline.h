@@ -14,4 +14,9 @@ namespace dipwright {
 JobResult runJob(const Project& project, const SolverRegistry& registry, const JobOptions& options,
                  const JobResult* previous, const Progress& progress);
 
+// Returns the distance field of a result's body. Computes it, or reads it from the field cache, if
+// no dip of the result needed it. Throws Cancelled.
+std::shared_ptr<const DistanceField> distanceFieldOf(const JobResult& result,
+                                                     const Progress& progress);
+
 } // namespace dipwright

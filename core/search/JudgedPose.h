@@ -1,5 +1,5 @@
-// Stores the measurements of one dip of a search, and combines those of one or two dips. Private to
-// this folder.
+// Stores the measurements of one dip of a search, and combines the measurements of two dips.
+// Private to this folder.
 #pragma once
 
 #include "accuracy/verdict/Verdict.h"

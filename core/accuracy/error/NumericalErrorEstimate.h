@@ -34,9 +34,10 @@ std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
                                        const solver::SolverModule& module,
                                        const std::function<bool()>& isCancelled);
 
-// Ratio of the change expected from a finer dip to the change measured with the coarser dips. Both
-// ratios are those of an error of first order: cells were doubled, and steps went from twice to
-// four times the dip's own. Measurements agree (docs/film-validation.md, "The verdict").
+// Change expected from a finer dip, divided by the change measured with the coarser dips. Both
+// constants assume an error of first order. The cells of the coarser dips are twice the dip's own;
+// their steps are twice and four times as long. Measurements agree with these constants
+// (docs/film-validation.md, "The verdict").
 inline constexpr double halfSpacingShare = 0.5;
 inline constexpr double halfStepShare = 0.25;
 

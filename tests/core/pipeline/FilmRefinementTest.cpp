@@ -118,13 +118,13 @@ private slots:
 
     void nextRefinement_otherFilms_areNotRefined() {
         const ImmersionResult& dip = coarse_->immersions[0];
-        QVERIFY(nextRefinement(dip, turtle_, nullptr));
+        QVERIFY(nextRefinement(dip, dip.verdict, turtle_.film));
         Project none = turtle_;
         none.film.work = 0;
-        QVERIFY(!nextRefinement(dip, none, nullptr));
+        QVERIFY(!nextRefinement(dip, dip.verdict, none.film));
         Project fixed = turtle_;
         fixed.film.resolution = FilmResolution::Points;
-        QVERIFY(!nextRefinement(dip, fixed, nullptr));
+        QVERIFY(!nextRefinement(dip, dip.verdict, fixed.film));
     }
 
 private:
