@@ -32,11 +32,19 @@ void applyPart(Project& project, std::size_t index, const QString& part) {
     static const QMap<QString, QString> fields{
         {QStringLiteral("name"), QStringLiteral("name")},
         {QStringLiteral("rotation"), QStringLiteral("rotation_deg")},
-        {QStringLiteral("offset"), QStringLiteral("offset_mm")}};
+        {QStringLiteral("offset"), QStringLiteral("offset_mm")},
+        {QStringLiteral("path"), QStringLiteral("path.kind")},
+        {QStringLiteral("heading"), QStringLiteral("path.heading_deg")},
+        {QStringLiteral("angle"), QStringLiteral("path.angle_deg")},
+        {QStringLiteral("level"), QStringLiteral("path.level_depth_mm")},
+        {QStringLiteral("radius"), QStringLiteral("path.roll_radius_mm")},
+        {QStringLiteral("turn"), QStringLiteral("path.turn_deg")},
+        {QStringLiteral("water"), QStringLiteral("path.water_speed_mm_s")}};
     const auto equals = part.indexOf(QLatin1Char('='));
     const QString key = part.left(qMax(equals, 0)).trimmed();
     if (!fields.contains(key)) {
-        throw UsageError(QStringLiteral("Write a dip as name=Top,rotation=rx;ry;rz,offset=x;z"),
+        throw UsageError(QStringLiteral("Write a dip as name=Top,rotation=rx;ry;rz,offset=x;z, "
+                                        "and its path as path=tilt,angle=20,heading=90"),
                          QStringLiteral("--immersion %1").arg(part));
     }
     setByOption(project, QStringLiteral("immersions[%1].%2").arg(index).arg(fields.value(key)),

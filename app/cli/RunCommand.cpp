@@ -334,7 +334,8 @@ public:
                           QStringLiteral("N")});
         syntax.addOption(
             {motionOption,
-             QStringLiteral("A text template whose {names} are filled in for motion-N.gcode."),
+             QStringLiteral("A text template whose {names} are filled in for motion-N.gcode; or "
+                            "linuxcnc, grbl or marlin: the program's own for dips on a path."),
              QStringLiteral("FILE")});
         syntax.addOption(
             {languageOption,

@@ -1,6 +1,7 @@
 #include "dip/AirPockets.h"
 
 #include "dip/AirSweep.h"
+#include "dip/BodyPath.h"
 #include "parallel/ParallelFor.h"
 
 #include <algorithm>
@@ -175,6 +176,52 @@ private:
     std::vector<float> ceiling_;
 };
 
+// A direction of the vertical on a path, in the frame of the body's pose.
+struct Heading {
+    Eigen::Vector3f up;
+    std::size_t firstMoment = 0; // of the path's moments
+};
+
+std::vector<Heading> headingsOf(const std::vector<PathMoment>& moments) {
+    constexpr float alike = 0.9998f; // cosine of about 1°
+    std::vector<Heading> headings;
+    for (std::size_t moment = 0; moment < moments.size(); ++moment) {
+        const Eigen::Vector3f up = moments[moment].poseToWorld.linear().row(1).cast<float>();
+        if (headings.empty() || headings.back().up.dot(up) < alike) {
+            headings.push_back({up, moment});
+        }
+    }
+    return headings;
+}
+
+// Returns, per grid point, the heading that the body has when the point first goes under water.
+std::vector<std::uint16_t> headingsAtTheWater(const SpaceGrid& grid,
+                                              const std::vector<PathMoment>& moments,
+                                              const std::vector<Heading>& headings) {
+    constexpr std::uint16_t stays = std::numeric_limits<std::uint16_t>::max(); // above the water
+    std::vector<std::uint16_t> found(grid.count(), stays);
+    parallelFor(0, grid.size()[1], [&](int layer) {
+        Eigen::Vector3i cell(0, layer, 0);
+        for (cell[2] = 0; cell[2] < grid.size()[2]; ++cell[2]) {
+            for (cell[0] = 0; cell[0] < grid.size()[0]; ++cell[0]) {
+                const Eigen::Vector3d place = grid.position(cell).cast<double>();
+                std::size_t heading = 0;
+                for (std::size_t moment = 0; moment < moments.size(); ++moment) {
+                    while (heading + 1 < headings.size() &&
+                           headings[heading + 1].firstMoment <= moment) {
+                        ++heading;
+                    }
+                    if ((moments[moment].poseToWorld * place).y() <= 0) {
+                        found[grid.index(cell)] = std::uint16_t(heading);
+                        break;
+                    }
+                }
+            }
+        }
+    });
+    return found;
+}
+
 } // namespace
 
 AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int cells) {
@@ -206,11 +253,55 @@ AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int 
             pockets_[number->second - 1u].box.extend(grid->position(cell));
         }
     });
+    keep(std::move(grid));
+}
+
+void AirPockets::keep(std::shared_ptr<const SpaceGrid> grid) {
     for (AirPocket& pocket : pockets_) {
         pocket.box.min() -= Eigen::Vector3f::Constant(cell_);
         pocket.box.max() += Eigen::Vector3f::Constant(cell_);
     }
     grid_ = std::move(grid);
+}
+
+AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query,
+                       const solver::BodyPath& path, int cells) {
+    auto grid = std::make_shared<const SpaceGrid>(mesh, query, std::min(cells, airCellsOnPath));
+    cell_ = grid->spacing();
+    const std::vector<PathMoment> moments = momentsOf(path);
+    const std::vector<Heading> headings = headingsOf(moments);
+    const std::vector<std::uint16_t> headingOf = headingsAtTheWater(*grid, moments, headings);
+    std::vector<std::uint8_t> isTrapped(grid->count(), 0);
+    parallelFor(std::size_t(0), headings.size(), [&](std::size_t heading) {
+        const AirSweep sweep = sweepAir(*grid, headings[heading].up);
+        const std::map<std::uint32_t, AirChamber> chambers = hollows(*grid, sweep, query);
+        for (std::size_t point = 0; point < isTrapped.size(); ++point) {
+            if (headingOf[point] == heading && sweep.isTrapped(point) &&
+                chambers.contains(sweep.chamber[point])) {
+                isTrapped[point] = 1; // no other heading has this point
+            }
+        }
+    });
+    AirPocket pocket;
+    Eigen::Vector3i cell;
+    pocketOf_.assign(grid->count(), 0);
+    for (cell[1] = 0; cell[1] < grid->size()[1]; ++cell[1]) {
+        for (cell[2] = 0; cell[2] < grid->size()[2]; ++cell[2]) {
+            for (cell[0] = 0; cell[0] < grid->size()[0]; ++cell[0]) {
+                if (const std::size_t point = grid->index(cell); isTrapped[point] != 0) {
+                    pocketOf_[point] = 1;
+                    pocket.box.extend(grid->position(cell));
+                }
+            }
+        }
+    }
+    if (pocket.box.isEmpty()) {
+        pocketOf_.clear();
+        return;
+    }
+    pocket.level = double(pocket.box.min().y() - cell_);
+    pockets_.push_back(pocket);
+    keep(std::move(grid));
 }
 
 const AirPocket* AirPockets::at(const Eigen::Vector3f& place, const SurfaceQuery& query) const {

@@ -5,9 +5,15 @@
 // out. From then on the air keeps its volume, however deep the body goes. The pocket is therefore
 // all of the hollow above the height of the spill edge. That height, in the body's frame, is the
 // pocket's level (docs/film-model.md, "Trapped air").
+//
+// On a path the body turns, so the ways out change. A place belongs to a pocket if its air is cut
+// off at the moment at which the place first goes below the water. It stays a pocket after that,
+// even if the air escapes later: water without film then takes its place.
 #pragma once
 
 #include "geometry/SurfaceQuery.h"
+
+#include <dipwright/FilmSolver.h>
 
 #include <memory>
 #include <vector>
@@ -18,13 +24,15 @@ class SpaceGrid;
 
 // Default number of grid cells along the body's longest edge for the search for air.
 inline constexpr int airCells = 96;
+// Largest number of grid cells along the body's longest edge if the body moves along a path.
+inline constexpr int airCellsOnPath = 64;
 // Smallest depth of a pocket, in cells.
 inline constexpr int leastPocketDepth = 2;
 // Smallest number of grid points in a pocket.
 inline constexpr int leastPocketPoints = 32;
 
 struct AirPocket {
-    double level = 0; // y of the water surface under the pocket, mm
+    double level = 0; // y of the water surface under the pocket, mm; on a path, of its lowest place
     BoundingBox box;  // bounding box of its grid points, one cell wider on every side
 };
 
@@ -35,6 +43,10 @@ class AirPockets {
 public:
     // `query` must search `mesh`. Uses all cores; deterministic.
     AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int cells = airCells);
+    // Does the same for a body that moves along `path`, given in the frame of the mesh. The pockets
+    // are accurate to a cell of a grid with at most `airCellsOnPath` cells along the body.
+    AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, const solver::BodyPath& path,
+               int cells = airCells);
 
     bool isEmpty() const { return pockets_.empty(); }
     const std::vector<AirPocket>& all() const { return pockets_; }
@@ -49,6 +61,9 @@ public:
                const SurfaceQuery& query) const;
 
 private:
+    // Widens the boxes by a cell and keeps the grid, if there are pockets.
+    void keep(std::shared_ptr<const SpaceGrid> grid);
+
     std::vector<AirPocket> pockets_;
     std::vector<std::uint16_t> pocketOf_; // per grid point: number of its pocket from 1; 0 for none
     std::shared_ptr<const SpaceGrid> grid_; // null if there are no pockets

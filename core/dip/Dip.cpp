@@ -58,13 +58,31 @@ void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
     const BoundingBox box = boundingBox(body.mesh);
     const double x = immersion.offset[0].value();
     const double z = immersion.offset[1].value();
-    const bool over = box.min().x() + x < film.width / 2 && box.max().x() + x > -film.width / 2 &&
-                      box.min().z() + z < film.depth / 2 && box.max().z() + z > -film.depth / 2;
+    const Eigen::AlignedBox2d wet = undersideOf(body, process).shadow;
+    const Eigen::AlignedBox2d below =
+        body.path.isStraightDown()
+            ? Eigen::AlignedBox2d(Eigen::Vector2d(box.min().x(), box.min().z()),
+                                  Eigen::Vector2d(box.max().x(), box.max().z()))
+            : wet;
+    const bool over = below.min().x() + x < film.width / 2 &&
+                      below.max().x() + x > -film.width / 2 &&
+                      below.min().y() + z < film.depth / 2 && below.max().y() + z > -film.depth / 2;
     if (!over) {
         throw missedFilm(immersion);
     }
-    const Eigen::AlignedBox2d wet = undersideOf(body, process).shadow;
     requireFilmBeyondBody(wet.translated(Eigen::Vector2d(x, z)), settings, immersion);
+}
+
+void requireFollowed(const solver::DipSetup& setup, const solver::SolverModule& module) {
+    const bool isProduction =
+        solver::isProductionFilm(setup.settings.lattice, setup.settings.support);
+    if (!setup.path.isStraightDown() && !(isProduction && module.followsPaths())) {
+        throw Error(isProduction ? Text::tr("This solver knows only straight dips; choose another "
+                                            "solver, or a straight path")
+                                 : Text::tr("The film model of the paper knows only straight dips; "
+                                            "choose the production film, or a straight path"),
+                    QStringLiteral("immersions.path"));
+    }
 }
 
 // A solver and the loop that drives it. Exceptions of the module pass through.
@@ -184,6 +202,9 @@ solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
         body.modelToPose.translation() + poseToWorld(immersion, 0);
     setup.motion.travel = dipTravel(process, body);
     setup.motion.speed = process.dipSpeed.value();
+    if (!body.path.isStraightDown()) {
+        setup.path = pathOfModel(body.path, body.modelToPose, immersion);
+    }
 
     setup.settings.lattice = film.lattice;
     setup.settings.support = film.support;
@@ -206,14 +227,38 @@ solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
 
 namespace {
 
+Eigen::Isometry3d modelToPose(const solver::DipSetup& setup, const Immersion& immersion) {
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+    result.linear() = Eigen::Map<const RowMajor>(setup.motion.rotation.data());
+    result.translation() =
+        Eigen::Map<const Eigen::Vector3d>(setup.motion.start.data()) - poseToWorld(immersion, 0);
+    return result;
+}
+
+// Returns the translation from the pose frame to the world at the end of a dip.
+Eigen::Vector3d shiftAtEnd(const solver::DipSetup& setup, const Immersion& immersion) {
+    const double travel = setup.motion.travel;
+    if (setup.path.isStraightDown()) {
+        return poseToWorld(immersion, travel);
+    }
+    return (placeOnPath(setup.path, travel) * modelToPose(setup, immersion).inverse())
+        .translation();
+}
+
 // Returns, per film point, how much the film had grown when the point was touched. Assumes that
 // this happened when the point's place on the body reached the water.
 std::vector<float> grownWhenTouched(const DippedFilm& film, const solver::DipSetup& setup,
                                     const Immersion& immersion) {
     std::vector<float> grown;
     const double begin = poseToWorld(immersion, 0).y();
+    const Eigen::Isometry3d toModel = modelToPose(setup, immersion).inverse();
     for (const Eigen::Vector3f& place : film.positions) {
-        const double seconds = (begin + double(place.y())) / setup.motion.speed;
+        double seconds = (begin + double(place.y())) / setup.motion.speed;
+        if (!setup.path.isStraightDown()) {
+            const auto way = firstUnderWater(setup.path, toModel * place.cast<double>());
+            seconds = way ? secondsOnPath(setup.path, *way) : 0;
+        }
         grown.push_back(float(grownLength(std::max(seconds, 0.0), setup.settings)));
     }
     return grown;
@@ -227,6 +272,9 @@ void simulateDips(std::vector<solver::BatchItem>& dips, const solver::SolverModu
         return (*static_cast<const std::function<bool()>*>(context))();
     };
     bool isDone = dips.empty();
+    for (const solver::BatchItem& dip : dips) {
+        requireFollowed(dip.setup, module);
+    }
     try {
         isDone = isDone || module.runBatch(dips, cancelled, &isCancelled);
     } catch (const std::exception& failure) {
@@ -245,7 +293,7 @@ DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion) 
     film.marks = dip.marks;
     film.steps = dip.steps;
     film.equilibrium = dip.equilibrium;
-    const Eigen::Vector3d shift = poseToWorld(immersion, dip.setup.motion.travel);
+    const Eigen::Vector3d shift = shiftAtEnd(dip.setup, immersion);
     film.positions.reserve(dip.states.size());
     for (std::size_t point = 0; point < dip.states.size(); ++point) {
         const Eigen::Vector3d world =
@@ -273,6 +321,7 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
     requireBodyOverFilm(body, immersion, film, process);
     const FilledField filled(body, field);
     const solver::DipSetup setup = dipSetup(body, filled, immersion, film, process);
+    requireFollowed(setup, module);
     DippedFilm dipped;
     try {
         Run run(setup, module);

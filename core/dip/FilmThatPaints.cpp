@@ -102,8 +102,8 @@ class PaintTest {
 public:
     PaintTest(const PosedBody& body, const CornerNormals& normals,
               const std::vector<SurfacePoint>& surface, const ProcessSettings& process)
-        : mesh_(body.mesh), normals_(normals), query_(body.query), surface_(surface),
-          steepest_(float(std::sin(radians(process.overhang)))) {}
+        : mesh_(body.mesh), path_(body.path), normals_(normals), query_(body.query),
+          surface_(surface), steepest_(float(std::sin(radians(process.overhang)))) {}
 
     // `cell` is the size of the film cell that contains the triangle, mm.
     bool isPainted(const FilmTriangle& triangle, float cell) const {
@@ -140,12 +140,22 @@ private:
             return false;
         }
         const Eigen::Vector3f outward = triangleNormal(mesh_, under.point.triangle);
-        return outward.dot(intoBody) < -turnedAway &&
-               normalAt(normals_, under.point).y() <= steepest_ &&
+        return outward.dot(intoBody) < -turnedAway && upwards(under.point) <= steepest_ &&
                !spansHollow((a + b + c) / 3, intoBody, longest, deepest) &&
                !spansHollow((a + b) / 2, intoBody, (b - a).norm(), deepest) &&
                !spansHollow((b + c) / 2, intoBody, (c - b).norm(), deepest) &&
                !spansHollow((c + a) / 2, intoBody, (a - c).norm(), deepest);
+    }
+    // Returns the vertical component of the body's normal when the place went under water.
+    float upwards(const SurfacePoint& place) const {
+        const Eigen::Vector3f outward = normalAt(normals_, place);
+        if (path_.isStraightDown()) {
+            return outward.y();
+        }
+        const auto way = firstUnderWater(path_, position(mesh_, place).cast<double>());
+        const double end = path_.poses.back().travelled;
+        return float(placeOnPath(path_, way.value_or(end)).linear().row(1) *
+                     outward.cast<double>());
     }
     // Whether film spans a hollow at `place`, a mean of two or three places on the body that are
     // `length` apart. Film spans one if `place` is farther outside the body than `deepest` or than
@@ -159,6 +169,7 @@ private:
     }
 
     const TriangleMesh& mesh_;
+    const solver::BodyPath& path_;
     const CornerNormals& normals_;
     const SurfaceQuery& query_;
     const std::vector<SurfacePoint>& surface_;

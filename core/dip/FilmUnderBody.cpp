@@ -57,10 +57,9 @@ double wetHeight(const TriangleMesh& mesh, const Eigen::Isometry3f& toPose,
     return double(highest);
 }
 
-} // namespace
-
-Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
-                      const Eigen::Isometry3d& toPose, const ProcessSettings& process) {
+// `toPose` maps coordinates of `mesh` to the pose frame.
+Underside undersideInPose(const TriangleMesh& mesh, const SurfaceQuery& query,
+                          const Eigen::Isometry3d& toPose, const ProcessSettings& process) {
     const Eigen::Isometry3f pose = toPose.cast<float>();
     const Eigen::Vector3f down = pose.linear().transpose() * -Eigen::Vector3f::UnitY();
     const auto deepest = float(wetHeight(mesh, pose, process));
@@ -93,8 +92,26 @@ Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
     return underside;
 }
 
+} // namespace
+
+Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
+                      const Immersion& immersion, const ProcessSettings& process) {
+    const Eigen::Isometry3d toPose = poseTransform(mesh, immersion);
+    Underside underside = undersideInPose(mesh, query, toPose, process);
+    if (!immersion.path.isStraightDown()) {
+        const TriangleMesh posed = transformed(mesh, toPose);
+        underside.shadow = wetShadow(bodyPath(posed, immersion, process), posed);
+    }
+    return underside;
+}
+
 Underside undersideOf(const PosedBody& body, const ProcessSettings& process) {
-    return undersideOf(body.mesh, body.query, Eigen::Isometry3d::Identity(), process);
+    Underside underside =
+        undersideInPose(body.mesh, body.query, Eigen::Isometry3d::Identity(), process);
+    if (!body.path.isStraightDown()) {
+        underside.shadow = wetShadow(body.path, body.mesh);
+    }
+    return underside;
 }
 
 // The extra film is the difference between the faces' area and their shadow's area. The estimate

@@ -13,7 +13,8 @@ namespace dipwright {
 // The faces of a body that meet the film in a pose: they face down, no other face is below them,
 // and they go under water.
 struct Underside {
-    // Bounding box of the submerged part's shadow on the water, mm; without the offset.
+    // Bounding box of the submerged part's shadow on the water, mm; without the offset. On a path,
+    // of all places that it covers.
     Eigen::AlignedBox2d shadow;
     double area = 0;       // area of the faces, mm²
     double shadowArea = 0; // area of the faces' shadow on the water, mm²
@@ -22,10 +23,10 @@ struct Underside {
     double thickness = 0;
 };
 
-// Finds the underside of a body. `query` searches `mesh`. `toPose` maps coordinates of `mesh` to
-// the pose frame.
+// Finds the underside of a model in a dip. `query` searches `mesh`. Throws Error if the immersion's
+// path cannot be travelled.
 Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
-                      const Eigen::Isometry3d& toPose, const ProcessSettings& process);
+                      const Immersion& immersion, const ProcessSettings& process);
 Underside undersideOf(const PosedBody& body, const ProcessSettings& process);
 
 // Returns the cell size that a film needs over the body.

@@ -63,13 +63,23 @@ bool PosedBody::isDry(const SurfacePoint& point) const {
     return air.isDry(position(mesh, point), triangleNormal(mesh, point.triangle), query);
 }
 
-PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion, int cells) {
+PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion,
+                    const ProcessSettings& process, int cells) {
     const Eigen::Isometry3d modelToPose = poseTransform(model, immersion);
     TriangleMesh posed = transformed(model, modelToPose);
     const double height = boundingBox(posed).max().y();
     SurfaceQuery query(posed);
-    AirPockets air(posed, query, cells);
-    return {std::move(posed), modelToPose, height, std::move(query), std::move(air)};
+    solver::BodyPath path = bodyPath(posed, immersion, process);
+    AirPockets air = path.isStraightDown() ? AirPockets(posed, query, cells)
+                                           : AirPockets(posed, query, path, cells);
+    return {std::move(posed), modelToPose,    height,
+            std::move(query), std::move(air), std::move(path)};
+}
+
+PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion, int cells) {
+    Immersion straight = immersion;
+    straight.path = {};
+    return posedBody(model, straight, ProcessSettings(), cells);
 }
 
 double dipDepth(const ProcessSettings& process, const PosedBody& body) {
@@ -77,11 +87,21 @@ double dipDepth(const ProcessSettings& process, const PosedBody& body) {
 }
 
 double dipTravel(const ProcessSettings& process, const PosedBody& body) {
-    return startHeight + dipDepth(process, body);
+    return body.path.isStraightDown() ? startHeight + dipDepth(process, body)
+                                      : body.path.poses.back().travelled;
 }
 
 Eigen::Vector3d poseToWorld(const Immersion& immersion, double descent) {
     return {immersion.offset[0].value(), startHeight - descent, immersion.offset[1].value()};
+}
+
+Eigen::Isometry3d poseToWorld(const solver::BodyPath& path, const Immersion& immersion,
+                              double travelled) {
+    if (path.isStraightDown()) {
+        return Eigen::Isometry3d(Eigen::Translation3d(poseToWorld(immersion, travelled)));
+    }
+    return Eigen::Translation3d(immersion.offset[0].value(), 0, immersion.offset[1].value()) *
+           placeOnPath(path, travelled);
 }
 
 } // namespace dipwright

@@ -26,6 +26,9 @@ TrappedAir trappedAir(const PosedBody& body) {
     for (const double area : dry) {
         trapped.area += area;
     }
+    if (!body.path.isStraightDown()) {
+        return trapped; // the water's level in the pockets changes while the body turns
+    }
     for (const AirPocket& pocket : body.air.all()) {
         const double height = pocket.level - double(boundingBox(mesh).min().y());
         trapped.height = std::min(trapped.height.value_or(height), height);

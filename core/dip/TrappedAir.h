@@ -9,7 +9,8 @@ namespace dipwright {
 
 struct TrappedAir {
     double area = 0; // surface of the body in trapped air, mm²
-    // Lowest level of a pocket above the body's lowest point, mm; none without pockets.
+    // Lowest level of a pocket above the body's lowest point, mm; none without pockets or on a
+    // path.
     std::optional<double> height;
 };
 

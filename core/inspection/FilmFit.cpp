@@ -312,6 +312,11 @@ void apply(FilmFit& fit, const FittedQuantity& found, const FittedDips& dips,
 FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPairs& pairs,
                 const FitRequest& wish, const solver::SolverModule& module,
                 const Progress& progress) {
+    for (const Immersion& immersion : project.immersions) {
+        if (!immersion.path.isStraightDown()) {
+            throw Error(Text::tr("A film can be fitted to straight dips only"), immersion.name);
+        }
+    }
     Search search(project, field, pairs, wish, module);
     search.run(progress);
     const JointSolution& solution = search.after();

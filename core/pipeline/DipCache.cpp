@@ -73,6 +73,9 @@ public:
         }
         QJsonObject all = common_;
         all[QLatin1String("pose")] = pose;
+        if (!immersion.path.isStraightDown()) {
+            all[QLatin1String("path")] = pathToJson(immersion);
+        }
         all[QLatin1String("solver")] = QJsonArray{solver.id, solver.version};
         return sha256Hex(QJsonDocument(all).toJson(QJsonDocument::Compact));
     }
@@ -236,7 +239,8 @@ std::shared_ptr<const JobResult> cachedDips(const Project& project, const Solver
         dip.immersion = project.immersions[number];
         dip.solver = solver;
         dip.inputs.texture.dip = dipInputs(project, number, solver.id);
-        dip.body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, dip.immersion));
+        dip.body = std::make_shared<const PosedBody>(
+            posedBody(project.model->mesh, dip.immersion, project.process));
         restore(dip, project, kept[number], file);
     }
     return kept.empty() ? nullptr : result;

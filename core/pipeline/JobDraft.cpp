@@ -28,8 +28,8 @@ int cellsOf(const Project& project, const ProofStage* stage) {
     const auto own = stage ? nullptr : std::make_unique<SurfaceQuery>(mesh);
     int fewest = maximumFilmGrid;
     for (const Immersion& immersion : project.immersions) {
-        const Underside underside = undersideOf(mesh, stage ? queryOf(*stage) : *own,
-                                                poseTransform(mesh, immersion), project.process);
+        const Underside underside =
+            undersideOf(mesh, stage ? queryOf(*stage) : *own, immersion, project.process);
         fewest =
             std::min(fewest, cellsAlong(filmUnderBody(project.film, underside, immersion.offset)));
     }

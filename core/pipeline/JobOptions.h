@@ -33,7 +33,7 @@ struct JobOptions {
     // Computes how far colours may land from their places within the project's tolerances. Takes
     // dozens of dips (JobTolerances.h).
     bool computesTolerances = false;
-    // Template of the motion files; none: motionTemplate() (traveller/Motion.h).
+    // Template of the motion files; none: standardMotionTemplate() (traveller/Motion.h).
     std::optional<MotionTemplate> motion;
     // Called on the working thread with the immersion's number and each frame of its film. Has no
     // effect on the result.

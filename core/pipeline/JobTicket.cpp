@@ -62,10 +62,17 @@ QJsonObject dwellTicket(const std::optional<FilmProfile>& film) {
 }
 
 QJsonObject motionTicket(const DipMotion& motion) {
+    QJsonArray path;
+    for (const MotionPose& pose : motion.path) {
+        path.append(QJsonObject{
+            {"time_s", pose.time.value()},
+            {"place_mm", QJsonArray{pose.place.x(), pose.place.y(), pose.place.z()}},
+            {"turn_wxyz", QJsonArray{pose.turn.w(), pose.turn.x(), pose.turn.y(), pose.turn.z()}}});
+    }
     return {{"park_mm", motion.park.value()},    {"start_mm", motion.start.value()},
             {"depth_mm", motion.depth.value()},  {"speed_mm_s", motion.speed.value()},
             {"dip_s", motion.dipTime().value()}, {"approach_mm_s", motion.approach.value()},
-            {"hold_s", motion.hold.value()}};
+            {"hold_s", motion.hold.value()},     {"path", path}};
 }
 
 QJsonObject sheetTicket(const Sheet& sheet) {
@@ -115,6 +122,7 @@ QJsonObject jobTicket(const JobResult& result, const std::vector<QStringList>& f
             {"job", dip.sheet.job.hash},
             {"rotation_deg", QJsonArray{turn[0].value(), turn[1].value(), turn[2].value()}},
             {"offset_mm", pair(dip.immersion.offset[0].value(), dip.immersion.offset[1].value())},
+            {"path", pathToJson(dip.immersion)},
             {"advice", adviceKey(dip.verdict.advice)},
             {"motion", motionTicket(jobMotion(result, i))},
             {"sheet", sheetTicket(dip.sheet)},

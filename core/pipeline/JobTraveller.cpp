@@ -5,6 +5,8 @@
 
 #include <QPainter>
 
+#include <cmath>
+
 namespace dipwright {
 namespace {
 
@@ -35,6 +37,25 @@ QStringList verdictLines(const JobResult& result, std::size_t number) {
     return lines;
 }
 
+// Returns the path of a dip for a machine in its tank. The machine does not move with the water.
+std::vector<MotionPose> machinePath(const ImmersionResult& dip) {
+    std::vector<MotionPose> poses;
+    const DipPath& path = dip.immersion.path;
+    const double flow = path.waterSpeed.value(), heading = radians(path.heading);
+    const Eigen::Vector3d water(flow * std::cos(heading), 0, flow * std::sin(heading));
+    const Eigen::Vector3d offset(dip.immersion.offset[0].value(), 0,
+                                 dip.immersion.offset[1].value());
+    for (const solver::PathPose& pose : dip.body->path.poses) {
+        const Eigen::Vector3d place =
+            Eigen::Map<const Eigen::Vector3d>(pose.pivot.data()) + offset + pose.seconds * water;
+        const auto& [w, x, y, z] = pose.rotation;
+        poses.push_back({Seconds(pose.seconds),
+                         {place.x(), -place.z(), place.y()}, // Z up instead of Y
+                         Eigen::Quaterniond(w, x, -z, y)});
+    }
+    return poses;
+}
+
 } // namespace
 
 DipMotion jobMotion(const JobResult& result, std::size_t immersion) {
@@ -47,6 +68,7 @@ DipMotion jobMotion(const JobResult& result, std::size_t immersion) {
     motion.start = Millimetres(startHeight);
     motion.depth = Millimetres(dipDepth(process, *dip.body));
     motion.speed = process.dipSpeed;
+    motion.path = machinePath(dip);
     return motion;
 }
 

@@ -138,7 +138,7 @@ std::shared_ptr<const PosedBody> bodyOf(const Run& run, std::size_t number,
         return earlier->body;
     }
     return std::make_shared<const PosedBody>(
-        posedBody(inputs.model->mesh, run.project.immersions[number]));
+        posedBody(inputs.model->mesh, run.project.immersions[number], run.project.process));
 }
 
 // Simulates the dip and fills in the laid film.

@@ -77,7 +77,8 @@ std::vector<float> pointMoves(const LaidFilm& own, const LaidFilm& finer) {
 DipNumericalError numericalError(const Project& project, const Immersion& immersion,
                                  const DistanceField& field, const solver::SolverModule& module,
                                  const Progress& progress) {
-    const auto body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, immersion));
+    const auto body = std::make_shared<const PosedBody>(
+        posedBody(project.model->mesh, immersion, project.process));
     const std::vector<SurfacePoint> places = comparedPlaces(body->mesh);
     // Returns the change at all places and the change at the unmarked places.
     const auto changes = [&](const LaidFilm& own, const LaidFilm& finer) {

@@ -35,7 +35,11 @@ double filmUsed(const JobResult& result) {
 
 std::optional<SmallerFilm> smallerFilm(const JobResult& result) {
     const FilmSettings& film = result.project.film;
-    if (isHeld(film.edges)) {
+    const auto travels = [](const ImmersionResult& dip) {
+        return !dip.body->path.isStraightDown();
+    };
+    if (isHeld(film.edges) ||
+        std::any_of(result.immersions.begin(), result.immersions.end(), travels)) {
         return std::nullopt;
     }
     SmallerFilm found;

@@ -14,7 +14,13 @@ InkSettings TextureInputs::printedInk() const {
 }
 
 BodyInputs bodyInputs(const Project& project, std::size_t number) {
-    return {project.model, project.immersions[number].rotation};
+    const Immersion& immersion = project.immersions[number];
+    BodyInputs inputs{project.model, immersion.rotation, immersion.path, std::nullopt};
+    if (!immersion.path.isStraightDown()) {
+        inputs.process = project.process;
+        inputs.process->solver.clear();
+    }
+    return inputs;
 }
 
 FieldInputs fieldInputs(const Project& project) {

@@ -8,6 +8,7 @@
 #include "pipeline/JobOptions.h"
 #include "settings/Artwork.h"
 #include "settings/AsBuilt.h"
+#include "settings/DipPath.h"
 #include "settings/FilmSettings.h"
 #include "settings/InkSettings.h"
 #include "settings/ProcessSettings.h"
@@ -34,6 +35,9 @@ struct TexturedMesh;
 struct BodyInputs {
     std::shared_ptr<const TexturedMesh> model;
     std::array<Degrees, 3> rotation{};
+    DipPath path = {};
+    // Depth and speed, if the part follows a path.
+    std::optional<ProcessSettings> process;
     bool operator==(const BodyInputs&) const = default;
 };
 

@@ -57,8 +57,7 @@ QString beside() {
 void checkImmersion(const Project& project, const Immersion& immersion, const SurfaceQuery& query,
                     QStringList& warnings) {
     const TriangleMesh& mesh = project.model->mesh;
-    const Underside underside =
-        undersideOf(mesh, query, poseTransform(mesh, immersion), project.process);
+    const Underside underside = undersideOf(mesh, query, immersion, project.process);
     const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
     if (!filmOutline(project.film).intersects(body)) {
         throw Error(beside(), immersion.name);

@@ -165,8 +165,9 @@ std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradl
 
 // Adds the tasks for the traveller and the motion of each dip. They keep references to all
 // arguments but the template.
-void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const MotionTemplate& motion,
-                  const FolderTransaction& folder, const CancelToken& cancelToken) {
+void addTraveller(std::vector<Piece>& pieces, const JobResult& result,
+                  const std::optional<MotionTemplate>& motion, const FolderTransaction& folder,
+                  const CancelToken& cancelToken) {
     pieces.push_back({Text::tr("Writing the traveller"), [&result, &folder, cancelToken] {
                           folder.write(QStringLiteral("traveller.pdf"),
                                        travellerPdf(jobTraveller(result, {{}, cancelToken})));
@@ -175,8 +176,10 @@ void addTraveller(std::vector<Piece>& pieces, const JobResult& result, const Mot
                           for (std::size_t i = 0; i < result.immersions.size(); ++i) {
                               const DipMotion way = jobMotion(result, i);
                               folder.write(motionFile(int(i) + 1, "csv"), motionCsv(way));
+                              const MotionTemplate own =
+                                  motion ? *motion : standardMotionTemplate(way);
                               folder.write(motionFile(int(i) + 1, "gcode"),
-                                           filledTemplate(way, motion.text, motion.where));
+                                           filledTemplate(way, own.text, own.where));
                           }
                       }});
 }
@@ -253,7 +256,7 @@ void writeResults(const Project& project, const JobResult& result, const QString
                   const Progress& progress) {
     FolderTransaction results(folder, resultFiles());
     std::vector<Piece> pieces = jobPieces(project, result, results);
-    addTraveller(pieces, result, motionTemplate(), results, progress.cancelToken);
+    addTraveller(pieces, result, std::nullopt, results, progress.cancelToken);
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
         for (Piece& piece :
              immersionPieces(result.project, result.immersions[number], number, results)) {
@@ -275,12 +278,28 @@ std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
     return cradles;
 }
 
+namespace {
+
+// Throws Error if the template of the motion cannot be filled in for one of the dips.
+void requireMotionTemplate(const Project& project, const JobOptions& options) {
+    for (const Immersion& immersion : project.immersions) {
+        DipMotion motion;
+        if (!immersion.path.isStraightDown()) {
+            motion.path = {{}, {Seconds(1)}};
+        }
+        const MotionTemplate own =
+            options.motion ? *options.motion : standardMotionTemplate(motion);
+        filledTemplate(motion, own.text, own.where);
+    }
+}
+
+} // namespace
+
 JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
                       const JobOptions& options, const JobResult* previous, const QString& folder,
                       const Progress& progress) {
     FolderTransaction results(folder, resultFiles());
-    const MotionTemplate motion = options.motion ? *options.motion : motionTemplate();
-    filledTemplate({}, motion.text, motion.where); // throws Error before the job
+    requireMotionTemplate(project, options); // throws Error before the job
     pageSize(Sheet{{},
                    project.film.width,
                    project.film.height,
@@ -296,7 +315,7 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
     };
     const JobResult result = runJob(project, registry, watched, previous, running);
     std::vector<Piece> pieces = jobPieces(project, result, results);
-    addTraveller(pieces, result, motion, results, progress.cancelToken);
+    addTraveller(pieces, result, options.motion, results, progress.cancelToken);
     writeTogether(pieces, progress.part(0.95, 1));
     writing.wait();
     writeTicket(result, results);

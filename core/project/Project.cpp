@@ -194,9 +194,12 @@ void shareNothing(QJsonObject& json) {
     insertAt(json, QStringLiteral("share.enabled"), false);
 }
 
+// Up to version 2 every part went straight down, as it does without a path.
+void keepsAll(QJsonObject&) {}
+
 // The migration at index n takes a document from version n + 1 to the next.
 using Migration = void (*)(QJsonObject&);
-const std::vector<Migration> migrations{shareNothing};
+const std::vector<Migration> migrations{shareNothing, keepsAll};
 
 QJsonObject migrated(QJsonObject json) {
     const auto version = std::size_t(json.value(QLatin1String("version")).toInt());
@@ -317,6 +320,17 @@ void setByPath(Project& project, const QString& path, const QString& value) {
         return;
     }
     throwUnknownPath(path);
+}
+
+QJsonObject pathToJson(const Immersion& immersion) {
+    const QString prefix = QStringLiteral("path.");
+    QJsonObject path;
+    for (const Field<Immersion>& field : immersionFields()) {
+        if (field.path.startsWith(prefix)) {
+            path.insert(field.path.mid(prefix.size()), field.get(immersion));
+        }
+    }
+    return path;
 }
 
 QJsonObject toJson(const Project& project) {

@@ -89,6 +89,9 @@ void setByPath(Project& project, const QString& path, const QString& value);
 // fields that have their default value (Field::notHashedIfDefault).
 QJsonObject countedSettings(const Project& project);
 
+// Returns the path of an immersion with all its fields, as "path" in project.json.
+QJsonObject pathToJson(const Immersion& immersion);
+
 // Converts a project to project.json.
 QJsonObject toJson(const Project& project);
 // Converts project.json to a project. Checks the range of every value and throws Error naming the

@@ -446,6 +446,14 @@ const std::vector<Field<Project>>& projectFields() {
     return fields;
 }
 
+namespace {
+
+Field<Immersion> pathField(Field<Immersion> field) {
+    return omittedIfDefault(notHashedIfDefault(std::move(field)));
+}
+
+} // namespace
+
 const std::vector<Field<Immersion>>& immersionFields() {
     static const std::vector<Field<Immersion>> fields{
         text<Immersion>(
@@ -454,8 +462,30 @@ const std::vector<Field<Immersion>>& immersionFields() {
             "rotation_deg", 3, -360, 360,
             [](auto& i, int part) -> auto& { return i.rotation[part]; }),
         numbers<Immersion>(
-            "offset_mm", 2, -5000, 5000,
-            [](auto& i, int part) -> auto& { return i.offset[part]; })};
+            "offset_mm", 2, -5000, 5000, [](auto& i, int part) -> auto& { return i.offset[part]; }),
+        pathField(choice<Immersion>(
+            "path.kind",
+            {QStringLiteral("straight"), QStringLiteral("slanted"), QStringLiteral("tilt"),
+             QStringLiteral("roll")},
+            [](auto& i) -> auto& { return i.path.kind; })),
+        pathField(number<Immersion>(
+            "path.heading_deg", -360, 360, [](auto& i) -> auto& { return i.path.heading; })),
+        pathField(number<Immersion>(
+            "path.angle_deg", -720, 720, [](auto& i) -> auto& { return i.path.angle; })),
+        pathField(numberOrNone<Immersion>(
+            "path.level_depth_mm", 0.1, 5000, [](auto& i) -> auto& { return i.path.levelDepth; })),
+        pathField(numberOrNone<Immersion>(
+            "path.roll_radius_mm", -5000, 5000,
+            [](auto& i) -> auto& { return i.path.rollRadius; })),
+        pathField(number<Immersion>(
+            "path.turn_deg", -720, 720, [](auto& i) -> auto& { return i.path.turn; })),
+        pathField(number<Immersion>(
+            "path.water_speed_mm_s", -200, 200,
+            [](auto& i) -> auto& { return i.path.waterSpeed; })),
+        pathField(numberOrNone<Immersion>(
+            "path.slow_speed_mm_s", 0.1, 200, [](auto& i) -> auto& { return i.path.slowSpeed; })),
+        pathField(number<Immersion>(
+            "path.slow_mm", 0, 1000, [](auto& i) -> auto& { return i.path.slowWay; }))};
     return fields;
 }
 

@@ -9,7 +9,7 @@
 
 namespace dipwright {
 
-inline constexpr int projectVersion = 2;
+inline constexpr int projectVersion = 3;
 
 // Returns the fields in the order of reading. Setting a field can change later ones. So a film's
 // preset comes before its size, the size before points and cell, and these before the choice

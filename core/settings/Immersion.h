@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Units.h"
+#include "settings/DipPath.h"
 
 #include <QString>
 #include <array>
@@ -11,8 +12,11 @@ namespace dipwright {
 
 struct Immersion {
     QString name = QStringLiteral("Immersion");
-    std::array<Degrees, 3> rotation{};   // about X, Y, Z, applied in that order
-    std::array<Millimetres, 2> offset{}; // of the body in the plane of the water, X and Z
+    // About X, Y, Z, applied in that order; on a path, at the end of the dip.
+    std::array<Degrees, 3> rotation{};
+    // Of the body in the plane of the water, X and Z; on a path, at the beginning of the dip.
+    std::array<Millimetres, 2> offset{};
+    DipPath path = {};
     bool operator==(const Immersion&) const = default;
 };
 

@@ -222,6 +222,9 @@ public:
         }
         return isDone;
     }
+    bool followsPaths() const override {
+        return guarded([&] { return module_.followsPaths(); });
+    }
     std::optional<solver::Ceiling> measuredCeiling() const override {
         const auto ceiling = guarded([&] { return module_.measuredCeiling(); });
         const bool isMeasured =

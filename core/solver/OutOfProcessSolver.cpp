@@ -242,12 +242,11 @@ public:
         : modulePath_(modulePath) {
         try {
             SolverProcess process(modulePath_);
-            device_ =
-                process
-                    .ask(
-                        message(SolverRequest::Describe), [&] { return cancelToken.isCancelled(); },
-                        descriptionTimeoutSeconds())
-                    .takeText();
+            MessageReader answer = process.ask(
+                message(SolverRequest::Describe), [&] { return cancelToken.isCancelled(); },
+                descriptionTimeoutSeconds());
+            device_ = answer.takeText();
+            followsPaths_ = answer.take<std::uint8_t>() != 0;
         } catch (const Refusal&) {
             throw;
         } catch (const Cancelled&) {
@@ -291,6 +290,7 @@ public:
             return false;
         }
     }
+    bool followsPaths() const override { return followsPaths_; }
     std::optional<solver::Ceiling> measuredCeiling() const override {
         SolverProcess process(modulePath_);
         const auto ceiling =
@@ -301,6 +301,7 @@ public:
 private:
     QString modulePath_;
     std::string device_;
+    bool followsPaths_ = false;
 };
 
 } // namespace

@@ -16,7 +16,7 @@ namespace dipwright {
 
 // Each comment says: contents of the request -> contents of the answer.
 enum class SolverRequest : std::uint8_t {
-    Describe,  // -> device
+    Describe,  // -> device, whether it follows paths
     Begin,     // setup ->
     Advance,   // most steps -> state
     Read,      // -> positions, states
@@ -131,6 +131,8 @@ inline void put(MessageWriter& writer, const solver::DipSetup& setup) {
     writer.put(setup.motion);
     writer.put(setup.settings);
     writer.putAll(setup.pinned);
+    writer.put(setup.path.pivot);
+    writer.putAll(setup.path.poses);
 }
 
 // A setup together with the samples that its field refers to.
@@ -158,6 +160,8 @@ inline OwnedSetup takeSetup(MessageReader& reader) {
     owned.setup.motion = reader.take<solver::BodyMotion>();
     owned.setup.settings = reader.take<solver::Settings>();
     owned.setup.pinned = reader.takeAll<std::uint8_t>();
+    owned.setup.path.pivot = reader.take<std::array<double, 3>>();
+    owned.setup.path.poses = reader.takeAll<solver::PathPose>();
     return owned;
 }
 

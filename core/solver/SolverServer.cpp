@@ -109,7 +109,8 @@ private:
     void respond(SolverRequest request, MessageReader& reader, MessageWriter& writer) {
         switch (request) {
         case SolverRequest::Describe:
-            return writer.putText(loaded().device.toStdString());
+            writer.putText(loaded().device.toStdString());
+            return writer.put(std::uint8_t(loaded().module->followsPaths()));
         case SolverRequest::Begin:
             return begin(reader);
         case SolverRequest::Advance:

@@ -124,6 +124,7 @@ public:
         Questions questions{watch, isCancelled, context};
         return watch.during([&] { return module_.runBatch(items, &Questions::ask, &questions); });
     }
+    bool followsPaths() const override { return module_.followsPaths(); }
     std::optional<solver::Ceiling> measuredCeiling() const override {
         return module_.measuredCeiling();
     }

@@ -103,6 +103,9 @@ void paintPose(QPainter& painter, const QRectF& place, const QString& title,
         return where.bottom() - (y - picture.bottom) * perMillimetre;
     };
     for (const double level : {-dip.motion.start.value(), dip.waterAtEnd}) {
+        if (level < 0 && !dip.motion.path.empty()) {
+            continue; // at the beginning the part has another rotation than in the picture
+        }
         const double y = heightOf(level);
         if (y > where.top() && y < where.bottom()) {
             ink.line({frame.left(), y}, {frame.right(), y}, 0.3, water,
@@ -235,6 +238,26 @@ QString materialText(const Traveller& traveller) {
            u' ' + origin;
 }
 
+// Describes a dip that does not go straight down by its key poses.
+QString pathText(const TravellerDip& dip, std::size_t number) {
+    const std::vector<MotionPose>& poses = dip.motion.path;
+    const std::vector<Eigen::Vector3d> angles = motionAngles(poses);
+    QStringList keys;
+    constexpr std::size_t parts = 3;
+    for (std::size_t part = 0; part <= parts; ++part) {
+        const std::size_t pose = (poses.size() - 1) * part / parts;
+        const Eigen::Vector3d &place = poses[pose].place, &turn = angles[pose];
+        keys << Text::tr("%1 s: %2, %3, %4 mm; %5°, %6°, %7°")
+                    .arg(plain(poses[pose].time.value()), plain(place.x()), plain(place.y()),
+                         plain(place.z()), plain(turn.x()), plain(turn.y()), plain(turn.z()));
+    }
+    return Text::tr("Dip the part along its path (motion-%1.csv), in %2 s. Time, place of the "
+                    "part's middle (right, towards the upper edge, up, from the film's centre on "
+                    "the water), and turn about these axes from the rotation at the end: %3")
+        .arg(number + 1)
+        .arg(plain(dip.motion.dipTime().value()), keys.join(QStringLiteral(" · ")));
+}
+
 QStringList stepsOf(const Traveller& traveller, std::size_t number) {
     const TravellerDip& dip = traveller.dips[number];
     const DipMotion& motion = dip.motion;
@@ -245,10 +268,12 @@ QStringList stepsOf(const Traveller& traveller, std::size_t number) {
         Text::tr("Soak the film: %1").arg(secondsText(ofFilm(traveller, &FilmProfile::soakTime))),
         Text::tr("Spray the activator, then wait: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::activatorTime))),
-        Text::tr("Dip the part: lower its lowest point from %1 mm above the water to %2 mm below "
-                 "it, at %3 mm/s: %4 s")
-            .arg(plain(motion.start.value()), plain(motion.depth.value()),
-                 plain(motion.speed.value(), 2), plain(motion.dipTime().value())),
+        motion.path.empty()
+            ? Text::tr("Dip the part: lower its lowest point from %1 mm above the water to %2 mm "
+                       "below it, at %3 mm/s: %4 s")
+                  .arg(plain(motion.start.value()), plain(motion.depth.value()),
+                       plain(motion.speed.value(), 2), plain(motion.dipTime().value()))
+            : pathText(dip, number),
         Text::tr("Hold the part under water for %1 s. Clear the remaining film from the water "
                  "around it. Then lift the part out at %2 mm/s.")
             .arg(plain(motion.hold.value()), plain(motion.speed.value(), 2)),

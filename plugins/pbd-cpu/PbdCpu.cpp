@@ -104,6 +104,7 @@ public:
                     [&](std::size_t index) { simulate(items[index], cancellation); });
         return !cancellation.isCancelled();
     }
+    bool followsPaths() const override { return true; }
     std::optional<solver::Ceiling> measuredCeiling() const override { return cpuCeiling(); }
 
 private:

@@ -195,6 +195,7 @@ public:
         const std::vector<cuda::Device> devices = cuda::alikeDevices(search_.device);
         return SharedBatch(groupsOf(items, devices), cancelled, context).runOn(devices);
     }
+    bool followsPaths() const override { return true; }
     std::optional<solver::Ceiling> measuredCeiling() const override {
         requireDevice();
         return cuda::measuredCeiling(search_.device);

@@ -34,7 +34,32 @@ inline bool areLines(const std::vector<double>& places, int count, double length
     return isAscending && places.front() == -length / 2 && places.back() == length / 2;
 }
 
+// Returns whether the poses of a path follow each other, and end where the travel ends.
+inline bool isPath(const solver::BodyPath& path, double travel) {
+    constexpr std::size_t mostPoses = 10'000;
+    const std::vector<solver::PathPose>& poses = path.poses;
+    bool isValid = poses.size() >= 2 && poses.size() <= mostPoses && poses[0].travelled == 0 &&
+                   poses[0].seconds == 0 && poses.back().travelled == travel;
+    for (std::size_t i = 0; isValid && i < poses.size(); ++i) {
+        const auto& [w, x, y, z] = poses[i].rotation;
+        isValid = std::abs(w * w + x * x + y * y + z * z - 1) < 1e-6;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            isValid =
+                isValid && std::abs(poses[i].pivot[axis]) < 1e6 && std::abs(path.pivot[axis]) < 1e6;
+        }
+        isValid = isValid && (i == 0 || (poses[i].travelled > poses[i - 1].travelled &&
+                                         poses[i].seconds > poses[i - 1].seconds));
+    }
+    return isValid && std::isfinite(poses.back().seconds);
+}
+
 } // namespace detail
+
+// Throws std::invalid_argument if the body does not move straight down.
+inline void requireStraightDown(const solver::DipSetup& setup) {
+    detail::require(setup.path.isStraightDown(),
+                    "with this film the body can only move straight down: choose a straight dip");
+}
 
 // Throws std::invalid_argument if the points are not evenly spaced.
 inline void requireEven(const solver::FilmGrid& film) {
@@ -67,6 +92,8 @@ inline void requireValid(const solver::DipSetup& setup) {
     require(isPositive(setup.motion.speed) && std::isfinite(setup.motion.travel) &&
                 setup.motion.travel >= 0,
             "the body's speed must be positive, and its travel must not be negative");
+    require(setup.path.isStraightDown() || detail::isPath(setup.path, setup.motion.travel),
+            "the poses of the body's path must follow each other in time and way");
     require(isPositive(settings.timeStep) && settings.iterations >= 1 &&
                 settings.iterations <= 1000,
             "the time step must be positive, with 1 to 1,000 iterations");

@@ -327,7 +327,7 @@ void BreakingTest::projectFile_failingAllocations_loseNothing() {
                            .out.trimmed()
                            .toLong();
     QVERIFY(count > 100);
-    const Points points = pointsOf(count, 100);
+    const Points points = pointsOf(count, sampleOf(40, 100));
     const Outcome outcome =
         place_.run(document,
                    {QStringLiteral("allocations"), job, QString::number(points.first),

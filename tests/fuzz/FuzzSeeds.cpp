@@ -169,7 +169,7 @@ int main(int argc, char* argv[]) {
     writePairs(folder);
     writeDips(folder);
     writeLeftoverFiles(folder);
-    write(folder, QStringLiteral("motion"), motionTemplate().text.toUtf8());
+    write(folder, QStringLiteral("motion"), standardMotionTemplate({}).text.toUtf8());
     write(folder, QStringLiteral("plugin"),
           R"({"format":"dipwright-solver","interface":1,"id":"a","name":"A","version":"1",)"
           R"("device":"cpu","vendor":"B","priority":1,"module":"a.so"})");

@@ -188,8 +188,9 @@ void InstallTest::installedProgram_samples_areFound() {
 void InstallTest::installedCli_run_dipsSample() {
     const QString out = folder_.filePath("sphere");
     const QByteArray output =
-        runInstalled("dipwright-cli", {"run", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--out",
-                                       out, "--solver", "pbd-cpu", "--dpi", "72", "--quiet"});
+        runInstalled("dipwright-cli",
+                     {"run", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--out", out, "--solver",
+                      "pbd-cpu", "--set", "film.points=60x84", "--dpi", "72", "--quiet"});
     QVERIFY2(QFileInfo(out + "/immersion-1/sheet.pdf").size() > 0, output.constData());
     const QJsonObject report =
         QJsonDocument::fromJson(contents(out + QStringLiteral("/report.json"))).object();
@@ -341,10 +342,11 @@ void InstallTest::findPackage_examplePlugin_buildsAndDips() {
              output.constData());
 
     const QString out = plugin.filePath("out");
-    output = runInstalled("dipwright-cli",
-                          {"run", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--out", out,
-                           "--solver", "plumb-film", "--dpi", "72", "--quiet"},
-                          plugin.path());
+    output =
+        runInstalled("dipwright-cli",
+                     {"run", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--out", out, "--solver",
+                      "plumb-film", "--set", "film.points=60x84", "--dpi", "72", "--quiet"},
+                     plugin.path());
     const QJsonObject report =
         QJsonDocument::fromJson(contents(out + QStringLiteral("/report.json"))).object();
     QVERIFY2(!report.isEmpty(), output.constData());

@@ -34,8 +34,7 @@ QString FilmFacts::text(const Project& project, const JobResult* result, LengthU
     QStringList lines;
     for (std::size_t number = 0; number < project.immersions.size(); ++number) {
         const Immersion& immersion = project.immersions[number];
-        const Underside underside = undersideOf(
-            model_->mesh, *query_, poseTransform(model_->mesh, immersion), project.process);
+        const Underside underside = undersideOf(model_->mesh, *query_, immersion, project.process);
         solver::FilmGrid grid;
         try {
             grid = filmUnderBody(project.film, underside, immersion.offset);

@@ -1,6 +1,7 @@
 #include "workbench/project/PropertySpecs.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace dipwright {
 
@@ -241,6 +242,98 @@ std::vector<PropertySection> processProperties() {
     return {motion, limits, accuracy, cradleProperties()};
 }
 
+namespace {
+
+PropertySection pathProperties(std::size_t number) {
+    const QString prefix = QStringLiteral("immersions[%1].path.").arg(number);
+    const auto isKind = [number](std::initializer_list<PathKind> kinds) {
+        return [number, kinds = std::vector<PathKind>(kinds)](const Project& project) {
+            return number < project.immersions.size() &&
+                   std::find(kinds.begin(), kinds.end(), project.immersions[number].path.kind) !=
+                       kinds.end();
+        };
+    };
+    const auto hasHeading = [number](const Project& project) {
+        if (number >= project.immersions.size()) {
+            return false;
+        }
+        const DipPath& path = project.immersions[number].path;
+        return path.kind != PathKind::Straight || path.waterSpeed != MillimetresPerSecond(0);
+    };
+    const auto isSlow = [number](const Project& project) {
+        return number < project.immersions.size() &&
+               project.immersions[number].path.slowSpeed.has_value();
+    };
+    return {
+        Text::tr("Path"),
+        {{.path = prefix + QStringLiteral("kind"),
+          .label = Text::tr("Path"),
+          .help =
+              Text::tr("How the part moves into the water. Slanted: down and sideways. Tilt: "
+                       "one side enters first, and the part is levelled while it goes down. "
+                       "Roll: down to the depth of the dip, then rolled sideways over the film. "
+                       "The rotation above is the part's rotation at the end of the dip."),
+          .words = {{QStringLiteral("straight"), Text::tr("Straight down")},
+                    {QStringLiteral("slanted"), Text::tr("Slanted")},
+                    {QStringLiteral("tilt"), Text::tr("Tilt in and level")},
+                    {QStringLiteral("roll"), Text::tr("Roll")}}},
+         {.path = prefix + QStringLiteral("angle_deg"),
+          .label = Text::tr("Angle"),
+          .help =
+              Text::tr("Slanted: the angle between the way and the water. Tilt: how far the part "
+                       "is tilted at the beginning. Roll: the angle through which it rolls."),
+          .unit = Unit::Angle,
+          .relevant = isKind({PathKind::Slanted, PathKind::Tilt, PathKind::Roll})},
+         {.path = prefix + QStringLiteral("heading_deg"),
+          .label = Text::tr("Heading"),
+          .help = Text::tr("The direction over the water in which the part travels or rolls, or of "
+                           "the side that enters first: 0° to the right (X), 90° down the sheet "
+                           "(Z). Also the direction in which the water flows."),
+          .unit = Unit::Angle,
+          .relevant = hasHeading},
+         {.path = prefix + QStringLiteral("level_depth_mm"),
+          .label = Text::tr("Level at"),
+          .help = Text::tr("Depth of the part's lowest point at which the part is level."),
+          .unit = Unit::Length,
+          .absent = Text::tr("The end of the dip"),
+          .whenPresent = 20,
+          .relevant = isKind({PathKind::Tilt})},
+         {.path = prefix + QStringLiteral("roll_radius_mm"),
+          .label = Text::tr("Rolling radius"),
+          .help = Text::tr("How far the part travels sideways while it rolls through one radian "
+                           "(57.3°). Half the part's height lets a cylinder roll without slip."),
+          .unit = Unit::Length,
+          .absent = Text::tr("Half the part's height"),
+          .whenPresent = 20,
+          .relevant = isKind({PathKind::Roll})},
+         {.path = prefix + QStringLiteral("turn_deg"),
+          .label = Text::tr("Turn"),
+          .help =
+              Text::tr("Turn about the vertical while the part goes down, counterclockwise seen "
+                       "from above."),
+          .unit = Unit::Angle},
+         {.path = prefix + QStringLiteral("water_speed_mm_s"),
+          .label = Text::tr("Water speed"),
+          .help = Text::tr("Speed at which water and film flow through the tank, in the direction "
+                           "of the heading."),
+          .unit = Unit::Speed},
+         {.path = prefix + QStringLiteral("slow_speed_mm_s"),
+          .label = Text::tr("Slow speed"),
+          .help = Text::tr("Speed at the first contact with the water and at the end of the dip."),
+          .unit = Unit::Speed,
+          .absent = Text::tr("As the dip"),
+          .whenPresent = 2},
+         {.path = prefix + QStringLiteral("slow_mm"),
+          .label = Text::tr("Slow for"),
+          .help =
+              Text::tr("The first and the last part of the way down that the slow speed applies "
+                       "to."),
+          .unit = Unit::Length,
+          .relevant = isSlow}}};
+}
+
+} // namespace
+
 std::vector<PropertySection> immersionProperties(std::size_t number) {
     const QString prefix = QStringLiteral("immersions[%1].").arg(number);
     return {
@@ -259,7 +352,8 @@ std::vector<PropertySection> immersionProperties(std::size_t number) {
            .help = Text::tr("Where the part meets the film, measured from the film's centre: X to "
                             "the right, Z down the sheet."),
            .unit = Unit::Length,
-           .parts = {QStringLiteral("X"), QStringLiteral("Z")}}}}};
+           .parts = {QStringLiteral("X"), QStringLiteral("Z")}}}},
+        pathProperties(number)};
 }
 
 std::vector<PropertySection> shareProperties() {

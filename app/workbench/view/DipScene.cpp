@@ -1,5 +1,6 @@
 #include "workbench/view/DipScene.h"
 
+#include "base/Error.h"
 #include "dip/FilmMarks.h"
 #include "dip/Pose.h"
 #include "film/FilmGrid.h"
@@ -205,7 +206,9 @@ void DipScene::placeBody(const Immersion& immersion, double descent) {
     }
     descent_ = descent;
     const Eigen::Isometry3d pose = poseTransform(project_.model->mesh, immersion);
-    modelToWorld_ = Eigen::Translation3d(poseToWorld(immersion, descent)) * pose;
+    const solver::BodyPath& path = pathOf(immersion, pose);
+    const double travel = path.isStraightDown() ? descent : path.poses.back().travelled;
+    modelToWorld_ = poseToWorld(path, immersion, std::min(descent, travel)) * pose;
     view_.setBodyTransform(modelToWorld_);
     const BoundingBox& box = modelBox_;
     const Eigen::Vector3f centre = (modelToWorld_ * box.center().cast<double>()).cast<float>();
@@ -215,6 +218,26 @@ void DipScene::placeBody(const Immersion& immersion, double descent) {
     view_.setMoveArrows({isHeld, isHeld && project_.process.depth.has_value(), isHeld}, centre,
                         1.08 * radius, 1.4 * radius);
     setBodyRoom(Eigen::Translation3d(poseToWorld(immersion, 0)) * pose);
+}
+
+const solver::BodyPath& DipScene::pathOf(const Immersion& immersion,
+                                         const Eigen::Isometry3d& pose) {
+    const bool isKept = pathSource_ && pathModel_ == project_.model && *pathSource_ == immersion &&
+                        pathProcess_ == project_.process;
+    if (!isKept) {
+        pathSource_ = immersion;
+        pathModel_ = project_.model;
+        pathProcess_ = project_.process;
+        path_ = {};
+        if (!immersion.path.isStraightDown()) {
+            try {
+                path_ =
+                    bodyPath(transformed(project_.model->mesh, pose), immersion, project_.process);
+            } catch (const Error&) { // the run says what is wrong; the part goes straight down
+            }
+        }
+    }
+    return path_;
 }
 
 // From the start above the film to the same distance below the water.
@@ -533,7 +556,10 @@ void DipScene::print() {
     const JobResult& result = *result_;
     std::vector<FilmAppearance> films = filmAppearances(result.immersions, true);
     for (std::size_t dip = 0; dip < films.size(); ++dip) {
-        films[dip].depth = dipDepth(result.project.process, *result.immersions[dip].body);
+        const PosedBody& body = *result.immersions[dip].body;
+        if (body.path.isStraightDown()) { // else places above the water may have been below it
+            films[dip].depth = dipDepth(result.project.process, body);
+        }
     }
     if (films.size() > 1) {
         slip(films.back());

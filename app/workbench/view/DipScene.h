@@ -1,6 +1,7 @@
 // Shows project, recording and result in the 3D view, at a chosen moment.
 #pragma once
 
+#include "dip/BodyPath.h"
 #include "search/CoveragePreview.h"
 #include "workbench/appearance/ArtworkPainter.h"
 #include "workbench/appearance/FinishedPartPreview.h"
@@ -11,6 +12,7 @@
 #include "workbench/widgets/HeatScale.h"
 
 #include <QObject>
+#include <optional>
 #include <variant>
 
 namespace dipwright {
@@ -96,6 +98,8 @@ private:
         std::variant<std::monostate, FlatFilm, std::shared_ptr<const DipRecording>, Dipped>;
 
     void placeBody(const Immersion& immersion, double descent);
+    // Returns the part's path without its offset. `pose` is poseTransform() of the immersion.
+    const solver::BodyPath& pathOf(const Immersion& immersion, const Eigen::Isometry3d& pose);
     void setBodyRoom(const Eigen::Isometry3d& modelToSetup);
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
                   const std::vector<float>& positions);
@@ -142,6 +146,11 @@ private:
     Moment moment_ = Moment::Setup;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     double descent_ = 0;
+    // The path that was computed last, and from what.
+    solver::BodyPath path_;
+    std::optional<Immersion> pathSource_;
+    std::shared_ptr<const TexturedMesh> pathModel_;
+    ProcessSettings pathProcess_;
     BoundingBox bodyRoom_;
     FilmSource filmSource_;
     ThinnedFilm shape_;

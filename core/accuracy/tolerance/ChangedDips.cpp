@@ -27,7 +27,8 @@ std::shared_ptr<const LaidFilm> laid(const DippedBody& nominal, const ChangedDip
     requireStable(film, dip.setup.motion.travel, nominal.immersion.name);
     std::shared_ptr<const PosedBody> body = nominal.body;
     if (other.immersion.rotation != nominal.immersion.rotation) {
-        body = std::make_shared<const PosedBody>(posedBody(nominal.model.mesh, other.immersion));
+        body = std::make_shared<const PosedBody>(
+            posedBody(nominal.model.mesh, other.immersion, nominal.process));
     }
     return layFilm(std::move(body), std::move(film), nominal.process);
 }

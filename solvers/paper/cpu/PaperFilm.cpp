@@ -56,6 +56,7 @@ private:
 void PaperFilm::begin(const solver::DipSetup& setup) {
     numerics::requireValid(setup);
     numerics::requireEven(setup.film);
+    numerics::requireStraightDown(setup);
     numerics::requireNoGrowth(setup.settings);
     require(setup.settings.lattice == solver::Lattice::Structural ||
                 setup.settings.support == solver::Support::None,

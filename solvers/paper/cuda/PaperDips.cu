@@ -106,6 +106,7 @@ int stepsOf(const solver::DipSetup& setup, double stepLength) {
 void requireKnown(const solver::DipSetup& setup) {
     numerics::requireValid(setup);
     numerics::requireEven(setup.film);
+    numerics::requireStraightDown(setup);
     numerics::requireNoGrowth(setup.settings);
     if (setup.settings.relaxation != solver::Relaxation::Jacobi || setup.settings.selfContact) {
         throw std::invalid_argument(

@@ -217,6 +217,14 @@ void upload(Value* to, const std::vector<Value>& values) {
     check(cudaMemcpy(to, values.data(), values.size() * sizeof(Value), cudaMemcpyHostToDevice));
 }
 
+// A path's poses in the memory of both sides.
+struct DevicePath {
+    explicit DevicePath(const solver::BodyPath& path)
+        : onHost(path), onDevice(std::span<const solver::PathPose>(onHost.poses)) {}
+    solver::BodyPath onHost;
+    DeviceArray<solver::PathPose> onDevice;
+};
+
 class ProductionDips final : public Dips {
 public:
     ProductionDips(const Device& device, Setups setups);
@@ -237,6 +245,7 @@ private:
     ProductionModel model_;
     Levels levels_;
     FieldUploads fields_;
+    std::vector<DevicePath> paths_;
     DeviceArray<std::byte> memory_;
     std::vector<ProductionDip> dips_;
     DeviceArray<ProductionDip> dipsOnDevice_;
@@ -267,6 +276,8 @@ ProductionDips::ProductionDips(const Device& device, Setups setups)
         placeArrays(dip, model_, levels_.pointCount(), memory_.data() + bytes * dips_.size());
         dip.body = numerics::contactBody<float>(*setup);
         dip.body.field.distance = fields_.onDevice(setup->field);
+        paths_.emplace_back(setup->path);
+        dip.body.path.poses = paths_.back().onDevice.data();
         layFlat(*setup, dip);
         dips_.push_back(dip);
         states_.emplace_back();
@@ -344,10 +355,12 @@ void ProductionDips::unpackPoints(std::size_t dip, const std::byte* stored,
         return reinterpret_cast<const Value*>(
             stored + (reinterpret_cast<const std::byte*>(onDevice) - first));
     };
+    numerics::ContactBody<float> body = own.body;
+    body.path = numerics::pathView(paths_[dip].onHost); // the poses in the host's memory
     const float2* displacement = inCopy(own.displacement);
     const float3* attached = inCopy(own.attached);
     const std::uint8_t* held = inCopy(own.states);
-    const auto frame = numerics::bodyFrame<float>(own.body.motion, dipState.descent);
+    const auto frame = body.frameAt(dipState.descent);
     const auto floating = [&](std::size_t point, float2 way) { // same as numerics::planePosition()
         const int row = int(point) / film().columns, column = int(point) - row * film().columns;
         return numerics::Vector3<float>{float(film().restX(column)) + way.x, 0,

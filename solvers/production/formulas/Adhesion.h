@@ -3,6 +3,7 @@
 // triangle (docs/film-model.md, "Contact in time" and "At the contact line").
 #pragma once
 
+#include "common/BodyPath.h"
 #include "production/formulas/ContactPath.h"
 #include "production/formulas/CrossingTriangle.h"
 
@@ -18,25 +19,45 @@ template <typename Real>
 struct ContactBody {
     FieldGrid<Real> field;
     solver::BodyMotion motion;
+    PathView path; // owned by the film
     Real contactDistance{};
     // Two values of the y component of the unit normal. Up to `firmlyHeld`, the body holds film
     // fully; past `steepestHeld`, not at all.
     Real firmlyHeld{}, steepestHeld{};
+
+    // Returns the body's frame after it has descended, or travelled along its path, that far.
+    DIPWRIGHT_HOST_DEVICE BodyFrame<Real> frameAt(double travelled) const {
+        return path.count == 0 ? bodyFrame<Real>(motion, travelled)
+                               : frameOnPath<Real>(path, travelled);
+    }
+    // Returns the time since the dip began, s.
+    DIPWRIGHT_HOST_DEVICE double secondsAt(double travelled) const {
+        return path.count == 0 ? travelled / motion.speed : secondsOnPath(path, travelled);
+    }
+    // Returns how long a step from `travelled` takes, s.
+    DIPWRIGHT_HOST_DEVICE double secondsOf(double travelled, double increment) const {
+        return path.count == 0 ? increment / motion.speed
+                               : secondsAt(travelled + increment) - secondsAt(travelled);
+    }
 };
 
-// Returns the body of a dip. The unfolding moves film along with the body's surface. The grip g is
-// the share of this motion that the film follows; it slips by the rest. Let u be the y component of
-// the body's normal at the contact line. When the line advances by 1 along the surface, it recedes
-// by u on the water. Then the length g − (1 − g) u of film is laid; without slip, it is 1. No film
-// may be laid past the overhang, so this length must be zero there. g falls linearly with u from
-// `firmlyHeld`. So the length is zero at the overhang if g is zero at `steepestHeld` as computed
-// below.
+// Returns the body of a dip; it refers to the poses of the setup's path. The unfolding moves film
+// along with the body's surface. The grip g is the share of this motion that the film follows; it
+// slips by the rest. Let u be the y component of the body's normal at the contact line. When the
+// line advances by 1 along the surface, it recedes by u on the water. Then the length g − (1 − g) u
+// of film is laid; without slip, it is 1. No film may be laid past the overhang, so this length
+// must be zero there. g falls linearly with u from `firmlyHeld`. So the length is zero at the
+// overhang if g is zero at `steepestHeld` as computed below.
 template <typename Real>
 ContactBody<Real> contactBody(const solver::DipSetup& setup) {
     const double last = std::sin(setup.settings.overhang);
     const double firmly = std::sin(setup.settings.overhang - setup.settings.gripFade);
-    return {fieldGrid<Real>(setup.field), setup.motion, Real(setup.settings.contactDistance),
-            Real(firmly), Real(last + std::max(last, 0.0) * (last - firmly))};
+    return {fieldGrid<Real>(setup.field),
+            setup.motion,
+            pathView(setup.path),
+            Real(setup.settings.contactDistance),
+            Real(firmly),
+            Real(last + std::max(last, 0.0) * (last - firmly))};
 }
 
 // A film point that has touched the body in a step. A face that turns up too far does not hold the
@@ -57,8 +78,7 @@ DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>
                                                          Vector3<Real> start, Vector3<Real> way) {
     Real early(0), late(1);
     const auto placeAt = [&](Real share) {
-        return bodyFrame<Real>(body.motion, descent + increment * double(share))
-            .toBody(start + way * share);
+        return body.frameAt(descent + increment * double(share)).toBody(start + way * share);
     };
     for (int iteration = 0; iteration < contactTimeHalvings; ++iteration) {
         const Real middle = (early + late) / Real(2);
@@ -66,8 +86,8 @@ DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>
         (distance > body.contactDistance ? early : late) = middle;
     }
     const Vector3<Real> place = placeAt(late);
-    const Vector3<Real> gradient =
-        bodyFrame<Real>(body.motion, 0).directionToWorld(smoothGradient(body.field, place));
+    const Vector3<Real> gradient = body.frameAt(descent + increment * double(late))
+                                       .directionToWorld(smoothGradient(body.field, place));
     if (!(gradient.y > body.steepestHeld * length(gradient))) {
         return {place, solver::PointState::Adhered};
     }

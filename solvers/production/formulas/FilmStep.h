@@ -43,7 +43,7 @@ DIPWRIGHT_TEAM inline double nearestClearance(Film& film, double most) {
     using Real = typename Film::Real;
     const FilmModel<Real>& model = film.model();
     const ContactBody<Real>& body = film.body();
-    const BodyFrame<Real> frame = bodyFrame<Real>(body.motion, film.state().descent);
+    const BodyFrame<Real> frame = body.frameAt(film.state().descent);
     const auto free = [&](std::size_t point) { return isFree(film, int(point)); };
     Real nearest = Real(most);
     film.forPoints([&](int point) {
@@ -109,13 +109,31 @@ DIPWRIGHT_TEAM inline void findCorners(const Film& film, const TriangleCorners& 
     }
 }
 
+// Returns how far the body at a triangle's held corners sinks, or rises, per mm that it travels.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline double sinking(const CrossingCorner<Real> (&corners)[3],
+                                            const BodyFrame<Real>& frame,
+                                            const BodyFrame<Real>& ahead) {
+    Real most(0);
+    for (const CrossingCorner<Real>& corner : corners) {
+        if (!corner.isFree) {
+            const Real way = ahead.toWorld(frame.toBody(corner.held)).y - corner.held.y;
+            most = std::fmax(most, std::fabs(way));
+        }
+    }
+    return double(most) / sinkingTestedOver;
+}
+
 // Finds the triangles that cross the contact line with the body at `descent` and can still move,
 // and unfolds the surface under them. If no contact line is near (a flat face, a submerged body),
 // their corners do not move. `moved` is true if the body has moved, false if only the film has.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void findContactLine(Film& film, double descent, bool moved) {
     using Real = typename Film::Real;
-    const BodyFrame<Real> frame = bodyFrame<Real>(film.body().motion, descent);
+    const BodyFrame<Real> frame = film.body().frameAt(descent);
+    const bool isOnPath = film.body().path.count > 0;
+    const BodyFrame<Real> ahead =
+        isOnPath ? film.body().frameAt(descent + sinkingTestedOver) : frame;
     const auto crosses = [&](const TriangleCorners& triangle) {
         bool anyHeld = false, moves = false;
         for (const std::uint32_t point : triangle.points) {
@@ -132,6 +150,11 @@ DIPWRIGHT_TEAM inline void findContactLine(Film& film, double descent, bool move
         UnfoldedTriangle<Real> unfolded =
             unfoldedTriangle(film.body(), frame, cell, points, corners, moved, film.laid(triangle));
         unfolded.crossing.cell = std::uint32_t(triangle / 2);
+        if (isOnPath) {
+            unfolded.steepness =
+                Real(steepnessOnPath(double(unfolded.steepness), sinking(corners, frame, ahead),
+                                     film.model().contactTravel));
+        }
         return unfolded;
     };
     const LineState<Real> found = film.findCrossing(crosses, unfold);
@@ -288,7 +311,7 @@ template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double restLengthIn(Film& film, double increment) {
     const FilmModel<typename Film::Real>& model = film.model();
     const double share = film.state().anyAdhered ? 0.5 : 1;
-    const double seconds = (film.state().descent + share * increment) / film.body().motion.speed;
+    const double seconds = film.body().secondsAt(film.state().descent + share * increment);
     return grownLength(seconds, model.growthRate, model.growthLimit);
 }
 
@@ -367,7 +390,7 @@ template <FilmBackend Film>
 DIPWRIGHT_TEAM inline bool touch(Film& film, double increment) {
     using Real = typename Film::Real;
     const ContactBody<Real>& body = film.body();
-    const BodyFrame<Real> frame = bodyFrame<Real>(body.motion, film.state().descent + increment);
+    const BodyFrame<Real> frame = body.frameAt(film.state().descent + increment);
     bool hasTouched = false;
     film.forPoints([&](int point) {
         if (!isFree(film, point)) {
@@ -406,7 +429,7 @@ DIPWRIGHT_TEAM inline bool releaseOverhang(Film& film, double descent) {
             const TriangleCorners points =
                 triangleCorners(film.model().columns, std::size_t(triangle));
             CrossingCorner<Real> corners[3];
-            findCorners(film, points, bodyFrame<Real>(film.body().motion, descent), corners);
+            findCorners(film, points, film.body().frameAt(descent), corners);
             const Matrix2<Real> change =
                 releaseTriangle(film.body(), points, crossing, corners, film.laid(triangle));
             film.setShape(triangle, change * film.shape(triangle));
@@ -449,7 +472,8 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
         const Real drag = Real(pointDrag(model.spacingX, model.spacingZ, increment));
         detail::enter(detail::settle(film, drag), dip.equilibrium);
         hasLost = detail::holdTornOrFolded(film, false);
-        detail::relax(film, Real(keptStress(increment, motion.speed, model.relaxationTime)));
+        detail::relax(film, Real(keptStress(film.body().secondsOf(dip.descent, increment),
+                                            model.relaxationTime)));
     }
     if (drift > 0) {
         detail::restoreBefore(film, drift);

@@ -22,11 +22,12 @@ public:
         : displacement_(setup.film.pointCount()), before_(setup.film.pointCount()),
           free_(setup.film.pointCount(), 1.f), columns_(columnsOf<Real>(setup.film)),
           rows_(rowsOf<Real>(setup.film)),
-          model_(filmModel<Real>(setup, columns_.lines(), rows_.lines())),
+          model_(filmModel<Real>(setup, columns_.lines(), rows_.lines())), path_(setup.path),
           body_(contactBody<Real>(setup)),
           states_(setup.film.pointCount(), solver::PointState::Free),
           marks_(setup.film.pointCount(), 0), attached_(setup.film.pointCount()),
           clearance_(setup.film.pointCount(), Real(0)), laid_(std::size_t(triangleCount(model_))) {
+        body_.path = pathView(path_);
         for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
             free_[point] = setup.pinned[point] ? 0.f : 1.f;
         }
@@ -68,7 +69,7 @@ public:
 
     // See solver::FilmSolver::read.
     void read(std::span<float> positions, std::span<solver::PointState> states) const {
-        const BodyFrame<Real> frame = bodyFrame<Real>(body_.motion, state_.descent);
+        const BodyFrame<Real> frame = body_.frameAt(state_.descent);
         forPoints([&](int point) {
             const Vector3<Real> place =
                 pointState(point) == solver::PointState::Free
@@ -102,6 +103,7 @@ private:
 
     FilmLineValues<Real> columns_, rows_;
     FilmModel<Real> model_;
+    solver::BodyPath path_;
     ContactBody<Real> body_;
     StepState<Real> state_;
     std::vector<solver::PointState> states_;

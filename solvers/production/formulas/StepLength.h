@@ -21,6 +21,18 @@ DIPWRIGHT_HOST_DEVICE inline double contactIncrement(double travel, double steep
     return travel * (steepness > leastSteepness ? steepness : leastSteepness);
 }
 
+// On a path, the body's sinking is tested over this way, mm.
+inline constexpr double sinkingTestedOver = 0.1;
+
+// On a path, the contact line travels by the body's vertical motion over the steepness. Returns the
+// steepness of a face on which it would travel as far in a straight dip, if the body sinks or rises
+// by `sinking` mm per mm of its way. A step is at most a cell long.
+DIPWRIGHT_HOST_DEVICE inline double steepnessOnPath(double steepness, double sinking,
+                                                    double contactTravel) {
+    const double least = steepness > leastSteepness ? steepness : leastSteepness;
+    return std::fmin(least / std::fmax(sinking, 1e-3), 1 / contactTravel);
+}
+
 // Some points have no film on the body near them. Returns the descent after which the first of
 // these points may make contact, but at least 10 % of `travel`. So a step does not run past the
 // first contact of any part of the body.
@@ -45,11 +57,9 @@ DIPWRIGHT_HOST_DEVICE inline bool isNextToContact(int columns, int rows, int poi
     return false;
 }
 
-// Returns the share of its stress that the film keeps over a step of `increment` mm at a speed of
-// `speed` mm/s.
-DIPWRIGHT_HOST_DEVICE inline double keptStress(double increment, double speed,
-                                               double relaxationTime) {
-    return relaxationTime > 0 ? std::exp(-(increment / speed) / relaxationTime) : 0.0;
+// Returns the share of its stress that the film keeps over a step of `seconds`.
+DIPWRIGHT_HOST_DEVICE inline double keptStress(double seconds, double relaxationTime) {
+    return relaxationTime > 0 ? std::exp(-seconds / relaxationTime) : 0.0;
 }
 
 } // namespace dipwright::numerics

@@ -78,8 +78,7 @@ void FilmUnderBodyTest::automaticCell_uprightPlate_ignoresItsSides() {
     const TriangleMesh plate = boxMesh({60, 4, 60});
     QVERIFY(cellFor(undersideOf(plate)) < 0.6 * cellFor(undersideOf(plate, upright)));
     // The model's own frame gives the same result.
-    const Underside asked =
-        undersideOf(plate, SurfaceQuery(plate), poseTransform(plate, upright), {});
+    const Underside asked = undersideOf(plate, SurfaceQuery(plate), upright, {});
     QVERIFY(std::abs(cellFor(asked) / cellFor(undersideOf(plate, upright)) - 1) < 1e-4);
 }
 

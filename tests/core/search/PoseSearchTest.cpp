@@ -239,7 +239,7 @@ private slots:
     void searchPoses_turnedBodyOfRevolution_isRankedAlike() {
         SearchSettings settings;
         settings.directions = 600;
-        settings.simulated = 16;
+        settings.simulated = 8;
         settings.refined = 2;
         settings.finer = 2;
         settings.confirmed = 0;

@@ -37,7 +37,7 @@ private slots:
     }
 
     void filledTemplate_shippedTemplate_hasTheExpectedCommands() {
-        const MotionTemplate shipped = motionTemplate();
+        const MotionTemplate shipped = standardMotionTemplate({});
         const QString code =
             QString::fromUtf8(filledTemplate(motion(), shipped.text, shipped.where));
         QVERIFY(!code.contains(u'{'));
@@ -59,7 +59,7 @@ private slots:
     // Some controllers take a dwell in ms, others in s. The hold therefore consists of moves that
     // take the same time.
     void filledTemplate_hold_lastsAsLongOnEveryController() {
-        const MotionTemplate shipped = motionTemplate();
+        const MotionTemplate shipped = standardMotionTemplate({});
         const QString code =
             QString::fromUtf8(filledTemplate(motion(), shipped.text, shipped.where));
         double height = 0, minutes = 0; // height in mm; time at the dip's depth

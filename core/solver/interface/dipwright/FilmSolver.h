@@ -1,10 +1,10 @@
 // The interface between the program and a film solver: plain C++, no Qt, no VTK.
 //
 // A solver simulates one film that floats on the water (the plane y = 0) while one rigid body moves
-// down along −Y. Units are millimetres, seconds and radians, in a right-handed frame with Y up. The
-// host owns the loop: it calls begin(), then advance() until `finished`, and may read the film
-// between two calls. One solver object is used by one thread at a time; different objects are
-// independent.
+// into it: straight down along −Y, or along a path on which it also travels and turns. Units are
+// millimetres, seconds and radians, in a right-handed frame with Y up. The host owns the loop: it
+// calls begin(), then advance() until `finished`, and may read the film between two calls. One
+// solver object is used by one thread at a time; different objects are independent.
 //
 // Errors: every member may throw std::exception (std::runtime_error with a sentence for the user).
 // The object can then only be destroyed or begun again.
@@ -23,7 +23,7 @@
 namespace dipwright::solver {
 
 // Increased whenever this folder changes in a way that breaks older modules.
-inline constexpr int interfaceVersion = 3;
+inline constexpr int interfaceVersion = 4;
 
 // Which constraints hold the film together.
 enum class Lattice : std::uint8_t {
@@ -112,13 +112,36 @@ struct FieldView {
     double spacing = 0;
 };
 
-// The body's motion into the water. A point q of the body (body coordinates, as in the field) has
-// the world position rotation·q + start − (0, descent, 0). Here descent grows from 0 to `travel`.
+// The body's motion straight down into the water. A point q of the body (body coordinates, as in
+// the field) has the world position rotation·q + start − (0, descent, 0). Here descent grows from 0
+// to `travel`.
 struct BodyMotion {
     std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1}; // row-major
     std::array<double, 3> start{};                             // mm
     double travel = 0;                                         // mm
     double speed = 5;                                          // mm/s
+};
+
+// One pose on a path.
+struct PathPose {
+    // Way along the path, mm. Between two poses no point of the body moves farther than the way
+    // grows, so that `travelled` bounds the body's motion as the descent does in a straight dip.
+    double travelled = 0;
+    double seconds = 0;                         // since the dip began
+    std::array<double, 4> rotation{1, 0, 0, 0}; // from the body to the world; w, x, y, z; length 1
+    std::array<double, 3> pivot{};              // world position of the path's pivot, mm
+};
+
+// A motion of the body with turns and sideways travel. Between two poses the pivot moves on a
+// straight line and the body turns about it by the shorter way (less than 180°), both at constant
+// speed. A point q of the body has the world position rotation·(q − pivot) + PathPose::pivot.
+struct BodyPath {
+    std::array<double, 3> pivot{}; // body coordinates, mm
+    // In ascending order of `travelled` and `seconds`; the first has 0 for both. Empty: the body
+    // moves straight down (BodyMotion).
+    std::vector<PathPose> poses = {};
+
+    bool isStraightDown() const { return poses.empty(); }
 };
 
 struct Settings {
@@ -165,9 +188,11 @@ struct Settings {
 struct DipSetup {
     FilmGrid film;
     FieldView field;
+    // If there is a path, only `travel` is used, and is the way along the whole path.
     BodyMotion motion;
     Settings settings;
     std::vector<std::uint8_t> pinned;
+    BodyPath path = {}; // empty for modules that do not follow paths
 };
 
 // How well the steps of a dip have converged so far. All zero for a film that does not seek
@@ -181,7 +206,7 @@ struct EquilibriumAccount {
 // Progress of a dip.
 struct DipState {
     std::int64_t steps = 0; // steps done so far
-    double descent = 0;     // mm that the body has come down
+    double descent = 0;     // mm that the body has come down; on a path, mm that it has travelled
     bool finished = false;  // descent has reached the travel
     EquilibriumAccount equilibrium = {};
 };
@@ -287,6 +312,9 @@ public:
     // of a single dip. Returns false if cancelled.
     virtual bool runBatch(std::span<BatchItem> items, CancelFunction cancelled,
                           void* context) const = 0;
+    // Whether the films of this module move the body along DipSetup::path. If not, the host gives
+    // the module straight dips only.
+    virtual bool followsPaths() const { return false; }
     // Measures the device with all available threads, in a few tenths of a second.
     virtual std::optional<Ceiling> measuredCeiling() const { return std::nullopt; }
 };

@@ -1,0 +1,350 @@
+#include "dip/BodyPath.h"
+
+#include "base/Error.h"
+#include "dip/Pose.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(BodyPath)
+};
+
+// The most by which the body turns between two poses. Between them the pivot moves on a straight
+// line, so the lowest point of a tilting body is off by less than 1/1000 of its distance.
+constexpr double turnOfAPose = 5 * pi / 180;
+constexpr double leastWay = 1e-9; // mm; shorter moves are left out
+
+// A pose: the body's rotation from its final one, and the place of the pivot from the offset.
+struct Move {
+    double seconds = 0;
+    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+};
+
+// The shape of the body that a path needs.
+class Shape {
+public:
+    explicit Shape(const TriangleMesh& posed) {
+        const BoundingBox box = boundingBox(posed);
+        height_ = double(box.sizes().y());
+        middle_ = {0, double(box.min().y()) + height_ / 2, 0};
+        places_.reserve(posed.positions.size());
+        for (const Eigen::Vector3f& place : posed.positions) {
+            places_.push_back(place.cast<double>() - middle_);
+        }
+    }
+    const Eigen::Vector3d& middle() const { return middle_; }
+    double height() const { return height_; }
+    // Returns how far the lowest point of the turned body lies under its pivot.
+    double below(const Eigen::Quaterniond& turn) const {
+        const Eigen::RowVector3d up = turn.toRotationMatrix().row(1);
+        double lowest = 0;
+        for (const Eigen::Vector3d& place : places_) {
+            lowest = std::min(lowest, up.dot(place));
+        }
+        return -lowest;
+    }
+    double radius() const {
+        double most = 0;
+        for (const Eigen::Vector3d& place : places_) {
+            most = std::max(most, place.norm());
+        }
+        return most;
+    }
+
+private:
+    Eigen::Vector3d middle_;
+    double height_ = 0;
+    std::vector<Eigen::Vector3d> places_; // from the pivot
+};
+
+Eigen::Vector3d directionOf(Degrees heading) {
+    return {std::cos(radians(heading)), 0, std::sin(radians(heading))};
+}
+
+// A turn about this axis by a positive angle lowers the side of the heading, as a wheel that rolls
+// there.
+Eigen::Quaterniond forwards(Degrees heading, double angle) {
+    return Eigen::Quaterniond(
+        Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY().cross(directionOf(heading))));
+}
+
+int partsOf(double angle) {
+    return std::max(1, int(std::ceil(std::abs(angle) / turnOfAPose)));
+}
+
+class Planner {
+public:
+    Planner(const Shape& shape, const DipPath& path, const ProcessSettings& process, double depth)
+        : shape_(shape), path_(path), process_(process), depth_(depth) {}
+
+    std::vector<Move> moves() {
+        switch (path_.kind) {
+        case PathKind::Straight:
+            goDown([](double) { return 0.0; }, [](double) { return Eigen::Vector3d(0, 0, 0); }, {});
+            break;
+        case PathKind::Slanted: {
+            const double steepness = std::tan(radians(path_.angle));
+            goDown([](double) { return 0.0; },
+                   [&](double deep) -> Eigen::Vector3d {
+                       return (deep + startHeight) / steepness * directionOf(path_.heading);
+                   },
+                   {});
+            break;
+        }
+        case PathKind::Tilt:
+            tilt();
+            break;
+        case PathKind::Roll:
+            roll();
+            break;
+        }
+        flow();
+        return std::move(moves_);
+    }
+
+private:
+    // Speed of the dip at a depth of the lowest point.
+    double speedAt(double deep) const {
+        const bool isSlow = path_.slowSpeed &&
+                            (deep < path_.slowWay.value() || deep > depth_ - path_.slowWay.value());
+        return isSlow ? path_.slowSpeed->value() : process_.dipSpeed.value();
+    }
+
+    void add(const Eigen::Quaterniond& turn, const Eigen::Vector3d& middle, double speed) {
+        double seconds = 0;
+        if (!moves_.empty()) {
+            const Move& last = moves_.back();
+            const double way = (middle - last.middle).norm() +
+                               last.turn.angularDistance(turn) * shape_.height() / 2;
+            if (way < leastWay) {
+                return;
+            }
+            seconds = last.seconds + way / speed;
+        }
+        moves_.push_back({seconds, turn, middle});
+    }
+
+    // Goes down until the lowest point is at the depth of the dip. tiltAt(depth) is the tilt
+    // towards the heading, beside(depth) the sideways travel; `stops` are further depths that need
+    // a pose.
+    template <typename TiltAt, typename Beside>
+    void goDown(const TiltAt& tiltAt, const Beside& beside, std::vector<double> stops) {
+        const double way = startHeight + depth_;
+        const int parts =
+            std::max(partsOf(radians(path_.turn)), partsOf(tiltAt(-startHeight) - tiltAt(depth_)));
+        for (int part = 0; part <= parts; ++part) {
+            stops.push_back(-startHeight + way * part / parts);
+        }
+        if (path_.slowSpeed) {
+            stops.push_back(path_.slowWay.value());
+            stops.push_back(depth_ - path_.slowWay.value());
+        }
+        std::sort(stops.begin(), stops.end());
+        double before = -startHeight;
+        for (const double deep : stops) {
+            if (deep < -startHeight || deep > depth_ || (deep == before && !moves_.empty())) {
+                continue;
+            }
+            const double left = 1 - (deep + startHeight) / way;
+            const Eigen::Quaterniond turn =
+                forwards(path_.heading, tiltAt(deep)) *
+                Eigen::Quaterniond(
+                    Eigen::AngleAxisd(-left * radians(path_.turn), Eigen::Vector3d::UnitY()));
+            const double middle = shape_.below(turn) - deep;
+            // The lowest point sets the speed, though the middle comes down at another one.
+            const Eigen::Vector3d place = beside(deep) + middle * Eigen::Vector3d::UnitY();
+            const double seconds = (deep - before) / speedAt((deep + before) / 2);
+            moves_.push_back({moves_.empty() ? 0 : moves_.back().seconds + seconds, turn, place});
+            before = deep;
+        }
+    }
+
+    void tilt() {
+        const double level =
+            std::min(path_.levelDepth ? path_.levelDepth->value() : depth_, depth_);
+        const double entry = radians(path_.angle);
+        const auto tiltAt = [&](double deep) {
+            return deep >= level ? 0.0 : entry * (level - deep) / (level + startHeight);
+        };
+        goDown(tiltAt, [](double) { return Eigen::Vector3d(0, 0, 0); }, {level});
+    }
+
+    void roll() {
+        const double angle = radians(path_.angle);
+        const double radius = path_.rollRadius ? path_.rollRadius->value() : shape_.height() / 2;
+        goDown([&](double) { return -angle; }, [](double) { return Eigen::Vector3d(0, 0, 0); }, {});
+        const Move down = moves_.back();
+        const int parts = partsOf(angle);
+        for (int part = 1; part <= parts; ++part) {
+            const double rolled = angle * part / parts;
+            add(forwards(path_.heading, rolled - angle),
+                down.middle + rolled * radius * directionOf(path_.heading),
+                process_.dipSpeed.value());
+        }
+    }
+
+    // The film moves with the water, so the part travels against it.
+    void flow() {
+        for (Move& move : moves_) {
+            move.middle -= move.seconds * path_.waterSpeed.value() * directionOf(path_.heading);
+        }
+    }
+
+    const Shape& shape_;
+    const DipPath& path_;
+    const ProcessSettings& process_;
+    double depth_; // of the lowest point at the end of the way down, mm
+    std::vector<Move> moves_;
+};
+
+void requireTravellable(const DipPath& path, const Immersion& immersion) {
+    constexpr double flattest = 10;
+    const double angle = path.angle.value();
+    if (path.kind == PathKind::Slanted && (angle < flattest || angle > 180 - flattest)) {
+        throw Error(Text::tr("A slanted dip needs an angle to the water between %1° and %2°")
+                        .arg(flattest)
+                        .arg(180 - flattest),
+                    immersion.name);
+    }
+    if (path.kind == PathKind::Tilt && std::abs(angle) > 85) {
+        throw Error(Text::tr("The part can enter tilted by at most 85°"), immersion.name);
+    }
+}
+
+// Returns the poses after which no point of the body has moved farther than the way travelled.
+std::vector<solver::PathPose> posesOf(const std::vector<Move>& moves, double radius) {
+    std::vector<solver::PathPose> poses;
+    for (const Move& move : moves) {
+        solver::PathPose pose;
+        pose.seconds = move.seconds;
+        pose.rotation = {move.turn.w(), move.turn.x(), move.turn.y(), move.turn.z()};
+        Eigen::Map<Eigen::Vector3d>(pose.pivot.data()) = move.middle;
+        if (!poses.empty()) {
+            const Move& last = moves[poses.size() - 1];
+            pose.travelled = poses.back().travelled + (move.middle - last.middle).norm() +
+                             radius * last.turn.angularDistance(move.turn);
+        }
+        poses.push_back(pose);
+    }
+    return poses;
+}
+
+// Returns the index of the pose at the end of the part that contains `travelled`, and the share.
+std::pair<std::size_t, double> partAt(const solver::BodyPath& path, double travelled) {
+    const auto after = std::lower_bound(
+        path.poses.begin() + 1, path.poses.end() - 1, travelled,
+        [](const solver::PathPose& pose, double way) { return pose.travelled < way; });
+    const double begin = (after - 1)->travelled;
+    return {std::size_t(after - path.poses.begin()),
+            std::clamp((travelled - begin) / (after->travelled - begin), 0.0, 1.0)};
+}
+
+Eigen::Quaterniond rotationOf(const solver::PathPose& pose) {
+    return {pose.rotation[0], pose.rotation[1], pose.rotation[2], pose.rotation[3]};
+}
+
+Eigen::Vector3d vectorOf(const std::array<double, 3>& values) {
+    return Eigen::Map<const Eigen::Vector3d>(values.data());
+}
+
+} // namespace
+
+Eigen::Isometry3d placeOnPath(const solver::BodyPath& path, double travelled) {
+    const auto [after, share] = partAt(path, travelled);
+    const solver::PathPose &from = path.poses[after - 1], &to = path.poses[after];
+    const Eigen::Vector3d pivot =
+        vectorOf(from.pivot) + share * (vectorOf(to.pivot) - vectorOf(from.pivot));
+    return Eigen::Translation3d(pivot) * rotationOf(from).slerp(share, rotationOf(to)) *
+           Eigen::Translation3d(-vectorOf(path.pivot));
+}
+
+double secondsOnPath(const solver::BodyPath& path, double travelled) {
+    const auto [after, share] = partAt(path, travelled);
+    const double begin = path.poses[after - 1].seconds;
+    return begin + share * (path.poses[after].seconds - begin);
+}
+
+std::optional<double> firstUnderWater(const solver::BodyPath& path, const Eigen::Vector3d& at) {
+    constexpr int halvings = 12;
+    const auto heightAt = [&](double way) { return (placeOnPath(path, way) * at).y(); };
+    double above = 0;
+    for (const solver::PathPose& pose : path.poses) {
+        const Eigen::Vector3d arm = at - vectorOf(path.pivot);
+        if ((rotationOf(pose) * arm).y() + pose.pivot[1] > 0) {
+            above = pose.travelled;
+            continue;
+        }
+        double under = pose.travelled;
+        for (int i = 0; i < halvings; ++i) {
+            const double middle = (above + under) / 2;
+            (heightAt(middle) > 0 ? above : under) = middle;
+        }
+        return under;
+    }
+    return std::nullopt;
+}
+
+solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
+                          const ProcessSettings& process) {
+    if (immersion.path.isStraightDown()) {
+        return {};
+    }
+    requireTravellable(immersion.path, immersion);
+    const Shape shape(posed);
+    const double depth =
+        process.depth ? process.depth->value() : shape.height() + process.margin.value();
+    solver::BodyPath path;
+    Eigen::Map<Eigen::Vector3d>(path.pivot.data()) = shape.middle();
+    path.poses = posesOf(Planner(shape, immersion.path, process, depth).moves(), shape.radius());
+    return path;
+}
+
+solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& modelToPose,
+                             const Immersion& immersion) {
+    solver::BodyPath result = path;
+    const Eigen::Quaterniond model(modelToPose.linear());
+    const Eigen::Vector3d pivot = modelToPose.inverse() * vectorOf(path.pivot);
+    Eigen::Map<Eigen::Vector3d>(result.pivot.data()) = pivot;
+    for (solver::PathPose& pose : result.poses) {
+        const Eigen::Quaterniond turn = (rotationOf(pose) * model).normalized();
+        pose.rotation = {turn.w(), turn.x(), turn.y(), turn.z()};
+        pose.pivot[0] += immersion.offset[0].value();
+        pose.pivot[2] += immersion.offset[1].value();
+    }
+    return result;
+}
+
+std::vector<PathMoment> momentsOf(const solver::BodyPath& path) {
+    std::vector<PathMoment> moments;
+    for (std::size_t i = 0; i < path.poses.size(); ++i) {
+        if (i > 0) { // the body may go far between two poses without a turn
+            const double middle = (path.poses[i - 1].travelled + path.poses[i].travelled) / 2;
+            moments.push_back({middle, placeOnPath(path, middle)});
+        }
+        const double end = path.poses[i].travelled;
+        moments.push_back({end, placeOnPath(path, end)});
+    }
+    return moments;
+}
+
+Eigen::AlignedBox2d wetShadow(const solver::BodyPath& path, const TriangleMesh& posed) {
+    Eigen::AlignedBox2d shadow;
+    for (const PathMoment& moment : momentsOf(path)) {
+        for (const Eigen::Vector3f& place : posed.positions) {
+            const Eigen::Vector3d at = moment.poseToWorld * place.cast<double>();
+            if (at.y() <= 0) {
+                shadow.extend(Eigen::Vector2d(at.x(), at.z()));
+            }
+        }
+    }
+    return shadow;
+}
+
+} // namespace dipwright

@@ -1,0 +1,51 @@
+// The poses of a part over the time of a dip, from the path that the user chose
+// (settings/DipPath.h).
+//
+// A path is given in the pose frame (Pose.h) of the end of the dip, moved over the water: there the
+// part has its final rotation. The pivot lies on the pose frame's vertical axis, at half the part's
+// height.
+// docs/film-model.md, "Paths", derives the poses of each kind.
+#pragma once
+
+#include "geometry/TriangleMesh.h"
+#include "settings/Immersion.h"
+#include "settings/ProcessSettings.h"
+
+#include <dipwright/FilmSolver.h>
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+namespace dipwright {
+
+// Returns the place of a body on `path`, which has poses: maps its coordinates to the world.
+Eigen::Isometry3d placeOnPath(const solver::BodyPath& path, double travelled);
+// Returns the time since the dip began, s.
+double secondsOnPath(const solver::BodyPath& path, double travelled);
+// Returns the first way along the path, mm, at which the place `at` of the body is under water;
+// nothing if it stays above.
+std::optional<double> firstUnderWater(const solver::BodyPath& path, const Eigen::Vector3d& at);
+
+// Returns the path of a body in the coordinates of its pose frame, without the offset on the water;
+// without poses if the part goes straight down. `posed` is the body in its pose frame. Throws Error
+// if the path has a part that cannot be travelled.
+solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
+                          const ProcessSettings& process);
+// Returns the same path for a body in model coordinates, at an offset on the water.
+solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& modelToPose,
+                             const Immersion& immersion);
+
+// Returns the bounding box, in x and z from the offset, of the places at which the body is under
+// water on its path. `posed` is the body in its pose frame.
+Eigen::AlignedBox2d wetShadow(const solver::BodyPath& path, const TriangleMesh& posed);
+
+// A moment on a path for which the body's rotation is looked at.
+struct PathMoment {
+    double travelled = 0;
+    Eigen::Isometry3d poseToWorld;
+};
+// Returns moments on a path between which the body turns by a few degrees at most.
+std::vector<PathMoment> momentsOf(const solver::BodyPath& path);
+
+} // namespace dipwright

@@ -1,0 +1,53 @@
+// How the part moves through the water in one dip, as in the project file's "immersions[i].path".
+// dip/BodyPath.h turns it into poses over time.
+//
+// The rotation of an immersion is the part's rotation at the end of the dip, and its offset the
+// place of the part's centre at the beginning.
+#pragma once
+
+#include "base/Units.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace dipwright {
+
+enum class PathKind : std::uint8_t {
+    Straight, // straight down
+    Slanted,  // down and sideways, in its final rotation
+    Tilt,     // enters tilted, with one side first, and is levelled while it goes down
+    Roll,     // straight down to the depth of the dip, then rolls sideways over the film
+};
+
+struct DipPath {
+    PathKind kind = PathKind::Straight;
+    // The direction over the water, from +X (0°, to the right) to +Z (90°, down the sheet): in
+    // which the part travels or rolls, or of the side that enters first.
+    Degrees heading{0};
+    // Slanted: the angle between the way and the water. Tilt: the tilt at the beginning. Roll: the
+    // angle through which the part rolls.
+    Degrees angle{45};
+    // Tilt: depth of the lowest point at which the part is level; none: at the end of the dip.
+    std::optional<Millimetres> levelDepth;
+    // Roll: sideways travel for each radian; none: half the part's height, so that a cylinder rolls
+    // without slip.
+    std::optional<Millimetres> rollRadius;
+    // Any kind: turn about the vertical while the part goes down, counterclockwise seen from above.
+    Degrees turn{0};
+    // Any kind: speed of the water and the film with it, in the direction of the heading. The film
+    // sees the part travel the other way.
+    MillimetresPerSecond waterSpeed{0};
+    // Any kind: speed over the first and the last `slowWay` of the way; none: the speed of the dip.
+    std::optional<MillimetresPerSecond> slowSpeed;
+    Millimetres slowWay{5};
+
+    bool operator==(const DipPath&) const = default;
+
+    // Whether the part goes straight down at one speed, in its final rotation.
+    bool isStraightDown() const {
+        return kind == PathKind::Straight && turn == Degrees(0) &&
+               waterSpeed == MillimetresPerSecond(0) && !slowSpeed;
+    }
+};
+
+} // namespace dipwright
