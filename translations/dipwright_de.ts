@@ -101,8 +101,8 @@
         <translation>Überhang (°)</translation>
     </message>
     <message>
-        <source>Fading grip (°)</source>
-        <translation>Nachlassender Halt (°)</translation>
+        <source>Grip fade range (°)</source>
+        <translation>Bereich, in dem der Halt nachlässt (°)</translation>
     </message>
     <message>
         <source>Gathering (mean stretch)</source>
@@ -113,8 +113,8 @@
         <translation>Reißen (Dehnung von Länge oder Fläche)</translation>
     </message>
     <message>
-        <source>%1 varied from %2 to %3 (set: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
-        <translation>%1 von %2 bis %3 verändert (eingestellt: %4): 95 % der bemalten Fläche verschieben sich um höchstens %5. %6 % von ihr verschieben sich um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
+        <source>%1 varied from %2 to %3 (in the project: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
+        <translation>%1 von %2 bis %3 verändert (im Projekt: %4): 95 % der bemalten Fläche verschieben sich um höchstens %5. %6 % von ihr verschieben sich um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
     </message>
     <message>
         <source>the film has too few points to be compared with a film of half as many</source>
@@ -1005,8 +1005,8 @@
         <translation>Ebene Fläche, 60 × 40 mm</translation>
     </message>
     <message>
-        <source>Inside of a torus to 80°</source>
-        <translation>Innenseite eines Torus bis 80°</translation>
+        <source>Inner side of a torus, to 80° from its lowest circle</source>
+        <translation>Innenseite eines Torus, bis 80° von seinem tiefsten Kreis</translation>
     </message>
     <message>
         <source>Lying cylinder to 80°</source>
@@ -1076,8 +1076,8 @@
         <translation>Textur wird umgekehrt</translation>
     </message>
     <message>
-        <source>Varying the laws</source>
-        <translation>Gesetze des Films werden verändert</translation>
+        <source>Dipping with varied film laws</source>
+        <translation>Tauchen mit veränderten Filmgesetzen</translation>
     </message>
     <message>
         <source>Writing the cradle of %1</source>
@@ -1877,12 +1877,12 @@
         <translation>Die Vorgabe %1 gibt es nicht; nehmen Sie production oder paper-2020</translation>
     </message>
     <message>
-        <source>There is no such layer; the artwork&apos;s layers: %1, the lowest is artwork.layers[0]</source>
-        <translation>Diese Ebene gibt es nicht; Ebenen der Gestaltung: %1, die unterste ist artwork.layers[0]</translation>
+        <source>There is no such layer; the number of layers is %1, and the lowest is artwork.layers[0]</source>
+        <translation>Diese Ebene gibt es nicht; die Zahl der Ebenen ist %1, und die unterste ist artwork.layers[0]</translation>
     </message>
     <message>
-        <source>There is no such dip; the project&apos;s dips: %1, the first is immersions[0]</source>
-        <translation>Diesen Tauchvorgang gibt es nicht; Tauchvorgänge des Projekts: %1, der erste ist immersions[0]</translation>
+        <source>There is no such dip; the number of dips is %1, and the first is immersions[0]</source>
+        <translation>Diesen Tauchvorgang gibt es nicht; die Zahl der Tauchvorgänge ist %1, und der erste ist immersions[0]</translation>
     </message>
     <message>
         <source>inspection.pairs names a photo that is not in inspection.photos</source>
@@ -2002,8 +2002,8 @@
         <translation>%1 in %2</translation>
     </message>
     <message>
-        <source>The project is not saved, because it could not be opened again: %1</source>
-        <translation>Das Projekt wird nicht gespeichert, weil es nicht wieder geöffnet werden könnte: %1</translation>
+        <source>The project was not saved, because its file would be refused when opened: %1</source>
+        <translation>Das Projekt wurde nicht gespeichert, weil seine Datei beim Öffnen abgelehnt würde: %1</translation>
     </message>
     <message>
         <source>This is not a Dipwright project: it has no project.json</source>
@@ -2702,8 +2702,8 @@
         <translation>Naht</translation>
     </message>
     <message>
-        <source>Width (W) and height (H) of the printed film. The grid spacing does not change.</source>
-        <translation>Breite (B) und Höhe (H) des bedruckten Films. Der Gitterabstand ändert sich nicht.</translation>
+        <source>Width (W) and height (H) of the printed film. The cells of the simulated film keep their size.</source>
+        <translation>Breite (B) und Höhe (H) des bedruckten Films. Die Zellen des simulierten Films behalten ihre Größe.</translation>
     </message>
     <message>
         <source>Number of points of the simulated film, across (W) and down (H). More points show finer detail and take longer.</source>
@@ -2754,8 +2754,8 @@
         <translation>Grenze für den Aufwand</translation>
     </message>
     <message>
-        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells, but never with more than this many million points × steps. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
-        <translation>Ist der numerische Fehler zu groß, um ein Blatt zu drucken, wird der Tauchvorgang mit kleineren Zellen wiederholt, aber nie mit mehr als so vielen Millionen Punkten × Schritten. 60 dauern auf zwei Kernen etwa 20 s. 0: Der Tauchvorgang wird nicht wiederholt.</translation>
+        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells. This limits the work of one dip: the number of film points times the number of steps, in millions. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
+        <translation>Ist der numerische Fehler zu groß, um ein Blatt zu drucken, wird der Tauchvorgang mit kleineren Zellen wiederholt. Dieser Wert begrenzt den Aufwand eines Tauchvorgangs: Zahl der Filmpunkte mal Zahl der Schritte, in Millionen. 60 dauern auf zwei Kernen etwa 20 s. 0: Der Tauchvorgang wird nicht wiederholt.</translation>
     </message>
     <message>
         <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice connects each point only with its horizontal and vertical neighbours, as in the publication of 2020.</source>
@@ -2790,8 +2790,8 @@
         <translation>Marken und Text</translation>
     </message>
     <message>
-        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, and the ink as on white.</source>
-        <translation>Farbe des unbemalten Teils, zum Beispiel #1a2b3c. Vorschau und Ansicht zeigen die Druckfarbe darauf. Wenn leer, zeigen sie ein hellgraues Teil und die Druckfarbe wie auf Weiß.</translation>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, with the ink in the colours that it has on white.</source>
+        <translation>Farbe des unbemalten Teils, zum Beispiel #1a2b3c. Vorschau und Ansicht zeigen die Druckfarbe darauf. Wenn leer, zeigen sie ein hellgraues Teil und darauf die Druckfarbe so, wie sie auf Weiß aussieht.</translation>
     </message>
     <message>
         <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. Only in CMYK files (PDF and TIFF).</source>
@@ -4073,8 +4073,8 @@
         <translation>Das Bild ist mehr als %1 Pixel breit oder hoch; verkleinern Sie es</translation>
     </message>
     <message>
-        <source>The pictures have more than %1 million pixels in total, which is the limit for files of their size; make them smaller</source>
-        <translation>Die Bilder haben insgesamt mehr als %1 Millionen Pixel; das ist die Grenze für Dateien dieser Größe. Verkleinern Sie die Bilder</translation>
+        <source>The pictures have more than %1 million pixels in total, too many for a file of this size; reduce the pictures in width and height</source>
+        <translation>Die Bilder haben insgesamt mehr als %1 Millionen Pixel, zu viele für eine Datei dieser Größe; verringern Sie Breite und Höhe der Bilder</translation>
     </message>
     <message>
         <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller, or save it again in the program that created it</source>
@@ -6411,8 +6411,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Karten in einem Ordner speichern</translation>
     </message>
     <message>
-        <source>95 % below</source>
-        <translation>95 % unter</translation>
+        <source>95th percentile</source>
+        <translation>95. Perzentil</translation>
     </message>
     <message>
         <source>How far the image on the sheet moves with half the step or half the cell width</source>
@@ -6661,8 +6661,8 @@ zuerst eintaucht</translation>
         <translation>Die Paare bestimmen die Kamera nicht; geben Sie mehr Paare an, weiter auseinander</translation>
     </message>
     <message>
-        <source>The pairs do not determine the camera&apos;s distance; give places at different distances, and photograph from nearer</source>
-        <translation>Die Paare bestimmen die Entfernung der Kamera nicht; geben Sie Stellen in verschiedenen Entfernungen an, und fotografieren Sie aus der Nähe</translation>
+        <source>The pairs do not determine the camera&apos;s distance; add pairs at places nearer to the camera and farther from it, or take the photo from a shorter distance</source>
+        <translation>Die Paare bestimmen die Entfernung der Kamera nicht; fügen Sie Paare an Stellen hinzu, die der Kamera näher und ferner sind, oder nehmen Sie das Foto aus kürzerer Entfernung auf</translation>
     </message>
     <message>
         <source>The first line of the pairs must be %1</source>

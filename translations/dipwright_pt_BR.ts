@@ -101,8 +101,8 @@
         <translation>Saliência (°)</translation>
     </message>
     <message>
-        <source>Fading grip (°)</source>
-        <translation>Aderência decrescente (°)</translation>
+        <source>Grip fade range (°)</source>
+        <translation>Faixa em que a aderência diminui (°)</translation>
     </message>
     <message>
         <source>Gathering (mean stretch)</source>
@@ -113,8 +113,8 @@
         <translation>Rasgo (estiramento do comprimento ou da área)</translation>
     </message>
     <message>
-        <source>%1 varied from %2 to %3 (set: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
-        <translation>%1 variado de %2 a %3 (definido: %4): 95 % da área pintada se deslocam no máximo %5. %6 % dela se deslocam mais de %7, e %8 % deixam de ser pintados.</translation>
+        <source>%1 varied from %2 to %3 (in the project: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
+        <translation>%1, variação de %2 a %3 (no projeto: %4): 95 % da área pintada se deslocam no máximo %5. %6 % dela se deslocam mais de %7, e %8 % deixam de ser pintados.</translation>
     </message>
     <message>
         <source>the film has too few points to be compared with a film of half as many</source>
@@ -1005,8 +1005,8 @@
         <translation>Face plana, 60 × 40 mm</translation>
     </message>
     <message>
-        <source>Inside of a torus to 80°</source>
-        <translation>Interior de um toro até 80°</translation>
+        <source>Inner side of a torus, to 80° from its lowest circle</source>
+        <translation>Lado interno de um toro, até 80° do seu círculo mais baixo</translation>
     </message>
     <message>
         <source>Lying cylinder to 80°</source>
@@ -1076,8 +1076,8 @@
         <translation>Revertendo a textura</translation>
     </message>
     <message>
-        <source>Varying the laws</source>
-        <translation>Variando as leis da película</translation>
+        <source>Dipping with varied film laws</source>
+        <translation>Imersão com leis da película variadas</translation>
     </message>
     <message>
         <source>Writing the cradle of %1</source>
@@ -1877,12 +1877,12 @@
         <translation>Não há predefinição %1; use production ou paper-2020</translation>
     </message>
     <message>
-        <source>There is no such layer; the artwork&apos;s layers: %1, the lowest is artwork.layers[0]</source>
-        <translation>Essa camada não existe; camadas da arte: %1, a mais baixa é artwork.layers[0]</translation>
+        <source>There is no such layer; the number of layers is %1, and the lowest is artwork.layers[0]</source>
+        <translation>Essa camada não existe; o número de camadas é %1, e a mais baixa é artwork.layers[0]</translation>
     </message>
     <message>
-        <source>There is no such dip; the project&apos;s dips: %1, the first is immersions[0]</source>
-        <translation>Essa imersão não existe; imersões do projeto: %1, a primeira é immersions[0]</translation>
+        <source>There is no such dip; the number of dips is %1, and the first is immersions[0]</source>
+        <translation>Essa imersão não existe; o número de imersões é %1, e a primeira é immersions[0]</translation>
     </message>
     <message>
         <source>inspection.pairs names a photo that is not in inspection.photos</source>
@@ -2002,8 +2002,8 @@
         <translation>%1 em %2</translation>
     </message>
     <message>
-        <source>The project is not saved, because it could not be opened again: %1</source>
-        <translation>O projeto não é salvo, porque não poderia ser aberto de novo: %1</translation>
+        <source>The project was not saved, because its file would be refused when opened: %1</source>
+        <translation>O projeto não foi salvo, porque o arquivo seria recusado ao ser aberto: %1</translation>
     </message>
     <message>
         <source>This is not a Dipwright project: it has no project.json</source>
@@ -2702,8 +2702,8 @@
         <translation>Emenda</translation>
     </message>
     <message>
-        <source>Width (W) and height (H) of the printed film. The grid spacing does not change.</source>
-        <translation>Largura (L) e altura (A) da película impressa. O espaçamento da grade não muda.</translation>
+        <source>Width (W) and height (H) of the printed film. The cells of the simulated film keep their size.</source>
+        <translation>Largura (L) e altura (A) da película impressa. As células da película simulada mantêm o seu tamanho.</translation>
     </message>
     <message>
         <source>Number of points of the simulated film, across (W) and down (H). More points show finer detail and take longer.</source>
@@ -2754,8 +2754,8 @@
         <translation>Limite de trabalho</translation>
     </message>
     <message>
-        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells, but never with more than this many million points × steps. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
-        <translation>Se o erro numérico for grande demais para imprimir uma folha, a imersão é repetida com células menores, mas nunca com mais do que estes milhões de pontos × passos. 60 levam cerca de 20 s em dois núcleos. 0: a imersão não é repetida.</translation>
+        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells. This limits the work of one dip: the number of film points times the number of steps, in millions. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
+        <translation>Se o erro numérico for grande demais para imprimir uma folha, a imersão é repetida com células menores. Este valor limita o trabalho de uma imersão: o número de pontos da película vezes o número de passos, em milhões. 60 levam cerca de 20 s em dois núcleos. 0: a imersão não é repetida.</translation>
     </message>
     <message>
         <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice connects each point only with its horizontal and vertical neighbours, as in the publication of 2020.</source>
@@ -2790,8 +2790,8 @@
         <translation>Marcas e texto</translation>
     </message>
     <message>
-        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, and the ink as on white.</source>
-        <translation>Cor da peça nua, por exemplo #1a2b3c. A prova e a vista mostram a tinta sobre esta cor. Se vazio, mostram uma peça cinza-clara e a tinta como sobre branco.</translation>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, with the ink in the colours that it has on white.</source>
+        <translation>Cor da peça nua, por exemplo #1a2b3c. A prova e a vista mostram a tinta sobre esta cor. Se vazio, mostram uma peça cinza-clara, com a tinta nas cores que ela tem sobre branco.</translation>
     </message>
     <message>
         <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. Only in CMYK files (PDF and TIFF).</source>
@@ -4073,8 +4073,8 @@
         <translation>A imagem tem mais de %1 pixels de largura ou de altura; diminua-a</translation>
     </message>
     <message>
-        <source>The pictures have more than %1 million pixels in total, which is the limit for files of their size; make them smaller</source>
-        <translation>As imagens têm no total mais de %1 milhões de pixels, que é o limite para arquivos deste tamanho; diminua-as</translation>
+        <source>The pictures have more than %1 million pixels in total, too many for a file of this size; reduce the pictures in width and height</source>
+        <translation>As imagens têm no total mais de %1 milhões de pixels, demais para um arquivo deste tamanho; diminua a largura e a altura das imagens</translation>
     </message>
     <message>
         <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller, or save it again in the program that created it</source>
@@ -6411,8 +6411,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Salvar mapas em uma pasta</translation>
     </message>
     <message>
-        <source>95 % below</source>
-        <translation>95 % abaixo de</translation>
+        <source>95th percentile</source>
+        <translation>Percentil 95</translation>
     </message>
     <message>
         <source>How far the image on the sheet moves with half the step or half the cell width</source>
@@ -6661,8 +6661,8 @@ desce primeiro</translation>
         <translation>Os pares não determinam a câmera; dê mais pares, mais afastados</translation>
     </message>
     <message>
-        <source>The pairs do not determine the camera&apos;s distance; give places at different distances, and photograph from nearer</source>
-        <translation>Os pares não determinam a distância da câmera; dê lugares a distâncias diferentes, e fotografe de mais perto</translation>
+        <source>The pairs do not determine the camera&apos;s distance; add pairs at places nearer to the camera and farther from it, or take the photo from a shorter distance</source>
+        <translation>Os pares não determinam a distância da câmera; acrescente pares em lugares mais próximos e mais distantes da câmera, ou tire a foto de uma distância menor</translation>
     </message>
     <message>
         <source>The first line of the pairs must be %1</source>

@@ -58,8 +58,9 @@ PropertySection printedFilmProperties() {
          .words = {{QStringLiteral("custom"), Text::tr("Custom")}}},
         {.path = QStringLiteral("film.size_mm"),
          .label = Text::tr("Size"),
-         .help = Text::tr(
-             "Width (W) and height (H) of the printed film. The grid spacing does not change."),
+         .help =
+             Text::tr("Width (W) and height (H) of the printed film. The cells of the simulated "
+                      "film keep their size."),
          .unit = Unit::Length,
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
         {.path = QStringLiteral("film.resolution"),
@@ -84,8 +85,9 @@ PropertySection printedFilmProperties() {
          .label = Text::tr("Work limit"),
          .help =
              Text::tr("If the numerical error is too large to print a sheet, its dip is repeated "
-                      "with smaller cells, but never with more than this many million points × "
-                      "steps. 60 takes about 20 s on two cores. 0: the dip is not repeated."),
+                      "with smaller cells. This limits the work of one dip: the number of film "
+                      "points times the number of steps, in millions. 60 takes about 20 s on two "
+                      "cores. 0: the dip is not repeated."),
          .unit = Unit::Million,
          .relevant =
              [](const Project& project) {
@@ -345,7 +347,8 @@ std::vector<PropertySpec> whiteProperties() {
              .label = Text::tr("Part colour"),
              .help = Text::tr(
                  "Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this "
-                 "colour. If empty, they show a light grey part, and the ink as on white."),
+                 "colour. If empty, they show a light grey part, with the ink in the colours that "
+                 "it has on white."),
              .isColour = true},
             {.path = QStringLiteral("sheet.white"),
              .label = Text::tr("White"),
