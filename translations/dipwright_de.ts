@@ -3366,19 +3366,19 @@
     </message>
     <message>
         <source>Rotation about fixed axes: X %1°, then Y %2°, then Z %3°. Centre of the part: x = %4 mm (to the right), z = %5 mm (towards the lower edge) from the film&apos;s centre. Blue line: water when the dip begins (solid) and ends (dashed).</source>
-        <translation>Drehung um feste Achsen: X %1°, dann Y %2°, dann Z %3°. Mitte des Teils: x = %4 mm (nach rechts), z = %5 mm (zur unteren Kante) von der Mitte des Films. Blaue Linie: Wasser am Anfang (durchgezogen) und Ende (gestrichelt).</translation>
+        <translation>Drehung um feste Achsen: X %1°, dann Y %2°, dann Z %3°. Mitte des Teils: x = %4 mm (nach rechts), z = %5 mm (zur unteren Kante) von der Mitte des Films. Blaue Linie: Wasser am Anfang (durchgezogen) und am Ende (gestrichelt) des Tauchvorgangs.</translation>
     </message>
     <message>
-        <source>No cradle was made for this job. Hold the part as drawn.</source>
-        <translation>Für diesen Auftrag wurde keine Halterung gemacht. Halten Sie das Teil wie gezeichnet.</translation>
+        <source>There is no cradle for this dip. Hold the part as drawn.</source>
+        <translation>Für diesen Tauchvorgang gibt es keine Halterung. Halten Sie das Teil wie gezeichnet.</translation>
     </message>
     <message>
-        <source>Cradle marked with this dip&apos;s number and job %1. Its arrow points to the film&apos;s upper edge.</source>
-        <translation>Halterung mit der Nummer dieses Tauchvorgangs und Auftrag %1. Ihr Pfeil zeigt zur oberen Kante des Films.</translation>
+        <source>The cradle is marked with the number of this dip and the number of its sheet, %1. Its arrow points to the film&apos;s upper edge.</source>
+        <translation>Auf der Halterung stehen die Nummer dieses Tauchvorgangs und die Nummer seines Blatts, %1. Ihr Pfeil zeigt zur oberen Kante des Films.</translation>
     </message>
     <message>
-        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at x; z = %1 / %2 / %3 mm from the film&apos;s centre (z towards the lower edge). Dashed: the part.</source>
-        <translation>Von oben, Farbseite oben. Kreuze: Marken des schwimmenden Films. Rote Kreise: Passstifte bei x; z = %1 / %2 / %3 mm von der Mitte des Films (z zur unteren Kante). Gestrichelt: das Teil.</translation>
+        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at (x; z) = %1, %2 and %3 mm from the film&apos;s centre, x to the right, z towards the lower edge. Dashed: the part.</source>
+        <translation>Von oben, Farbseite oben. Kreuze: Marken des schwimmenden Films. Rote Kreise: Passstifte bei (x; z) = %1, %2 und %3 mm von der Mitte des Films, x nach rechts, z zur unteren Kante. Gestrichelt: das Teil.</translation>
     </message>
     <message>
         <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart. Centre the film between them.</source>
@@ -3397,12 +3397,16 @@
         <translation>%1 (Charge: %2, haltbar bis: %3).</translation>
     </message>
     <message>
-        <source>Lay sheet %1 on the water, ink side up. The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
-        <translation>Blatt %1 auf das Wasser legen, Farbseite oben. Der Pfeil auf der Platte der Halterung muss zur oberen Kante des Blatts zeigen.</translation>
+        <source>Lay sheet %1 on the water, ink side up.</source>
+        <translation>Blatt %1 auf das Wasser legen, Farbseite oben.</translation>
     </message>
     <message>
-        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
-        <translation>Das Teil tauchen: seinen tiefsten Punkt von %1 mm über dem Wasser auf %2 mm darunter senken, mit %3 mm/s: %4 s</translation>
+        <source>The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
+        <translation>Der Pfeil auf der Platte der Halterung muss zur oberen Kante des Blatts zeigen.</translation>
+    </message>
+    <message>
+        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s, in %4 s</source>
+        <translation>Das Teil tauchen: seinen tiefsten Punkt von %1 mm über dem Wasser auf %2 mm darunter senken, mit %3 mm/s, in %4 s</translation>
     </message>
     <message>
         <source>Hold the part under water for %1 s. Clear the remaining film from the water around it. Then lift the part out at %2 mm/s.</source>
@@ -3417,8 +3421,8 @@
         <translation>Das Teil abspülen, dann trocknen lassen: %1</translation>
     </message>
     <message>
-        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where the next cradle holds it.</source>
-        <translation>Vor Tauchvorgang %1 das Teil mit dem Bild unten vergleichen: Die Farben sind an ihrem Platz, nichts ist gerissen oder gefaltet, und das Teil ist trocken, wo die nächste Halterung es hält.</translation>
+        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where it will be held.</source>
+        <translation>Vor Tauchvorgang %1 das Teil mit dem Bild unten vergleichen: Die Farben sind an ihrem Platz, nichts ist gerissen oder gefaltet, und das Teil ist trocken, wo es gehalten wird.</translation>
     </message>
     <message>
         <source>Compare the part with the picture below.</source>
@@ -3543,8 +3547,8 @@
         <translation>Diese Stellen zuerst prüfen</translation>
     </message>
     <message>
-        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places in the list.</source>
-        <translation>Der numerische Fehler kann auf %1 % der bemalten Fläche größer als %2 sein. Prüfen Sie die Stellen in der Liste.</translation>
+        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places that the program lists.</source>
+        <translation>Der numerische Fehler kann auf %1 % der bemalten Fläche größer als %2 sein. Prüfen Sie die Stellen, die das Programm auflistet.</translation>
     </message>
     <message>
         <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
@@ -9419,7 +9423,7 @@ mm je mm</translation>
         <translation>Filmmessung: diese Seite auf den Film drucken</translation>
     </message>
     <message>
-        <source>Film watch, card: print this page on stiff, waterproof card</source>
+        <source>Film watch, card: print this page on stiff, waterproof cardboard</source>
         <translation>Filmmessung, Karte: diese Seite auf steifen, wasserfesten Karton drucken</translation>
     </message>
     <message>
@@ -9454,8 +9458,12 @@ mm je mm</translation>
         <translation>Papier von %1 × %2 mm ist zu klein für den Keil; verwenden Sie größeres Papier</translation>
     </message>
     <message>
-        <source>Ink wedge: print this page on the film like a sheet</source>
-        <translation>Tintenkeil: diese Seite wie ein Blatt auf den Film drucken</translation>
+        <source>Step wedge: print this page on the film like a sheet</source>
+        <translation>Stufenkeil: diese Seite wie ein Blatt auf den Film drucken</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
     </message>
     <message>
         <source>2. Stretch the floating film by a dip or by hand. Measure both rulers (%1 mm if not stretched).</source>

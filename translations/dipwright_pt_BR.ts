@@ -3366,19 +3366,19 @@
     </message>
     <message>
         <source>Rotation about fixed axes: X %1°, then Y %2°, then Z %3°. Centre of the part: x = %4 mm (to the right), z = %5 mm (towards the lower edge) from the film&apos;s centre. Blue line: water when the dip begins (solid) and ends (dashed).</source>
-        <translation>Rotação em eixos fixos: X %1°, depois Y %2°, depois Z %3°. Centro da peça: x = %4 mm (à direita), z = %5 mm (à borda inferior) do centro da película. Linha azul: água no início da imersão (contínua) e no fim (tracejada).</translation>
+        <translation>Rotação em torno de eixos fixos: X %1°, depois Y %2°, depois Z %3°. Centro da peça: x = %4 mm (para a direita), z = %5 mm (em direção à borda inferior) do centro da película. Linha azul: água no início da imersão (contínua) e no fim (tracejada).</translation>
     </message>
     <message>
-        <source>No cradle was made for this job. Hold the part as drawn.</source>
-        <translation>Nenhum berço foi feito para este trabalho. Segure a peça como no desenho.</translation>
+        <source>There is no cradle for this dip. Hold the part as drawn.</source>
+        <translation>Não há berço para esta imersão. Segure a peça como no desenho.</translation>
     </message>
     <message>
-        <source>Cradle marked with this dip&apos;s number and job %1. Its arrow points to the film&apos;s upper edge.</source>
-        <translation>Berço marcado com o número desta imersão e o trabalho %1. A seta aponta para a borda superior da película.</translation>
+        <source>The cradle is marked with the number of this dip and the number of its sheet, %1. Its arrow points to the film&apos;s upper edge.</source>
+        <translation>O berço traz o número desta imersão e o número da sua folha, %1. A seta aponta para a borda superior da película.</translation>
     </message>
     <message>
-        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at x; z = %1 / %2 / %3 mm from the film&apos;s centre (z towards the lower edge). Dashed: the part.</source>
-        <translation>De cima, tinta para cima. Cruzes: marcas da película flutuando. Círculos vermelhos: pinos em x; z = %1 / %2 / %3 mm do centro da película (z à borda inferior). Tracejado: a peça.</translation>
+        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at (x; z) = %1, %2 and %3 mm from the film&apos;s centre, x to the right, z towards the lower edge. Dashed: the part.</source>
+        <translation>De cima, lado da tinta para cima. Cruzes: marcas da película flutuando. Círculos vermelhos: pinos de referência em (x; z) = %1, %2 e %3 mm do centro da película, x para a direita, z em direção à borda inferior. Tracejado: a peça.</translation>
     </message>
     <message>
         <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart. Centre the film between them.</source>
@@ -3397,12 +3397,16 @@
         <translation>%1 (lote: %2, válido até: %3).</translation>
     </message>
     <message>
-        <source>Lay sheet %1 on the water, ink side up. The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
-        <translation>Pôr a folha %1 na água, lado da tinta para cima. A seta na placa do berço deve apontar para a borda superior da folha.</translation>
+        <source>Lay sheet %1 on the water, ink side up.</source>
+        <translation>Pôr a folha %1 na água, lado da tinta para cima.</translation>
     </message>
     <message>
-        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
-        <translation>Mergulhar a peça: baixar seu ponto mais baixo de %1 mm acima da água até %2 mm abaixo dela, a %3 mm/s: %4 s</translation>
+        <source>The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
+        <translation>A seta na placa do berço deve apontar para a borda superior da folha.</translation>
+    </message>
+    <message>
+        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s, in %4 s</source>
+        <translation>Mergulhar a peça: baixar seu ponto mais baixo de %1 mm acima da água até %2 mm abaixo dela, a %3 mm/s, em %4 s</translation>
     </message>
     <message>
         <source>Hold the part under water for %1 s. Clear the remaining film from the water around it. Then lift the part out at %2 mm/s.</source>
@@ -3417,8 +3421,8 @@
         <translation>Enxaguar a peça, depois deixar secar: %1</translation>
     </message>
     <message>
-        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where the next cradle holds it.</source>
-        <translation>Antes da imersão %1, comparar a peça com a imagem abaixo: as cores estão no lugar, nada está rasgado ou dobrado, e a peça está seca onde o próximo berço a segura.</translation>
+        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where it will be held.</source>
+        <translation>Antes da imersão %1, comparar a peça com a imagem abaixo: as cores estão no lugar, nada está rasgado ou dobrado, e a peça está seca onde será segurada.</translation>
     </message>
     <message>
         <source>Compare the part with the picture below.</source>
@@ -3543,8 +3547,8 @@
         <translation>Verifique primeiro estes lugares</translation>
     </message>
     <message>
-        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places in the list.</source>
-        <translation>O erro numérico pode ultrapassar %2 em %1 % da área pintada. Verifique os lugares da lista.</translation>
+        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places that the program lists.</source>
+        <translation>O erro numérico pode ultrapassar %2 em %1 % da área pintada. Verifique os lugares que o programa lista.</translation>
     </message>
     <message>
         <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
@@ -9419,8 +9423,8 @@ mm por mm</translation>
         <translation>Medição da película: imprima esta página na película</translation>
     </message>
     <message>
-        <source>Film watch, card: print this page on stiff, waterproof card</source>
-        <translation>Medição da película, cartão: imprima esta página em cartão rígido e impermeável</translation>
+        <source>Film watch, card: print this page on stiff, waterproof cardboard</source>
+        <translation>Medição da película, cartão: imprima esta página em papelão rígido e impermeável</translation>
     </message>
     <message>
         <source>Ink side: lay the film on the water with this side up, so that you can read this text from above.</source>
@@ -9454,8 +9458,12 @@ mm por mm</translation>
         <translation>Papel de %1 × %2 mm é pequeno demais para a cunha; use papel maior</translation>
     </message>
     <message>
-        <source>Ink wedge: print this page on the film like a sheet</source>
-        <translation>Cunha de tinta: imprima esta página na película como uma folha</translation>
+        <source>Step wedge: print this page on the film like a sheet</source>
+        <translation>Cunha de tons: imprima esta página na película como uma folha</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>densidade</translation>
     </message>
     <message>
         <source>2. Stretch the floating film by a dip or by hand. Measure both rulers (%1 mm if not stretched).</source>

@@ -12,6 +12,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dipwright {
 namespace {
@@ -124,13 +125,12 @@ QString poseText(const TravellerDip& dip) {
 }
 
 QString cradleText(const TravellerDip& dip) {
-    if (!dip.cradle) {
-        return Text::tr("No cradle was made for this job. Hold the part as drawn.");
-    }
-    QStringList words{Text::tr("Cradle marked with this dip's number and job %1. Its arrow points "
-                               "to the film's upper edge.")
-                          .arg(dip.job)};
-    return (words + *dip.cradle).join(QStringLiteral(" "));
+    const QStringList words{
+        dip.hasCradle ? Text::tr("The cradle is marked with the number of this dip and the number "
+                                 "of its sheet, %1. Its arrow points to the film's upper edge.")
+                            .arg(dip.job)
+                      : Text::tr("There is no cradle for this dip. Hold the part as drawn.")};
+    return (words + dip.cradleNotes).join(QStringLiteral(" "));
 }
 
 double paintPoses(QPainter& painter, const TravellerDip& dip, double top) {
@@ -198,12 +198,12 @@ void paintFilm(QPainter& painter, const QRectF& place, const Traveller& travelle
 
 QString filmText(const Traveller& traveller) {
     const auto pinText = [](const Eigen::Vector2d& pin) {
-        return QStringLiteral("%1; %2").arg(plain(pin.x()), plain(pin.y()));
+        return QStringLiteral("(%1; %2)").arg(plain(pin.x()), plain(pin.y()));
     };
     const auto& pins = traveller.pins.pins;
     QString text = Text::tr("From above, ink side up. Crosses: marks of the floating film. Red "
-                            "circles: datum pins at x; z = %1 / %2 / %3 mm from the film's centre "
-                            "(z towards the lower edge). Dashed: the part.")
+                            "circles: datum pins at (x; z) = %1, %2 and %3 mm from the film's "
+                            "centre, x to the right, z towards the lower edge. Dashed: the part.")
                        .arg(pinText(pins[0]), pinText(pins[1]), pinText(pins[2]));
     const auto& tank = traveller.profiles.tank;
     const bool hasMarks = tank && tank->markDistance[0].value() > 0;
@@ -238,15 +238,18 @@ QString materialText(const Traveller& traveller) {
 QStringList stepsOf(const Traveller& traveller, std::size_t number) {
     const TravellerDip& dip = traveller.dips[number];
     const DipMotion& motion = dip.motion;
+    QString lay = Text::tr("Lay sheet %1 on the water, ink side up.").arg(dip.job);
+    if (dip.hasCradle) {
+        lay += u' ' + Text::tr("The arrow on the cradle's plate must point to the upper edge of "
+                               "the sheet.");
+    }
     QStringList steps{
-        Text::tr("Lay sheet %1 on the water, ink side up. The arrow on the cradle's plate must "
-                 "point to the upper edge of the sheet.")
-            .arg(dip.job),
+        lay,
         Text::tr("Soak the film: %1").arg(secondsText(ofFilm(traveller, &FilmProfile::soakTime))),
         Text::tr("Spray the activator, then wait: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::activatorTime))),
         Text::tr("Dip the part: lower its lowest point from %1 mm above the water to %2 mm below "
-                 "it, at %3 mm/s: %4 s")
+                 "it, at %3 mm/s, in %4 s")
             .arg(plain(motion.start.value()), plain(motion.depth.value()),
                  plain(motion.speed.value(), 2), plain(motion.dipTime().value())),
         Text::tr("Hold the part under water for %1 s. Clear the remaining film from the water "
@@ -258,8 +261,8 @@ QStringList stepsOf(const Traveller& traveller, std::size_t number) {
             .arg(secondsText(ofFilm(traveller, &FilmProfile::dryingTime)))};
     if (number + 1 < traveller.dips.size()) {
         steps << Text::tr("Before dip %1, compare the part with the picture below: the colours are "
-                          "in place, nothing is torn or folded, and the part is dry where the next "
-                          "cradle holds it.")
+                          "in place, nothing is torn or folded, and the part is dry where it will "
+                          "be held.")
                      .arg(number + 2);
     } else {
         steps << Text::tr("Compare the part with the picture below.");
