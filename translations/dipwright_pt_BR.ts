@@ -8460,7 +8460,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>How far the image may be off because of the film&apos;s cells and the solver&apos;s steps; ink side up</source>
-        <translation>Quanto a imagem pode se desviar por causa das células da película e dos passos do solver; lado da tinta para cima</translation>
+        <translation>Quanto a imagem pode se desviar por causa das células da película e dos passos do solucionador; lado da tinta para cima</translation>
     </message>
     <message>
         <source>Mean stretch at each point: final length divided by rest length; ink side up</source>
