@@ -102,7 +102,7 @@
     </message>
     <message>
         <source>Grip fade range (°)</source>
-        <translation>Bereich, in dem der Halt nachlässt (°)</translation>
+        <translation>Bereich des Haltverlusts (°)</translation>
     </message>
     <message>
         <source>Gathering (mean stretch)</source>
@@ -495,15 +495,15 @@
     </message>
     <message>
         <source>Grip fade range</source>
-        <translation>Halt schwindet über</translation>
+        <translation>Bereich des Haltverlusts</translation>
     </message>
     <message>
         <source>Gathering stretch</source>
-        <translation>Rafft sich unter</translation>
+        <translation>Raffdehnung</translation>
     </message>
     <message>
         <source>Tear stretch</source>
-        <translation>Reißt bei</translation>
+        <translation>Reißdehnung</translation>
     </message>
     <message>
         <source>The part loses its grip on the film gradually, in this range of angles before the overhang. This value is a guess; no film was measured.</source>
@@ -1309,6 +1309,14 @@
         <translation>kein Unterschied</translation>
     </message>
     <message>
+        <source>%1 (worse)</source>
+        <translation>%1 (schlechter)</translation>
+    </message>
+    <message>
+        <source>%1 (better)</source>
+        <translation>%1 (besser)</translation>
+    </message>
+    <message>
         <source>There is no measure with this name; choose one of %1</source>
         <translation>Es gibt kein Maß mit diesem Namen; wählen Sie eines von %1</translation>
     </message>
@@ -2046,6 +2054,10 @@
     <message>
         <source>Distance field</source>
         <translation>Abstandsfeld</translation>
+    </message>
+    <message>
+        <source>Samples per edge</source>
+        <translation>Stützstellen je Kante</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -4552,12 +4564,12 @@
         <translation>Die gespeicherten Ergebnisse enthalten keine Aufzeichnung des Tauchvorgangs. Um ihn abzuspielen, wird er noch einmal simuliert; die Ergebnisse bleiben gleich.</translation>
     </message>
     <message>
-        <source>The film is being refined until the sheet can be printed. Cancel keeps this result.</source>
-        <translation>Der Film wird verfeinert, bis das Blatt gedruckt werden kann. „Abbrechen“ behält dieses Ergebnis.</translation>
+        <source>Refining until the sheet can be printed. Cancel keeps this result.</source>
+        <translation>Wird verfeinert, bis das Blatt druckbar ist. „Abbrechen“ behält dieses Ergebnis.</translation>
     </message>
     <message>
         <source>The numerical error is too large. Run the dip again to refine the film.</source>
-        <translation>Der numerische Fehler ist zu groß. Starten Sie den Tauchvorgang noch einmal, um den Film zu verfeinern.</translation>
+        <translation>Der numerische Fehler ist zu groß. „Starten“ verfeinert den Film.</translation>
     </message>
     <message>
         <source>Draft with %1 × %2 film points</source>
@@ -5374,9 +5386,9 @@ auf den Film gedruckt</translation>
     </message>
     <message>
         <source>card.pdf
-printed on stiff, waterproof card</source>
+printed on stiff, waterproof cardboard</source>
         <translation>card.pdf
-auf steife, wasserfeste Karte gedruckt</translation>
+auf steifen, wasserfesten Karton gedruckt</translation>
     </message>
     <message>
         <source>The card beside it, flat</source>
@@ -5411,8 +5423,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Ein Foto ergibt die Quellung, drei oder mehr das Wachstum</translation>
     </message>
     <message>
-        <source>Photos: from before the dip until the film stops growing</source>
-        <translation>Fotos: von vor dem Tauchvorgang, bis der Film nicht mehr wächst</translation>
+        <source>Take photos before the dip and until the film stops growing</source>
+        <translation>Fotografieren Sie vor dem Tauchvorgang und bis der Film nicht mehr wächst</translation>
     </message>
 </context>
 <context>

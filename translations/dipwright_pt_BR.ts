@@ -1309,6 +1309,14 @@
         <translation>nenhuma diferença</translation>
     </message>
     <message>
+        <source>%1 (worse)</source>
+        <translation>%1 (pior)</translation>
+    </message>
+    <message>
+        <source>%1 (better)</source>
+        <translation>%1 (melhor)</translation>
+    </message>
+    <message>
         <source>There is no measure with this name; choose one of %1</source>
         <translation>Não há medida com este nome; escolha uma de %1</translation>
     </message>
@@ -2046,6 +2054,10 @@
     <message>
         <source>Distance field</source>
         <translation>Campo de distância</translation>
+    </message>
+    <message>
+        <source>Samples per edge</source>
+        <translation>Amostras por aresta</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -4552,8 +4564,8 @@
         <translation>Os resultados salvos não contêm uma gravação da imersão. Para reproduzi-la, a imersão é simulada de novo; os resultados permanecem iguais.</translation>
     </message>
     <message>
-        <source>The film is being refined until the sheet can be printed. Cancel keeps this result.</source>
-        <translation>A película é refinada até que a folha possa ser impressa. “Cancelar” mantém este resultado.</translation>
+        <source>Refining until the sheet can be printed. Cancel keeps this result.</source>
+        <translation>Refinando até a folha poder ser impressa. “Cancelar” mantém este resultado.</translation>
     </message>
     <message>
         <source>The numerical error is too large. Run the dip again to refine the film.</source>
@@ -5374,9 +5386,9 @@ impresso na película</translation>
     </message>
     <message>
         <source>card.pdf
-printed on stiff, waterproof card</source>
+printed on stiff, waterproof cardboard</source>
         <translation>card.pdf
-impresso em cartão rígido e impermeável</translation>
+impresso em papel-cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>The card beside it, flat</source>
@@ -5411,8 +5423,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Uma foto dá o inchamento; três ou mais, o crescimento</translation>
     </message>
     <message>
-        <source>Photos: from before the dip until the film stops growing</source>
-        <translation>Fotos: de antes da imersão até a película parar de crescer</translation>
+        <source>Take photos before the dip and until the film stops growing</source>
+        <translation>Tire fotos antes da imersão e até a película parar de crescer</translation>
     </message>
 </context>
 <context>
@@ -9424,7 +9436,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>Film watch, card: print this page on stiff, waterproof cardboard</source>
-        <translation>Medição da película, cartão: imprima esta página em papelão rígido e impermeável</translation>
+        <translation>Medição da película, cartão: imprima esta página em papel-cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>Ink side: lay the film on the water with this side up, so that you can read this text from above.</source>

@@ -155,12 +155,10 @@ void DipController::showFreshness() {
     } else if (isDraft) {
         showBanner(draftText(shown));
     } else if (isCoarse) {
-        showBanner(
-            session_.isRefining()
-                ? tr("The film is being refined until the sheet can be printed. Cancel keeps "
-                     "this result.")
-                : tr("The numerical error is too large. Run the dip again to refine the "
-                     "film."));
+        showBanner(session_.isRefining()
+                       ? tr("Refining until the sheet can be printed. Cancel keeps this result.")
+                       : tr("The numerical error is too large. Run the dip again to refine the "
+                            "film."));
     }
 }
 

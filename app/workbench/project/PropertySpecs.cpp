@@ -43,7 +43,7 @@ std::vector<PropertySection> projectProperties() {
 std::vector<PropertySection> modelProperties() {
     return {{Text::tr("Distance field"),
              {{.path = QStringLiteral("body.sdf_resolution"),
-               .label = Text::tr("Resolution"),
+               .label = Text::tr("Samples per edge"),
                .help = Text::tr(
                    "Number of samples along each edge of the distance field around the part. More "
                    "samples follow finer detail and take longer to compute.")}}}};
