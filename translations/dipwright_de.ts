@@ -4573,10 +4573,10 @@
     </message>
     <message>
         <source>Draft with %1 × %2 film points</source>
-        <translation>Entwurf mit %1 × %2 Filmpunkten</translation>
+        <translation>Entwurf, %1 × %2 Punkte</translation>
     </message>
     <message>
-        <source>95 % of the sheet accurate to about %1</source>
+        <source>95 % of the sheet within about %1</source>
         <translation>95 % des Blatts auf etwa %1 genau</translation>
     </message>
     <message>
@@ -8686,7 +8686,7 @@ mm je mm</translation>
         <translation>Diese Lage &amp;verwenden</translation>
     </message>
     <message>
-        <source>Side &amp;by side …</source>
+        <source>Side &amp;by side…</source>
         <translation>&amp;Nebeneinander …</translation>
     </message>
     <message>

@@ -4573,11 +4573,11 @@
     </message>
     <message>
         <source>Draft with %1 × %2 film points</source>
-        <translation>Rascunho com %1 × %2 pontos da película</translation>
+        <translation>Rascunho, %1 × %2 pontos</translation>
     </message>
     <message>
-        <source>95 % of the sheet accurate to about %1</source>
-        <translation>95 % da folha com erro de até cerca de %1</translation>
+        <source>95 % of the sheet within about %1</source>
+        <translation>95 % da folha com erro até %1</translation>
     </message>
     <message>
         <source>run the dip before printing</source>
@@ -8686,7 +8686,7 @@ mm por mm</translation>
         <translation>&amp;Usar esta pose</translation>
     </message>
     <message>
-        <source>Side &amp;by side …</source>
+        <source>Side &amp;by side…</source>
         <translation>La&amp;do a lado…</translation>
     </message>
     <message>

@@ -174,8 +174,8 @@ QString DipController::draftText(const DipOutcome& draft) const {
     const solver::FilmGrid& grid = session_.reading()->film().grid;
     QStringList parts{tr("Draft with %1 × %2 film points").arg(grid.columns).arg(grid.rows)};
     if (draft.fineness.moves) {
-        parts += tr("95 % of the sheet accurate to about %1")
-                     .arg(shownLength(*draft.fineness.moves, unit_));
+        parts +=
+            tr("95 % of the sheet within about %1").arg(shownLength(*draft.fineness.moves, unit_));
     }
     parts += session_.isRunning() ? tr("being refined") : tr("run the dip before printing");
     return parts.join(QStringLiteral(" · "));
