@@ -2466,8 +2466,8 @@
         <translation>Spalt zwischen Stift und Loch, ringsum.</translation>
     </message>
     <message>
-        <source>Diameter of a hole through plate and seat, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
-        <translation>Durchmesser eines Lochs durch Platte und Sitz, um das Teil mit Schraube, Sauger oder Heißkleber zu halten. 0: kein Loch.</translation>
+        <source>Diameter of a hole through the cradle and its plate, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
+        <translation>Durchmesser eines Lochs durch die Halterung und ihre Platte, um das Teil mit Schraube, Unterdruck oder Heißkleber zu halten. 0: kein Loch.</translation>
     </message>
     <message>
         <source>Depth of the engraved arrow, dip number and job number in the plate. 0: no engraving.</source>
@@ -2754,8 +2754,8 @@
         <translation>Breite, auf dem Teil gemessen, des Streifens längs der Naht, den beide Tauchvorgänge bemalen. Die Tauchvorgänge gehen dort ineinander über. Der Streifen ist breiter, wo der Passfehler sichtbar würde.</translation>
     </message>
     <message>
-        <source>May touch painted areas</source>
-        <translation>Darf bemalte Flächen berühren</translation>
+        <source>Contact with paint</source>
+        <translation>Kontakt mit Farbe</translation>
     </message>
     <message>
         <source>Whether the cradle may support the part on areas that earlier dips have painted, with padding in between.</source>

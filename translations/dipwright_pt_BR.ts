@@ -2466,8 +2466,8 @@
         <translation>Folga entre o pino e o furo, em toda a volta.</translation>
     </message>
     <message>
-        <source>Diameter of a hole through plate and seat, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
-        <translation>Diâmetro de um furo pela placa e pelo assento, para segurar a peça com parafuso, ventosa ou cola quente. 0: sem furo.</translation>
+        <source>Diameter of a hole through the cradle and its plate, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
+        <translation>Diâmetro de um furo através do berço e da sua placa, para segurar a peça com parafuso, sucção ou cola quente. 0: sem furo.</translation>
     </message>
     <message>
         <source>Depth of the engraved arrow, dip number and job number in the plate. 0: no engraving.</source>
@@ -2754,8 +2754,8 @@
         <translation>Largura, medida na peça, da faixa ao longo da emenda que as duas imersões pintam. As imersões se fundem uma na outra ali. A faixa é mais larga onde o erro de registro apareceria.</translation>
     </message>
     <message>
-        <source>May touch painted areas</source>
-        <translation>Pode tocar áreas pintadas</translation>
+        <source>Contact with paint</source>
+        <translation>Contato com a tinta</translation>
     </message>
     <message>
         <source>Whether the cradle may support the part on areas that earlier dips have painted, with padding in between.</source>

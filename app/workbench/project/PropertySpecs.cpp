@@ -157,7 +157,7 @@ PropertySection cradleProperties() {
                Text::tr("Smallest distance from the cradle to any place that the film reaches or "
                         "that earlier dips have painted.")),
         {.path = QStringLiteral("cradle.on_paint"),
-         .label = Text::tr("May touch painted areas"),
+         .label = Text::tr("Contact with paint"),
          .help = Text::tr("Whether the cradle may support the part on areas that earlier dips have "
                           "painted, with padding in between.")},
         {.path = QStringLiteral("cradle.padding_mm"),
@@ -177,8 +177,8 @@ PropertySection cradleProperties() {
         length("cradle.pin_clearance_mm", Text::tr("Pin clearance"),
                Text::tr("Gap between a pin and its hole, all round.")),
         length("cradle.bore_mm", Text::tr("Bore"),
-               Text::tr("Diameter of a hole through plate and seat, for holding the part with a "
-                        "screw, suction or hot glue. 0: no hole.")),
+               Text::tr("Diameter of a hole through the cradle and its plate, for holding the part "
+                        "with a screw, suction or hot glue. 0: no hole.")),
         length("cradle.engraving_mm", Text::tr("Engraving"),
                Text::tr("Depth of the engraved arrow, dip number and job number in the plate. 0: "
                         "no engraving.")),
