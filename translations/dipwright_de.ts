@@ -4525,7 +4525,7 @@
     <name>dipwright::DipController</name>
     <message>
         <source>Simulated with %1 on %2</source>
-        <translation>Simuliert mit %1 auf %2</translation>
+        <translation>Simuliert mit „%1“ auf %2</translation>
     </message>
     <message>
         <source>The results are out of date; run the dip again first.</source>
@@ -5502,7 +5502,7 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     </message>
     <message>
         <source>Simulates the dip while you watch. You can cancel at any time. With “Run live”, each change recomputes the results that depend on it.</source>
-        <translation>Simuliert den Tauchvorgang vor Ihren Augen. Sie können jederzeit abbrechen. Mit „Mitlaufen“ berechnet jede Änderung die Ergebnisse neu, die von ihr abhängen.</translation>
+        <translation>Simuliert den Tauchvorgang vor Ihren Augen. Sie können jederzeit abbrechen. Mit „Laufend neu rechnen“ berechnet jede Änderung die Ergebnisse neu, die von ihr abhängen.</translation>
     </message>
     <message>
         <source>Replays the dip or shows any moment of it.</source>
@@ -8609,7 +8609,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>What a click or drag on the part does. Assign areas to the other dip to move the seam. With “Run live” the seam is updated at once.</source>
-        <translation>Was ein Klick oder Ziehen auf dem Teil bewirkt. Weisen Sie dem anderen Tauchvorgang Flächen zu, um die Naht zu verschieben. Mit „Mitlaufen“ folgt die Naht sofort.</translation>
+        <translation>Was ein Klick oder Ziehen auf dem Teil bewirkt. Weisen Sie dem anderen Tauchvorgang Flächen zu, um die Naht zu verschieben. Mit „Laufend neu rechnen“ folgt die Naht sofort.</translation>
     </message>
 </context>
 <context>
@@ -9900,7 +9900,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Run &amp;live</source>
-        <translation>&amp;Mitlaufen</translation>
+        <translation>Laufend &amp;neu rechnen</translation>
     </message>
     <message>
         <source>&amp;Find poses…</source>

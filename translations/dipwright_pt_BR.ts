@@ -4525,7 +4525,7 @@
     <name>dipwright::DipController</name>
     <message>
         <source>Simulated with %1 on %2</source>
-        <translation>Simulado com %1 em %2</translation>
+        <translation>Simulado com “%1” em %2</translation>
     </message>
     <message>
         <source>The results are out of date; run the dip again first.</source>
