@@ -101,8 +101,8 @@
         <translation>Überhang (°)</translation>
     </message>
     <message>
-        <source>Fading grip (°)</source>
-        <translation>Nachlassender Halt (°)</translation>
+        <source>Grip fade range (°)</source>
+        <translation>Bereich des Haltverlusts (°)</translation>
     </message>
     <message>
         <source>Gathering (mean stretch)</source>
@@ -113,8 +113,8 @@
         <translation>Reißen (Dehnung von Länge oder Fläche)</translation>
     </message>
     <message>
-        <source>%1 varied from %2 to %3 (set: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
-        <translation>%1 von %2 bis %3 verändert (eingestellt: %4): 95 % der bemalten Fläche verschieben sich um höchstens %5. %6 % von ihr verschieben sich um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
+        <source>%1 varied from %2 to %3 (in the project: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
+        <translation>%1 von %2 bis %3 verändert (im Projekt: %4): 95 % der bemalten Fläche verschieben sich um höchstens %5. %6 % von ihr verschieben sich um mehr als %7, und %8 % werden nicht mehr bemalt.</translation>
     </message>
     <message>
         <source>the film has too few points to be compared with a film of half as many</source>
@@ -495,15 +495,15 @@
     </message>
     <message>
         <source>Grip fade range</source>
-        <translation>Halt schwindet über</translation>
+        <translation>Bereich des Haltverlusts</translation>
     </message>
     <message>
         <source>Gathering stretch</source>
-        <translation>Rafft sich unter</translation>
+        <translation>Raffdehnung</translation>
     </message>
     <message>
         <source>Tear stretch</source>
-        <translation>Reißt bei</translation>
+        <translation>Reißdehnung</translation>
     </message>
     <message>
         <source>The part loses its grip on the film gradually, in this range of angles before the overhang. This value is a guess; no film was measured.</source>
@@ -1005,8 +1005,8 @@
         <translation>Ebene Fläche, 60 × 40 mm</translation>
     </message>
     <message>
-        <source>Inside of a torus to 80°</source>
-        <translation>Innenseite eines Torus bis 80°</translation>
+        <source>Inner side of a torus, to 80° from its lowest circle</source>
+        <translation>Innenseite eines Torus, bis 80° von seinem tiefsten Kreis</translation>
     </message>
     <message>
         <source>Lying cylinder to 80°</source>
@@ -1076,8 +1076,8 @@
         <translation>Textur wird umgekehrt</translation>
     </message>
     <message>
-        <source>Varying the laws</source>
-        <translation>Gesetze des Films werden verändert</translation>
+        <source>Dipping with varied film laws</source>
+        <translation>Tauchen mit veränderten Filmgesetzen</translation>
     </message>
     <message>
         <source>Writing the cradle of %1</source>
@@ -1307,6 +1307,14 @@
     <message>
         <source>no difference</source>
         <translation>kein Unterschied</translation>
+    </message>
+    <message>
+        <source>%1 (worse)</source>
+        <translation>%1 (schlechter)</translation>
+    </message>
+    <message>
+        <source>%1 (better)</source>
+        <translation>%1 (besser)</translation>
     </message>
     <message>
         <source>There is no measure with this name; choose one of %1</source>
@@ -1877,12 +1885,12 @@
         <translation>Die Vorgabe %1 gibt es nicht; nehmen Sie production oder paper-2020</translation>
     </message>
     <message>
-        <source>There is no such layer; the artwork&apos;s layers: %1, the lowest is artwork.layers[0]</source>
-        <translation>Diese Ebene gibt es nicht; Ebenen der Gestaltung: %1, die unterste ist artwork.layers[0]</translation>
+        <source>There is no such layer; the number of layers is %1, and the lowest is artwork.layers[0]</source>
+        <translation>Diese Ebene gibt es nicht; die Zahl der Ebenen ist %1, und die unterste ist artwork.layers[0]</translation>
     </message>
     <message>
-        <source>There is no such dip; the project&apos;s dips: %1, the first is immersions[0]</source>
-        <translation>Diesen Tauchvorgang gibt es nicht; Tauchvorgänge des Projekts: %1, der erste ist immersions[0]</translation>
+        <source>There is no such dip; the number of dips is %1, and the first is immersions[0]</source>
+        <translation>Diesen Tauchvorgang gibt es nicht; die Zahl der Tauchvorgänge ist %1, und der erste ist immersions[0]</translation>
     </message>
     <message>
         <source>inspection.pairs names a photo that is not in inspection.photos</source>
@@ -2002,8 +2010,8 @@
         <translation>%1 in %2</translation>
     </message>
     <message>
-        <source>The project is not saved, because it could not be opened again: %1</source>
-        <translation>Das Projekt wird nicht gespeichert, weil es nicht wieder geöffnet werden könnte: %1</translation>
+        <source>The project was not saved, because its file would be refused when opened: %1</source>
+        <translation>Das Projekt wurde nicht gespeichert, weil seine Datei beim Öffnen abgelehnt würde: %1</translation>
     </message>
     <message>
         <source>This is not a Dipwright project: it has no project.json</source>
@@ -2046,6 +2054,10 @@
     <message>
         <source>Distance field</source>
         <translation>Abstandsfeld</translation>
+    </message>
+    <message>
+        <source>Samples per edge</source>
+        <translation>Stützstellen je Kante</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -2454,8 +2466,8 @@
         <translation>Spalt zwischen Stift und Loch, ringsum.</translation>
     </message>
     <message>
-        <source>Diameter of a hole through plate and seat, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
-        <translation>Durchmesser eines Lochs durch Platte und Sitz, um das Teil mit Schraube, Sauger oder Heißkleber zu halten. 0: kein Loch.</translation>
+        <source>Diameter of a hole through the cradle and its plate, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
+        <translation>Durchmesser eines Lochs durch die Halterung und ihre Platte, um das Teil mit Schraube, Unterdruck oder Heißkleber zu halten. 0: kein Loch.</translation>
     </message>
     <message>
         <source>Depth of the engraved arrow, dip number and job number in the plate. 0: no engraving.</source>
@@ -2702,8 +2714,8 @@
         <translation>Naht</translation>
     </message>
     <message>
-        <source>Width (W) and height (H) of the printed film. The grid spacing does not change.</source>
-        <translation>Breite (B) und Höhe (H) des bedruckten Films. Der Gitterabstand ändert sich nicht.</translation>
+        <source>Width (W) and height (H) of the printed film. The cells of the simulated film keep their size.</source>
+        <translation>Breite (B) und Höhe (H) des bedruckten Films. Die Zellen des simulierten Films behalten ihre Größe.</translation>
     </message>
     <message>
         <source>Number of points of the simulated film, across (W) and down (H). More points show finer detail and take longer.</source>
@@ -2742,8 +2754,8 @@
         <translation>Breite, auf dem Teil gemessen, des Streifens längs der Naht, den beide Tauchvorgänge bemalen. Die Tauchvorgänge gehen dort ineinander über. Der Streifen ist breiter, wo der Passfehler sichtbar würde.</translation>
     </message>
     <message>
-        <source>May touch painted areas</source>
-        <translation>Darf bemalte Flächen berühren</translation>
+        <source>Contact with paint</source>
+        <translation>Kontakt mit Farbe</translation>
     </message>
     <message>
         <source>Whether the cradle may support the part on areas that earlier dips have painted, with padding in between.</source>
@@ -2754,8 +2766,8 @@
         <translation>Grenze für den Aufwand</translation>
     </message>
     <message>
-        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells, but never with more than this many million points × steps. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
-        <translation>Ist der numerische Fehler zu groß, um ein Blatt zu drucken, wird der Tauchvorgang mit kleineren Zellen wiederholt, aber nie mit mehr als so vielen Millionen Punkten × Schritten. 60 dauern auf zwei Kernen etwa 20 s. 0: Der Tauchvorgang wird nicht wiederholt.</translation>
+        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells. This limits the work of one dip: the number of film points times the number of steps, in millions. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
+        <translation>Ist der numerische Fehler zu groß, um ein Blatt zu drucken, wird der Tauchvorgang mit kleineren Zellen wiederholt. Dieser Wert begrenzt den Aufwand eines Tauchvorgangs: Zahl der Filmpunkte mal Zahl der Schritte, in Millionen. 60 dauern auf zwei Kernen etwa 20 s. 0: Der Tauchvorgang wird nicht wiederholt.</translation>
     </message>
     <message>
         <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice connects each point only with its horizontal and vertical neighbours, as in the publication of 2020.</source>
@@ -2790,8 +2802,8 @@
         <translation>Marken und Text</translation>
     </message>
     <message>
-        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, and the ink as on white.</source>
-        <translation>Farbe des unbemalten Teils, zum Beispiel #1a2b3c. Vorschau und Ansicht zeigen die Druckfarbe darauf. Wenn leer, zeigen sie ein hellgraues Teil und die Druckfarbe wie auf Weiß.</translation>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, with the ink in the colours that it has on white.</source>
+        <translation>Farbe des unbemalten Teils, zum Beispiel #1a2b3c. Vorschau und Ansicht zeigen die Druckfarbe darauf. Wenn leer, zeigen sie ein hellgraues Teil und darauf die Druckfarbe so, wie sie auf Weiß aussieht.</translation>
     </message>
     <message>
         <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. Only in CMYK files (PDF and TIFF).</source>
@@ -3366,19 +3378,19 @@
     </message>
     <message>
         <source>Rotation about fixed axes: X %1°, then Y %2°, then Z %3°. Centre of the part: x = %4 mm (to the right), z = %5 mm (towards the lower edge) from the film&apos;s centre. Blue line: water when the dip begins (solid) and ends (dashed).</source>
-        <translation>Drehung um feste Achsen: X %1°, dann Y %2°, dann Z %3°. Mitte des Teils: x = %4 mm (nach rechts), z = %5 mm (zur unteren Kante) von der Mitte des Films. Blaue Linie: Wasser am Anfang (durchgezogen) und Ende (gestrichelt).</translation>
+        <translation>Drehung um feste Achsen: X %1°, dann Y %2°, dann Z %3°. Mitte des Teils: x = %4 mm (nach rechts), z = %5 mm (zur unteren Kante) von der Mitte des Films. Blaue Linie: Wasser am Anfang (durchgezogen) und am Ende (gestrichelt) des Tauchvorgangs.</translation>
     </message>
     <message>
-        <source>No cradle was made for this job. Hold the part as drawn.</source>
-        <translation>Für diesen Auftrag wurde keine Halterung gemacht. Halten Sie das Teil wie gezeichnet.</translation>
+        <source>There is no cradle for this dip. Hold the part as drawn.</source>
+        <translation>Für diesen Tauchvorgang gibt es keine Halterung. Halten Sie das Teil wie gezeichnet.</translation>
     </message>
     <message>
-        <source>Cradle marked with this dip&apos;s number and job %1. Its arrow points to the film&apos;s upper edge.</source>
-        <translation>Halterung mit der Nummer dieses Tauchvorgangs und Auftrag %1. Ihr Pfeil zeigt zur oberen Kante des Films.</translation>
+        <source>The cradle is marked with the number of this dip and the number of its sheet, %1. Its arrow points to the film&apos;s upper edge.</source>
+        <translation>Auf der Halterung stehen die Nummer dieses Tauchvorgangs und die Nummer seines Blatts, %1. Ihr Pfeil zeigt zur oberen Kante des Films.</translation>
     </message>
     <message>
-        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at x; z = %1 / %2 / %3 mm from the film&apos;s centre (z towards the lower edge). Dashed: the part.</source>
-        <translation>Von oben, Farbseite oben. Kreuze: Marken des schwimmenden Films. Rote Kreise: Passstifte bei x; z = %1 / %2 / %3 mm von der Mitte des Films (z zur unteren Kante). Gestrichelt: das Teil.</translation>
+        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at (x; z) = %1, %2 and %3 mm from the film&apos;s centre, x to the right, z towards the lower edge. Dashed: the part.</source>
+        <translation>Von oben, Farbseite oben. Kreuze: Marken des schwimmenden Films. Rote Kreise: Passstifte bei (x; z) = %1, %2 und %3 mm von der Mitte des Films, x nach rechts, z zur unteren Kante. Gestrichelt: das Teil.</translation>
     </message>
     <message>
         <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart. Centre the film between them.</source>
@@ -3397,12 +3409,16 @@
         <translation>%1 (Charge: %2, haltbar bis: %3).</translation>
     </message>
     <message>
-        <source>Lay sheet %1 on the water, ink side up. The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
-        <translation>Blatt %1 auf das Wasser legen, Farbseite oben. Der Pfeil auf der Platte der Halterung muss zur oberen Kante des Blatts zeigen.</translation>
+        <source>Lay sheet %1 on the water, ink side up.</source>
+        <translation>Blatt %1 auf das Wasser legen, Farbseite oben.</translation>
     </message>
     <message>
-        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
-        <translation>Das Teil tauchen: seinen tiefsten Punkt von %1 mm über dem Wasser auf %2 mm darunter senken, mit %3 mm/s: %4 s</translation>
+        <source>The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
+        <translation>Der Pfeil auf der Platte der Halterung muss zur oberen Kante des Blatts zeigen.</translation>
+    </message>
+    <message>
+        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s, in %4 s</source>
+        <translation>Das Teil tauchen: seinen tiefsten Punkt von %1 mm über dem Wasser auf %2 mm darunter senken, mit %3 mm/s, in %4 s</translation>
     </message>
     <message>
         <source>Hold the part under water for %1 s. Clear the remaining film from the water around it. Then lift the part out at %2 mm/s.</source>
@@ -3417,8 +3433,8 @@
         <translation>Das Teil abspülen, dann trocknen lassen: %1</translation>
     </message>
     <message>
-        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where the next cradle holds it.</source>
-        <translation>Vor Tauchvorgang %1 das Teil mit dem Bild unten vergleichen: Die Farben sind an ihrem Platz, nichts ist gerissen oder gefaltet, und das Teil ist trocken, wo die nächste Halterung es hält.</translation>
+        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where it will be held.</source>
+        <translation>Vor Tauchvorgang %1 das Teil mit dem Bild unten vergleichen: Die Farben sind an ihrem Platz, nichts ist gerissen oder gefaltet, und das Teil ist trocken, wo es gehalten wird.</translation>
     </message>
     <message>
         <source>Compare the part with the picture below.</source>
@@ -3543,8 +3559,8 @@
         <translation>Diese Stellen zuerst prüfen</translation>
     </message>
     <message>
-        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places in the list.</source>
-        <translation>Der numerische Fehler kann auf %1 % der bemalten Fläche größer als %2 sein. Prüfen Sie die Stellen in der Liste.</translation>
+        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places that the program lists.</source>
+        <translation>Der numerische Fehler kann auf %1 % der bemalten Fläche größer als %2 sein. Prüfen Sie die Stellen, die das Programm auflistet.</translation>
     </message>
     <message>
         <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
@@ -4073,8 +4089,8 @@
         <translation>Das Bild ist mehr als %1 Pixel breit oder hoch; verkleinern Sie es</translation>
     </message>
     <message>
-        <source>The pictures have more than %1 million pixels in total, which is the limit for files of their size; make them smaller</source>
-        <translation>Die Bilder haben insgesamt mehr als %1 Millionen Pixel; das ist die Grenze für Dateien dieser Größe. Verkleinern Sie die Bilder</translation>
+        <source>The pictures have more than %1 million pixels in total, too many for a file of this size; reduce the pictures in width and height</source>
+        <translation>Die Bilder haben insgesamt mehr als %1 Millionen Pixel, zu viele für eine Datei dieser Größe; verringern Sie Breite und Höhe der Bilder</translation>
     </message>
     <message>
         <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller, or save it again in the program that created it</source>
@@ -4509,7 +4525,7 @@
     <name>dipwright::DipController</name>
     <message>
         <source>Simulated with %1 on %2</source>
-        <translation>Simuliert mit %1 auf %2</translation>
+        <translation>Simuliert mit „%1“ auf %2</translation>
     </message>
     <message>
         <source>The results are out of date; run the dip again first.</source>
@@ -4548,19 +4564,19 @@
         <translation>Die gespeicherten Ergebnisse enthalten keine Aufzeichnung des Tauchvorgangs. Um ihn abzuspielen, wird er noch einmal simuliert; die Ergebnisse bleiben gleich.</translation>
     </message>
     <message>
-        <source>The film is being refined until the sheet can be printed. Cancel keeps this result.</source>
-        <translation>Der Film wird verfeinert, bis das Blatt gedruckt werden kann. „Abbrechen“ behält dieses Ergebnis.</translation>
+        <source>Refining until the sheet can be printed. Cancel keeps this result.</source>
+        <translation>Wird verfeinert, bis das Blatt druckbar ist. „Abbrechen“ behält dieses Ergebnis.</translation>
     </message>
     <message>
         <source>The numerical error is too large. Run the dip again to refine the film.</source>
-        <translation>Der numerische Fehler ist zu groß. Starten Sie den Tauchvorgang noch einmal, um den Film zu verfeinern.</translation>
+        <translation>Der numerische Fehler ist zu groß. „Starten“ verfeinert den Film.</translation>
     </message>
     <message>
         <source>Draft with %1 × %2 film points</source>
-        <translation>Entwurf mit %1 × %2 Filmpunkten</translation>
+        <translation>Entwurf, %1 × %2 Punkte</translation>
     </message>
     <message>
-        <source>95 % of the sheet accurate to about %1</source>
+        <source>95 % of the sheet within about %1</source>
         <translation>95 % des Blatts auf etwa %1 genau</translation>
     </message>
     <message>
@@ -5370,9 +5386,9 @@ auf den Film gedruckt</translation>
     </message>
     <message>
         <source>card.pdf
-printed on stiff, waterproof card</source>
+printed on stiff, waterproof cardboard</source>
         <translation>card.pdf
-auf steife, wasserfeste Karte gedruckt</translation>
+auf steifen, wasserfesten Karton gedruckt</translation>
     </message>
     <message>
         <source>The card beside it, flat</source>
@@ -5407,8 +5423,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Ein Foto ergibt die Quellung, drei oder mehr das Wachstum</translation>
     </message>
     <message>
-        <source>Photos: from before the dip until the film stops growing</source>
-        <translation>Fotos: von vor dem Tauchvorgang, bis der Film nicht mehr wächst</translation>
+        <source>Take photos before the dip and until the film stops growing</source>
+        <translation>Fotografieren Sie vor dem Tauchvorgang und bis der Film nicht mehr wächst</translation>
     </message>
 </context>
 <context>
@@ -5486,7 +5502,7 @@ auf steife, wasserfeste Karte gedruckt</translation>
     </message>
     <message>
         <source>Simulates the dip while you watch. You can cancel at any time. With “Run live”, each change recomputes the results that depend on it.</source>
-        <translation>Simuliert den Tauchvorgang vor Ihren Augen. Sie können jederzeit abbrechen. Mit „Mitlaufen“ berechnet jede Änderung die Ergebnisse neu, die von ihr abhängen.</translation>
+        <translation>Simuliert den Tauchvorgang vor Ihren Augen. Sie können jederzeit abbrechen. Mit „Laufend neu rechnen“ berechnet jede Änderung die Ergebnisse neu, die von ihr abhängen.</translation>
     </message>
     <message>
         <source>Replays the dip or shows any moment of it.</source>
@@ -6411,8 +6427,8 @@ auf steife, wasserfeste Karte gedruckt</translation>
         <translation>Karten in einem Ordner speichern</translation>
     </message>
     <message>
-        <source>95 % below</source>
-        <translation>95 % unter</translation>
+        <source>95th percentile</source>
+        <translation>95. Perzentil</translation>
     </message>
     <message>
         <source>How far the image on the sheet moves with half the step or half the cell width</source>
@@ -6661,8 +6677,8 @@ zuerst eintaucht</translation>
         <translation>Die Paare bestimmen die Kamera nicht; geben Sie mehr Paare an, weiter auseinander</translation>
     </message>
     <message>
-        <source>The pairs do not determine the camera&apos;s distance; give places at different distances, and photograph from nearer</source>
-        <translation>Die Paare bestimmen die Entfernung der Kamera nicht; geben Sie Stellen in verschiedenen Entfernungen an, und fotografieren Sie aus der Nähe</translation>
+        <source>The pairs do not determine the camera&apos;s distance; add pairs at places nearer to the camera and farther from it, or take the photo from a shorter distance</source>
+        <translation>Die Paare bestimmen die Entfernung der Kamera nicht; fügen Sie Paare an Stellen hinzu, die der Kamera näher und ferner sind, oder nehmen Sie das Foto aus kürzerer Entfernung auf</translation>
     </message>
     <message>
         <source>The first line of the pairs must be %1</source>
@@ -8593,7 +8609,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>What a click or drag on the part does. Assign areas to the other dip to move the seam. With “Run live” the seam is updated at once.</source>
-        <translation>Was ein Klick oder Ziehen auf dem Teil bewirkt. Weisen Sie dem anderen Tauchvorgang Flächen zu, um die Naht zu verschieben. Mit „Mitlaufen“ folgt die Naht sofort.</translation>
+        <translation>Was ein Klick oder Ziehen auf dem Teil bewirkt. Weisen Sie dem anderen Tauchvorgang Flächen zu, um die Naht zu verschieben. Mit „Laufend neu rechnen“ folgt die Naht sofort.</translation>
     </message>
 </context>
 <context>
@@ -8670,7 +8686,7 @@ mm je mm</translation>
         <translation>Diese Lage &amp;verwenden</translation>
     </message>
     <message>
-        <source>Side &amp;by side …</source>
+        <source>Side &amp;by side…</source>
         <translation>&amp;Nebeneinander …</translation>
     </message>
     <message>
@@ -9419,7 +9435,7 @@ mm je mm</translation>
         <translation>Filmmessung: diese Seite auf den Film drucken</translation>
     </message>
     <message>
-        <source>Film watch, card: print this page on stiff, waterproof card</source>
+        <source>Film watch, card: print this page on stiff, waterproof cardboard</source>
         <translation>Filmmessung, Karte: diese Seite auf steifen, wasserfesten Karton drucken</translation>
     </message>
     <message>
@@ -9454,8 +9470,12 @@ mm je mm</translation>
         <translation>Papier von %1 × %2 mm ist zu klein für den Keil; verwenden Sie größeres Papier</translation>
     </message>
     <message>
-        <source>Ink wedge: print this page on the film like a sheet</source>
-        <translation>Tintenkeil: diese Seite wie ein Blatt auf den Film drucken</translation>
+        <source>Step wedge: print this page on the film like a sheet</source>
+        <translation>Stufenkeil: diese Seite wie ein Blatt auf den Film drucken</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
     </message>
     <message>
         <source>2. Stretch the floating film by a dip or by hand. Measure both rulers (%1 mm if not stretched).</source>
@@ -9880,7 +9900,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Run &amp;live</source>
-        <translation>&amp;Mitlaufen</translation>
+        <translation>Laufend &amp;neu rechnen</translation>
     </message>
     <message>
         <source>&amp;Find poses…</source>

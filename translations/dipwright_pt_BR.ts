@@ -101,8 +101,8 @@
         <translation>Saliência (°)</translation>
     </message>
     <message>
-        <source>Fading grip (°)</source>
-        <translation>Aderência decrescente (°)</translation>
+        <source>Grip fade range (°)</source>
+        <translation>Faixa em que a aderência diminui (°)</translation>
     </message>
     <message>
         <source>Gathering (mean stretch)</source>
@@ -113,8 +113,8 @@
         <translation>Rasgo (estiramento do comprimento ou da área)</translation>
     </message>
     <message>
-        <source>%1 varied from %2 to %3 (set: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
-        <translation>%1 variado de %2 a %3 (definido: %4): 95 % da área pintada se deslocam no máximo %5. %6 % dela se deslocam mais de %7, e %8 % deixam de ser pintados.</translation>
+        <source>%1 varied from %2 to %3 (in the project: %4): 95 % of the painted area moves by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.</source>
+        <translation>%1, variação de %2 a %3 (no projeto: %4): 95 % da área pintada se deslocam no máximo %5. %6 % dela se deslocam mais de %7, e %8 % deixam de ser pintados.</translation>
     </message>
     <message>
         <source>the film has too few points to be compared with a film of half as many</source>
@@ -1005,8 +1005,8 @@
         <translation>Face plana, 60 × 40 mm</translation>
     </message>
     <message>
-        <source>Inside of a torus to 80°</source>
-        <translation>Interior de um toro até 80°</translation>
+        <source>Inner side of a torus, to 80° from its lowest circle</source>
+        <translation>Lado interno de um toro, até 80° do seu círculo mais baixo</translation>
     </message>
     <message>
         <source>Lying cylinder to 80°</source>
@@ -1076,8 +1076,8 @@
         <translation>Revertendo a textura</translation>
     </message>
     <message>
-        <source>Varying the laws</source>
-        <translation>Variando as leis da película</translation>
+        <source>Dipping with varied film laws</source>
+        <translation>Imersão com leis da película variadas</translation>
     </message>
     <message>
         <source>Writing the cradle of %1</source>
@@ -1307,6 +1307,14 @@
     <message>
         <source>no difference</source>
         <translation>nenhuma diferença</translation>
+    </message>
+    <message>
+        <source>%1 (worse)</source>
+        <translation>%1 (pior)</translation>
+    </message>
+    <message>
+        <source>%1 (better)</source>
+        <translation>%1 (melhor)</translation>
     </message>
     <message>
         <source>There is no measure with this name; choose one of %1</source>
@@ -1877,12 +1885,12 @@
         <translation>Não há predefinição %1; use production ou paper-2020</translation>
     </message>
     <message>
-        <source>There is no such layer; the artwork&apos;s layers: %1, the lowest is artwork.layers[0]</source>
-        <translation>Essa camada não existe; camadas da arte: %1, a mais baixa é artwork.layers[0]</translation>
+        <source>There is no such layer; the number of layers is %1, and the lowest is artwork.layers[0]</source>
+        <translation>Essa camada não existe; o número de camadas é %1, e a mais baixa é artwork.layers[0]</translation>
     </message>
     <message>
-        <source>There is no such dip; the project&apos;s dips: %1, the first is immersions[0]</source>
-        <translation>Essa imersão não existe; imersões do projeto: %1, a primeira é immersions[0]</translation>
+        <source>There is no such dip; the number of dips is %1, and the first is immersions[0]</source>
+        <translation>Essa imersão não existe; o número de imersões é %1, e a primeira é immersions[0]</translation>
     </message>
     <message>
         <source>inspection.pairs names a photo that is not in inspection.photos</source>
@@ -2002,8 +2010,8 @@
         <translation>%1 em %2</translation>
     </message>
     <message>
-        <source>The project is not saved, because it could not be opened again: %1</source>
-        <translation>O projeto não é salvo, porque não poderia ser aberto de novo: %1</translation>
+        <source>The project was not saved, because its file would be refused when opened: %1</source>
+        <translation>O projeto não foi salvo, porque o arquivo seria recusado ao ser aberto: %1</translation>
     </message>
     <message>
         <source>This is not a Dipwright project: it has no project.json</source>
@@ -2046,6 +2054,10 @@
     <message>
         <source>Distance field</source>
         <translation>Campo de distância</translation>
+    </message>
+    <message>
+        <source>Samples per edge</source>
+        <translation>Amostras por aresta</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -2454,8 +2466,8 @@
         <translation>Folga entre o pino e o furo, em toda a volta.</translation>
     </message>
     <message>
-        <source>Diameter of a hole through plate and seat, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
-        <translation>Diâmetro de um furo pela placa e pelo assento, para segurar a peça com parafuso, ventosa ou cola quente. 0: sem furo.</translation>
+        <source>Diameter of a hole through the cradle and its plate, for holding the part with a screw, suction or hot glue. 0: no hole.</source>
+        <translation>Diâmetro de um furo através do berço e da sua placa, para segurar a peça com parafuso, sucção ou cola quente. 0: sem furo.</translation>
     </message>
     <message>
         <source>Depth of the engraved arrow, dip number and job number in the plate. 0: no engraving.</source>
@@ -2702,8 +2714,8 @@
         <translation>Emenda</translation>
     </message>
     <message>
-        <source>Width (W) and height (H) of the printed film. The grid spacing does not change.</source>
-        <translation>Largura (L) e altura (A) da película impressa. O espaçamento da grade não muda.</translation>
+        <source>Width (W) and height (H) of the printed film. The cells of the simulated film keep their size.</source>
+        <translation>Largura (L) e altura (A) da película impressa. As células da película simulada mantêm o seu tamanho.</translation>
     </message>
     <message>
         <source>Number of points of the simulated film, across (W) and down (H). More points show finer detail and take longer.</source>
@@ -2742,8 +2754,8 @@
         <translation>Largura, medida na peça, da faixa ao longo da emenda que as duas imersões pintam. As imersões se fundem uma na outra ali. A faixa é mais larga onde o erro de registro apareceria.</translation>
     </message>
     <message>
-        <source>May touch painted areas</source>
-        <translation>Pode tocar áreas pintadas</translation>
+        <source>Contact with paint</source>
+        <translation>Contato com a tinta</translation>
     </message>
     <message>
         <source>Whether the cradle may support the part on areas that earlier dips have painted, with padding in between.</source>
@@ -2754,8 +2766,8 @@
         <translation>Limite de trabalho</translation>
     </message>
     <message>
-        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells, but never with more than this many million points × steps. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
-        <translation>Se o erro numérico for grande demais para imprimir uma folha, a imersão é repetida com células menores, mas nunca com mais do que estes milhões de pontos × passos. 60 levam cerca de 20 s em dois núcleos. 0: a imersão não é repetida.</translation>
+        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells. This limits the work of one dip: the number of film points times the number of steps, in millions. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
+        <translation>Se o erro numérico for grande demais para imprimir uma folha, a imersão é repetida com células menores. Este valor limita o trabalho de uma imersão: o número de pontos da película vezes o número de passos, em milhões. 60 levam cerca de 20 s em dois núcleos. 0: a imersão não é repetida.</translation>
     </message>
     <message>
         <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice connects each point only with its horizontal and vertical neighbours, as in the publication of 2020.</source>
@@ -2790,8 +2802,8 @@
         <translation>Marcas e texto</translation>
     </message>
     <message>
-        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, and the ink as on white.</source>
-        <translation>Cor da peça nua, por exemplo #1a2b3c. A prova e a vista mostram a tinta sobre esta cor. Se vazio, mostram uma peça cinza-clara e a tinta como sobre branco.</translation>
+        <source>Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this colour. If empty, they show a light grey part, with the ink in the colours that it has on white.</source>
+        <translation>Cor da peça nua, por exemplo #1a2b3c. A prova e a vista mostram a tinta sobre esta cor. Se vazio, mostram uma peça cinza-clara, com a tinta nas cores que ela tem sobre branco.</translation>
     </message>
     <message>
         <source>A plate of white ink. White that is printed last touches the part, under the colours. White that is printed first lies outside, over the colours. Only in CMYK files (PDF and TIFF).</source>
@@ -3366,19 +3378,19 @@
     </message>
     <message>
         <source>Rotation about fixed axes: X %1°, then Y %2°, then Z %3°. Centre of the part: x = %4 mm (to the right), z = %5 mm (towards the lower edge) from the film&apos;s centre. Blue line: water when the dip begins (solid) and ends (dashed).</source>
-        <translation>Rotação em eixos fixos: X %1°, depois Y %2°, depois Z %3°. Centro da peça: x = %4 mm (à direita), z = %5 mm (à borda inferior) do centro da película. Linha azul: água no início da imersão (contínua) e no fim (tracejada).</translation>
+        <translation>Rotação em torno de eixos fixos: X %1°, depois Y %2°, depois Z %3°. Centro da peça: x = %4 mm (para a direita), z = %5 mm (em direção à borda inferior) do centro da película. Linha azul: água no início da imersão (contínua) e no fim (tracejada).</translation>
     </message>
     <message>
-        <source>No cradle was made for this job. Hold the part as drawn.</source>
-        <translation>Nenhum berço foi feito para este trabalho. Segure a peça como no desenho.</translation>
+        <source>There is no cradle for this dip. Hold the part as drawn.</source>
+        <translation>Não há berço para esta imersão. Segure a peça como no desenho.</translation>
     </message>
     <message>
-        <source>Cradle marked with this dip&apos;s number and job %1. Its arrow points to the film&apos;s upper edge.</source>
-        <translation>Berço marcado com o número desta imersão e o trabalho %1. A seta aponta para a borda superior da película.</translation>
+        <source>The cradle is marked with the number of this dip and the number of its sheet, %1. Its arrow points to the film&apos;s upper edge.</source>
+        <translation>O berço traz o número desta imersão e o número da sua folha, %1. A seta aponta para a borda superior da película.</translation>
     </message>
     <message>
-        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at x; z = %1 / %2 / %3 mm from the film&apos;s centre (z towards the lower edge). Dashed: the part.</source>
-        <translation>De cima, tinta para cima. Cruzes: marcas da película flutuando. Círculos vermelhos: pinos em x; z = %1 / %2 / %3 mm do centro da película (z à borda inferior). Tracejado: a peça.</translation>
+        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at (x; z) = %1, %2 and %3 mm from the film&apos;s centre, x to the right, z towards the lower edge. Dashed: the part.</source>
+        <translation>De cima, lado da tinta para cima. Cruzes: marcas da película flutuando. Círculos vermelhos: pinos de referência em (x; z) = %1, %2 e %3 mm do centro da película, x para a direita, z em direção à borda inferior. Tracejado: a peça.</translation>
     </message>
     <message>
         <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart. Centre the film between them.</source>
@@ -3397,12 +3409,16 @@
         <translation>%1 (lote: %2, válido até: %3).</translation>
     </message>
     <message>
-        <source>Lay sheet %1 on the water, ink side up. The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
-        <translation>Pôr a folha %1 na água, lado da tinta para cima. A seta na placa do berço deve apontar para a borda superior da folha.</translation>
+        <source>Lay sheet %1 on the water, ink side up.</source>
+        <translation>Pôr a folha %1 na água, lado da tinta para cima.</translation>
     </message>
     <message>
-        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s: %4 s</source>
-        <translation>Mergulhar a peça: baixar seu ponto mais baixo de %1 mm acima da água até %2 mm abaixo dela, a %3 mm/s: %4 s</translation>
+        <source>The arrow on the cradle&apos;s plate must point to the upper edge of the sheet.</source>
+        <translation>A seta na placa do berço deve apontar para a borda superior da folha.</translation>
+    </message>
+    <message>
+        <source>Dip the part: lower its lowest point from %1 mm above the water to %2 mm below it, at %3 mm/s, in %4 s</source>
+        <translation>Mergulhar a peça: baixar seu ponto mais baixo de %1 mm acima da água até %2 mm abaixo dela, a %3 mm/s, em %4 s</translation>
     </message>
     <message>
         <source>Hold the part under water for %1 s. Clear the remaining film from the water around it. Then lift the part out at %2 mm/s.</source>
@@ -3417,8 +3433,8 @@
         <translation>Enxaguar a peça, depois deixar secar: %1</translation>
     </message>
     <message>
-        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where the next cradle holds it.</source>
-        <translation>Antes da imersão %1, comparar a peça com a imagem abaixo: as cores estão no lugar, nada está rasgado ou dobrado, e a peça está seca onde o próximo berço a segura.</translation>
+        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where it will be held.</source>
+        <translation>Antes da imersão %1, comparar a peça com a imagem abaixo: as cores estão no lugar, nada está rasgado ou dobrado, e a peça está seca onde será segurada.</translation>
     </message>
     <message>
         <source>Compare the part with the picture below.</source>
@@ -3543,8 +3559,8 @@
         <translation>Verifique primeiro estes lugares</translation>
     </message>
     <message>
-        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places in the list.</source>
-        <translation>O erro numérico pode ultrapassar %2 em %1 % da área pintada. Verifique os lugares da lista.</translation>
+        <source>The numerical error may exceed %2 on %1 % of the painted area. Check the places that the program lists.</source>
+        <translation>O erro numérico pode ultrapassar %2 em %1 % da área pintada. Verifique os lugares que o programa lista.</translation>
     </message>
     <message>
         <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
@@ -4073,8 +4089,8 @@
         <translation>A imagem tem mais de %1 pixels de largura ou de altura; diminua-a</translation>
     </message>
     <message>
-        <source>The pictures have more than %1 million pixels in total, which is the limit for files of their size; make them smaller</source>
-        <translation>As imagens têm no total mais de %1 milhões de pixels, que é o limite para arquivos deste tamanho; diminua-as</translation>
+        <source>The pictures have more than %1 million pixels in total, too many for a file of this size; reduce the pictures in width and height</source>
+        <translation>As imagens têm no total mais de %1 milhões de pixels, demais para um arquivo deste tamanho; diminua a largura e a altura das imagens</translation>
     </message>
     <message>
         <source>Reading the file takes more than %1 MB of memory, far too much for its size; make the file smaller, or save it again in the program that created it</source>
@@ -4509,7 +4525,7 @@
     <name>dipwright::DipController</name>
     <message>
         <source>Simulated with %1 on %2</source>
-        <translation>Simulado com %1 em %2</translation>
+        <translation>Simulado com “%1” em %2</translation>
     </message>
     <message>
         <source>The results are out of date; run the dip again first.</source>
@@ -4548,8 +4564,8 @@
         <translation>Os resultados salvos não contêm uma gravação da imersão. Para reproduzi-la, a imersão é simulada de novo; os resultados permanecem iguais.</translation>
     </message>
     <message>
-        <source>The film is being refined until the sheet can be printed. Cancel keeps this result.</source>
-        <translation>A película é refinada até que a folha possa ser impressa. “Cancelar” mantém este resultado.</translation>
+        <source>Refining until the sheet can be printed. Cancel keeps this result.</source>
+        <translation>Refinando até a folha poder ser impressa. “Cancelar” mantém este resultado.</translation>
     </message>
     <message>
         <source>The numerical error is too large. Run the dip again to refine the film.</source>
@@ -4557,11 +4573,11 @@
     </message>
     <message>
         <source>Draft with %1 × %2 film points</source>
-        <translation>Rascunho com %1 × %2 pontos da película</translation>
+        <translation>Rascunho, %1 × %2 pontos</translation>
     </message>
     <message>
-        <source>95 % of the sheet accurate to about %1</source>
-        <translation>95 % da folha com erro de até cerca de %1</translation>
+        <source>95 % of the sheet within about %1</source>
+        <translation>95 % da folha com erro até %1</translation>
     </message>
     <message>
         <source>run the dip before printing</source>
@@ -5370,9 +5386,9 @@ impresso na película</translation>
     </message>
     <message>
         <source>card.pdf
-printed on stiff, waterproof card</source>
+printed on stiff, waterproof cardboard</source>
         <translation>card.pdf
-impresso em cartão rígido e impermeável</translation>
+impresso em papel-cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>The card beside it, flat</source>
@@ -5407,8 +5423,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Uma foto dá o inchamento; três ou mais, o crescimento</translation>
     </message>
     <message>
-        <source>Photos: from before the dip until the film stops growing</source>
-        <translation>Fotos: de antes da imersão até a película parar de crescer</translation>
+        <source>Take photos before the dip and until the film stops growing</source>
+        <translation>Tire fotos antes da imersão e até a película parar de crescer</translation>
     </message>
 </context>
 <context>
@@ -6411,8 +6427,8 @@ impresso em cartão rígido e impermeável</translation>
         <translation>Salvar mapas em uma pasta</translation>
     </message>
     <message>
-        <source>95 % below</source>
-        <translation>95 % abaixo de</translation>
+        <source>95th percentile</source>
+        <translation>Percentil 95</translation>
     </message>
     <message>
         <source>How far the image on the sheet moves with half the step or half the cell width</source>
@@ -6661,8 +6677,8 @@ desce primeiro</translation>
         <translation>Os pares não determinam a câmera; dê mais pares, mais afastados</translation>
     </message>
     <message>
-        <source>The pairs do not determine the camera&apos;s distance; give places at different distances, and photograph from nearer</source>
-        <translation>Os pares não determinam a distância da câmera; dê lugares a distâncias diferentes, e fotografe de mais perto</translation>
+        <source>The pairs do not determine the camera&apos;s distance; add pairs at places nearer to the camera and farther from it, or take the photo from a shorter distance</source>
+        <translation>Os pares não determinam a distância da câmera; acrescente pares em lugares mais próximos e mais distantes da câmera, ou tire a foto de uma distância menor</translation>
     </message>
     <message>
         <source>The first line of the pairs must be %1</source>
@@ -8456,7 +8472,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>How far the image may be off because of the film&apos;s cells and the solver&apos;s steps; ink side up</source>
-        <translation>Quanto a imagem pode se desviar por causa das células da película e dos passos do solver; lado da tinta para cima</translation>
+        <translation>Quanto a imagem pode se desviar por causa das células da película e dos passos do solucionador; lado da tinta para cima</translation>
     </message>
     <message>
         <source>Mean stretch at each point: final length divided by rest length; ink side up</source>
@@ -8670,7 +8686,7 @@ mm por mm</translation>
         <translation>&amp;Usar esta pose</translation>
     </message>
     <message>
-        <source>Side &amp;by side …</source>
+        <source>Side &amp;by side…</source>
         <translation>La&amp;do a lado…</translation>
     </message>
     <message>
@@ -9419,8 +9435,8 @@ mm por mm</translation>
         <translation>Medição da película: imprima esta página na película</translation>
     </message>
     <message>
-        <source>Film watch, card: print this page on stiff, waterproof card</source>
-        <translation>Medição da película, cartão: imprima esta página em cartão rígido e impermeável</translation>
+        <source>Film watch, card: print this page on stiff, waterproof cardboard</source>
+        <translation>Medição da película, cartão: imprima esta página em papel-cartão rígido e impermeável</translation>
     </message>
     <message>
         <source>Ink side: lay the film on the water with this side up, so that you can read this text from above.</source>
@@ -9454,8 +9470,12 @@ mm por mm</translation>
         <translation>Papel de %1 × %2 mm é pequeno demais para a cunha; use papel maior</translation>
     </message>
     <message>
-        <source>Ink wedge: print this page on the film like a sheet</source>
-        <translation>Cunha de tinta: imprima esta página na película como uma folha</translation>
+        <source>Step wedge: print this page on the film like a sheet</source>
+        <translation>Cunha de tons: imprima esta página na película como uma folha</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>densidade</translation>
     </message>
     <message>
         <source>2. Stretch the floating film by a dip or by hand. Measure both rulers (%1 mm if not stretched).</source>

@@ -51,7 +51,7 @@ void printPlaces(const ImmersionResult& result, QTextStream& out) {
     }
     const auto area = [](double value) { return QStringLiteral("%1 mm²").arg(number(value, 0)); };
     for (const PlaceToCheck& place : result.verdict.places) {
-        out << QStringLiteral("  at x %1 mm, z %2 mm on the film: %3\n")
+        out << QStringLiteral("  x %1 mm, z %2 mm from the film's centre: %3\n")
                    .arg(number(double(place.rest.x()), 0), number(double(place.rest.y()), 0),
                         placeText(place, millimetres, area));
     }
@@ -116,12 +116,12 @@ void printShare(const JobResult& result, QTextStream& out) {
     const std::vector<UnpaintedPlace>& places = result.share->unpainted;
     const std::size_t listed = std::min(places.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(places).first(listed)) {
-        out << QStringLiteral("  not reached: %1 mm² at %2, %3, %4 mm on the model\n")
+        out << QStringLiteral("  not reached: %1 mm² at x %2 mm, y %3 mm, z %4 mm on the model\n")
                    .arg(number(place.area, 0), number(double(place.place.x()), 1),
                         number(double(place.place.y()), 1), number(double(place.place.z()), 1));
     }
     if (listed < places.size()) {
-        out << QStringLiteral("  and %1 smaller places, listed in report.json\n")
+        out << QStringLiteral("  smaller places that only report.json lists: %1\n")
                    .arg(places.size() - listed);
     }
     const double equator = result.share->equator.cost;
@@ -324,12 +324,12 @@ public:
             {untilOption,
              QStringLiteral("Repeats the dips with smaller film cells until the numerical error is "
                             "small enough to print the sheets. Films with automatic cells do this "
-                            "without the option; with it, other films are refused."),
+                            "without the option. With the option, other films are refused."),
              QStringLiteral("print")});
         syntax.addOption({workOption,
-                          QStringLiteral("The limit for smaller cells: million film points × steps "
-                                         "of one dip (film.work_million); default %1, about 20 s "
-                                         "on two cores. 0: the cells stay as they are.")
+                          QStringLiteral("The limit for smaller cells: film points times steps of "
+                                         "one dip, in millions (film.work_million); default %1, "
+                                         "about 20 s on two cores. 0: the cells stay as they are.")
                               .arg(int(defaultFilmWork)),
                           QStringLiteral("N")});
         syntax.addOption(

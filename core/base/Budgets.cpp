@@ -78,9 +78,10 @@ constexpr Row table[] = {
                        "The picture is more than %1 pixels wide or high; make it smaller")},
     // Any file may hold 8192 × 8192 pixels. More pixels are allowed only in larger files.
     {Budget::Pixels, 8192.0 * 8192, 10, 16384.0 * 16384, 1e6,
-     QT_TRANSLATE_NOOP("dipwright::Budgets",
-                       "The pictures have more than %1 million pixels in total, which is the limit "
-                       "for files of their size; make them smaller")},
+     QT_TRANSLATE_NOOP(
+         "dipwright::Budgets",
+         "The pictures have more than %1 million pixels in total, too many for a file "
+         "of this size; reduce the pictures in width and height")},
     {Budget::Memory, 512 * mebi, 40, 64 * gibi, mebi,
      QT_TRANSLATE_NOOP(
          "dipwright::Budgets",

@@ -4,6 +4,7 @@
 #include "cradle/FormSurface.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +90,7 @@ Eigen::Isometry3d toPrinter(const CradlePlate& plate) {
 }
 
 QString number(double value, int decimals) {
-    return QString::number(value, 'f', decimals);
+    return QLocale().toString(value, 'f', decimals);
 }
 
 QStringList notesOn(const Cradle& cradle, const HeldDip& dip, const CradleSettings& settings,

@@ -170,9 +170,11 @@ PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize pi
     view.focalLength.off =
         sure95 * sigma * view.focalLength.value * std::sqrt(fit.covariance(0, 0));
     if (view.focalLength.off > mostFocalOff * view.focalLength.value) {
-        refuse(Text::tr("The pairs do not determine the camera's distance; give places at "
-                        "different distances, and photograph from nearer"),
-               where);
+        refuse(
+            Text::tr("The pairs do not determine the camera's distance; add pairs at places nearer "
+                     "to the camera and farther from it, or take the photo from a shorter "
+                     "distance"),
+            where);
     }
     return viewOf(view, pairs, picture);
 }

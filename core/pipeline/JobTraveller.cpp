@@ -96,7 +96,8 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         dip.front = posePicture(view, PoseSide::Front, posePixels, progress.silent());
         dip.right = posePicture(view, PoseSide::Right, posePixels, progress.silent());
         if (cradle) {
-            dip.cradle = cradle->notes;
+            dip.hasCradle = !cradle->mesh.triangles.empty();
+            dip.cradleNotes = cradle->notes;
         }
         dip.verdict = verdictLines(result, i);
         dip.sheet = reduced(immersion.sheet.image, sheetPixelsAcross);

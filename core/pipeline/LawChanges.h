@@ -1,5 +1,5 @@
-// Measures how much a job's sheets depend on the assumed film laws. Takes eight more dips for each
-// immersion.
+// Measures how much a job's sheets depend on the assumed film laws. Simulates each dip eight more
+// times.
 #pragma once
 
 #include "accuracy/error/LawChange.h"

@@ -474,7 +474,8 @@ void varyLaws(JobResult& result, const Run& run, SolverChoice& solver, const Pro
     const auto field = distanceFieldOf(result, progress);
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
         ImmersionResult& immersion = result.immersions[number];
-        progress(double(number) / double(result.immersions.size()), Text::tr("Varying the laws"));
+        progress(double(number) / double(result.immersions.size()),
+                 Text::tr("Dipping with varied film laws"));
         immersion.laws = withFallback(solver, run.registry, [&](const auto& module) {
             Project refined = run.project;
             refined.film = filmOf(immersion, run.project);

@@ -284,8 +284,8 @@ bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
     if (const auto match = layerPath.match(path); match.hasMatch()) {
         const auto index = match.captured(1).toUInt();
         if (index >= artwork.layers.size()) {
-            throw Error(Text::tr("There is no such layer; the artwork's layers: %1, the lowest is "
-                                 "artwork.layers[0]")
+            throw Error(Text::tr("There is no such layer; the number of layers is %1, and the "
+                                 "lowest is artwork.layers[0]")
                             .arg(artwork.layers.size()),
                         path);
         }
@@ -305,10 +305,10 @@ void setByPath(Project& project, const QString& path, const QString& value) {
     if (const auto match = immersionPath.match(path); match.hasMatch()) {
         const auto index = match.captured(1).toUInt();
         if (index >= project.immersions.size()) {
-            throw Error(
-                Text::tr("There is no such dip; the project's dips: %1, the first is immersions[0]")
-                    .arg(project.immersions.size()),
-                path);
+            throw Error(Text::tr("There is no such dip; the number of dips is %1, and the first is "
+                                 "immersions[0]")
+                            .arg(project.immersions.size()),
+                        path);
         }
         if (setFieldAt(project.immersions[index], immersionFields(), match.captured(2), path,
                        value)) {

@@ -87,9 +87,10 @@ void requireOpenable(const TexturedMesh& model, const ZipWriter& archive,
         requireWithin(Budget::DocumentBytes, document.size(), path);
         requireWithin(Budget::UnpackedBytes, archive.unpackedBytes(), path, packed.size());
     } catch (const Error& error) {
-        throw Error(Text::tr("The project is not saved, because it could not be opened again: %1")
-                        .arg(error.message()),
-                    path);
+        throw Error(
+            Text::tr("The project was not saved, because its file would be refused when opened: %1")
+                .arg(error.message()),
+            path);
     }
 }
 

@@ -702,10 +702,12 @@ QString reasonText(const std::vector<MeasureDifference>& differences) {
     }
     QStringList reasons;
     for (const MeasureDifference& difference : differences) {
-        reasons.append(QStringLiteral("%1%2 %3").arg(
+        const QString change = QStringLiteral("%1 %2%3").arg(
+            measureName(difference.measure),
             difference.more < 0 ? QStringLiteral("−") : QStringLiteral("+"),
-            measureText(difference.measure, std::abs(difference.more)),
-            measureName(difference.measure).toLower()));
+            measureText(difference.measure, std::abs(difference.more)));
+        reasons.append(difference.isBetter ? Text::tr("%1 (better)").arg(change)
+                                           : Text::tr("%1 (worse)").arg(change));
     }
     return reasons.join(QStringLiteral(", "));
 }

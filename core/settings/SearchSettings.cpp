@@ -3,6 +3,7 @@
 #include "base/Error.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QStringList>
 
 namespace dipwright {
@@ -75,14 +76,16 @@ QString measureName(Measure measure) {
 }
 
 QString measureText(Measure measure, double value) {
+    const QLocale locale;
     switch (measure) {
     case Measure::Stretch:
-        return value < largestStretch ? QString::number(value, 'f', 2)
-                                      : QStringLiteral("≥ %1").arg(largestStretch, 0, 'f', 0);
+        return value < largestStretch
+                   ? locale.toString(value, 'f', 2)
+                   : QStringLiteral("≥ %1").arg(locale.toString(largestStretch, 'f', 0));
     case Measure::Join:
-        return QStringLiteral("%1 mm").arg(value, 0, 'f', 0);
+        return QStringLiteral("%1 mm").arg(locale.toString(value, 'f', 0));
     default:
-        return QStringLiteral("%1 %").arg(100 * value, 0, 'f', 1);
+        return QStringLiteral("%1 %").arg(locale.toString(100 * value, 'f', 1));
     }
 }
 

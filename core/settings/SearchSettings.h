@@ -41,7 +41,7 @@ inline constexpr double largestStretch = 15.99;
 
 QString measureKey(Measure measure);  // "quality", "trapped_air": name on the command line
 QString measureName(Measure measure); // name for the user: "Quality", "Trapped air"
-// Value with its unit: "93.1 %", "1.84", "≥ 16", "212 mm".
+// Value with its unit, in the default locale: "93.1 %", "1.84", "≥ 16", "212 mm".
 QString measureText(Measure measure, double value);
 bool isMoreBetter(Measure measure);
 bool appliesToTwoDips(Measure measure); // applies to pairs only

@@ -20,13 +20,13 @@ public:
     // Returns `colour` with its density multiplied by `share`, 0 … 1. A density above the ink limit
     // is first reduced to the limit, because it would otherwise show no fading.
     LinearColour faded(const LinearColour& colour, float share) const;
-    // Returns what to print so that `wanted` shows where the film's area has grown by
-    // `areaStretch`.
+    // Returns the colour to print, so that film whose area has grown by `areaStretch` shows
+    // `wanted`.
     Ink print(const LinearColour& wanted, float areaStretch) const;
     // Returns how `printed` looks on film whose area has grown by `areaStretch`.
     LinearColour shown(const LinearColour& printed, float areaStretch) const;
 
-    // Returns the tint of white, 0 … 1, to print so that the tint `wanted` shows.
+    // Returns the tint of white, 0 … 1, to print, so that such film shows the tint `wanted`.
     float printWhite(float wanted, float areaStretch) const;
     // Returns the tint, 0 … 1, that shows if the tint `printed` was printed.
     float shownWhite(float printed, float areaStretch) const;

@@ -12,6 +12,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dipwright {
 namespace {
@@ -127,13 +128,12 @@ QString poseText(const TravellerDip& dip) {
 }
 
 QString cradleText(const TravellerDip& dip) {
-    if (!dip.cradle) {
-        return Text::tr("No cradle was made for this job. Hold the part as drawn.");
-    }
-    QStringList words{Text::tr("Cradle marked with this dip's number and job %1. Its arrow points "
-                               "to the film's upper edge.")
-                          .arg(dip.job)};
-    return (words + *dip.cradle).join(QStringLiteral(" "));
+    const QStringList words{
+        dip.hasCradle ? Text::tr("The cradle is marked with the number of this dip and the number "
+                                 "of its sheet, %1. Its arrow points to the film's upper edge.")
+                            .arg(dip.job)
+                      : Text::tr("There is no cradle for this dip. Hold the part as drawn.")};
+    return (words + dip.cradleNotes).join(QStringLiteral(" "));
 }
 
 double paintPoses(QPainter& painter, const TravellerDip& dip, double top) {
@@ -201,12 +201,12 @@ void paintFilm(QPainter& painter, const QRectF& place, const Traveller& travelle
 
 QString filmText(const Traveller& traveller) {
     const auto pinText = [](const Eigen::Vector2d& pin) {
-        return QStringLiteral("%1; %2").arg(plain(pin.x()), plain(pin.y()));
+        return QStringLiteral("(%1; %2)").arg(plain(pin.x()), plain(pin.y()));
     };
     const auto& pins = traveller.pins.pins;
     QString text = Text::tr("From above, ink side up. Crosses: marks of the floating film. Red "
-                            "circles: datum pins at x; z = %1 / %2 / %3 mm from the film's centre "
-                            "(z towards the lower edge). Dashed: the part.")
+                            "circles: datum pins at (x; z) = %1, %2 and %3 mm from the film's "
+                            "centre, x to the right, z towards the lower edge. Dashed: the part.")
                        .arg(pinText(pins[0]), pinText(pins[1]), pinText(pins[2]));
     const auto& tank = traveller.profiles.tank;
     const bool hasMarks = tank && tank->markDistance[0].value() > 0;
@@ -247,13 +247,14 @@ QString pathText(const TravellerDip& dip, std::size_t number) {
     for (std::size_t part = 0; part <= parts; ++part) {
         const std::size_t pose = (poses.size() - 1) * part / parts;
         const Eigen::Vector3d &place = poses[pose].place, &turn = angles[pose];
-        keys << Text::tr("%1 s: %2, %3, %4 mm; %5°, %6°, %7°")
+        keys << Text::tr("%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)")
                     .arg(plain(poses[pose].time.value()), plain(place.x()), plain(place.y()),
                          plain(place.z()), plain(turn.x()), plain(turn.y()), plain(turn.z()));
     }
-    return Text::tr("Dip the part along its path (motion-%1.csv), in %2 s. Time, place of the "
-                    "part's middle (right, towards the upper edge, up, from the film's centre on "
-                    "the water), and turn about these axes from the rotation at the end: %3")
+    return Text::tr(
+               "Dip the part along its path (motion-%1.csv), in %2 s. Time, place of the "
+               "part's middle (to the right; towards the upper edge; up) from the film's centre "
+               "on the water, and turn about these axes from the rotation at the end: %3")
         .arg(number + 1)
         .arg(plain(dip.motion.dipTime().value()), keys.join(QStringLiteral(" · ")));
 }
@@ -261,16 +262,19 @@ QString pathText(const TravellerDip& dip, std::size_t number) {
 QStringList stepsOf(const Traveller& traveller, std::size_t number) {
     const TravellerDip& dip = traveller.dips[number];
     const DipMotion& motion = dip.motion;
+    QString lay = Text::tr("Lay sheet %1 on the water, ink side up.").arg(dip.job);
+    if (dip.hasCradle) {
+        lay += u' ' + Text::tr("The arrow on the cradle's plate must point to the upper edge of "
+                               "the sheet.");
+    }
     QStringList steps{
-        Text::tr("Lay sheet %1 on the water, ink side up. The arrow on the cradle's plate must "
-                 "point to the upper edge of the sheet.")
-            .arg(dip.job),
+        lay,
         Text::tr("Soak the film: %1").arg(secondsText(ofFilm(traveller, &FilmProfile::soakTime))),
         Text::tr("Spray the activator, then wait: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::activatorTime))),
         motion.path.empty()
             ? Text::tr("Dip the part: lower its lowest point from %1 mm above the water to %2 mm "
-                       "below it, at %3 mm/s: %4 s")
+                       "below it, at %3 mm/s, in %4 s")
                   .arg(plain(motion.start.value()), plain(motion.depth.value()),
                        plain(motion.speed.value(), 2), plain(motion.dipTime().value()))
             : pathText(dip, number),
@@ -283,8 +287,8 @@ QStringList stepsOf(const Traveller& traveller, std::size_t number) {
             .arg(secondsText(ofFilm(traveller, &FilmProfile::dryingTime)))};
     if (number + 1 < traveller.dips.size()) {
         steps << Text::tr("Before dip %1, compare the part with the picture below: the colours are "
-                          "in place, nothing is torn or folded, and the part is dry where the next "
-                          "cradle holds it.")
+                          "in place, nothing is torn or folded, and the part is dry where it will "
+                          "be held.")
                      .arg(number + 2);
     } else {
         steps << Text::tr("Compare the part with the picture below.");

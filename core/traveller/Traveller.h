@@ -12,20 +12,20 @@
 #include "traveller/PosePicture.h"
 
 #include <QStringList>
-#include <optional>
 
 namespace dipwright {
 
 struct TravellerDip {
     Immersion immersion;
-    QString job;                       // job number, as on the sheet's job line
-    PosePicture front, right;          // the body over the film, with its cradle
-    double waterAtEnd = 0;             // y of the water level at the end of the dip, pose frame, mm
-    std::optional<QStringList> cradle; // notes on the cradle; none: the job makes no cradle
-    QStringList verdict;               // sentences: first the advice, then its reasons
-    QImage sheet;                      // film image at reduced size, ink side up
-    BoundingBox body;                  // bounding box, pose frame
-    QImage after;                      // how the body should look after this dip
+    QString job;              // job number, as on the sheet's job line
+    PosePicture front, right; // the body over the film, with its cradle
+    double waterAtEnd = 0;    // y of the water level at the end of the dip, pose frame, mm
+    bool hasCradle = false;   // whether a cradle holds the body in this dip
+    QStringList cradleNotes;  // on the cradle, or why none is possible
+    QStringList verdict;      // sentences: first the advice, then its reasons
+    QImage sheet;             // film image at reduced size, ink side up
+    BoundingBox body;         // bounding box, pose frame
+    QImage after;             // how the body should look after this dip
     DipMotion motion;
 };
 

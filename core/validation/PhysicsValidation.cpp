@@ -294,7 +294,7 @@ Revolution insideOfTorus() {
         const double angle = std::atan2(inwards, tube - place.y());
         return Expected{tube * angle, insideTorusFilmRadius(circle, tube, angle)};
     };
-    return {Text::tr("Inside of a torus to 80°"),
+    return {Text::tr("Inner side of a torus, to 80° from its lowest circle"),
             torusMesh(circle, tube, 360, 720),
             tube * (1 - std::cos(radians(Degrees(80)))),
             0,

@@ -34,7 +34,7 @@ QStringList figures(const SheetChange& change, LengthUnit unit) {
 
 QTableWidget* table(const DipNumericalError& numericalError, LengthUnit unit) {
     const QStringList columns{
-        NumericalErrorDialog::tr("Mean"), NumericalErrorDialog::tr("95 % below"),
+        NumericalErrorDialog::tr("Mean"), NumericalErrorDialog::tr("95th percentile"),
         NumericalErrorDialog::tr("Maximum"), NumericalErrorDialog::tr("Painted in both"),
         NumericalErrorDialog::tr("Painted in one")};
     auto* table = new QTableWidget(2, int(columns.size()));

@@ -79,7 +79,7 @@ void drawPages(QPainter& painter) {
     letter(painter, {film.right() + 1.5, 4, 20, 12}, Text::tr("film.pdf\nprinted on the film"),
            Qt::AlignLeft);
     letter(painter, {card.left(), 4, 40, 9},
-           Text::tr("card.pdf\nprinted on stiff, waterproof card"), Qt::AlignLeft);
+           Text::tr("card.pdf\nprinted on stiff, waterproof cardboard"), Qt::AlignLeft);
     letter(painter, {film.right() + 1.5, 24, 20, 18},
            Text::tr("The rulers on both must measure 100 mm"), Qt::AlignLeft | Qt::AlignTop,
            accent);
@@ -174,7 +174,7 @@ void drawPhotos(QPainter& painter) {
            Text::tr("One photo gives the swell, three or more give the growth"),
            Qt::AlignHCenter | Qt::AlignTop);
     letter(painter, {36, 38, 62, 7},
-           Text::tr("Photos: from before the dip until the film stops growing"),
+           Text::tr("Take photos before the dip and until the film stops growing"),
            Qt::AlignHCenter | Qt::AlignTop, accent);
 }
 

@@ -155,12 +155,10 @@ void DipController::showFreshness() {
     } else if (isDraft) {
         showBanner(draftText(shown));
     } else if (isCoarse) {
-        showBanner(
-            session_.isRefining()
-                ? tr("The film is being refined until the sheet can be printed. Cancel keeps "
-                     "this result.")
-                : tr("The numerical error is too large. Run the dip again to refine the "
-                     "film."));
+        showBanner(session_.isRefining()
+                       ? tr("Refining until the sheet can be printed. Cancel keeps this result.")
+                       : tr("The numerical error is too large. Run the dip again to refine the "
+                            "film."));
     }
 }
 
@@ -176,8 +174,8 @@ QString DipController::draftText(const DipOutcome& draft) const {
     const solver::FilmGrid& grid = session_.reading()->film().grid;
     QStringList parts{tr("Draft with %1 × %2 film points").arg(grid.columns).arg(grid.rows)};
     if (draft.fineness.moves) {
-        parts += tr("95 % of the sheet accurate to about %1")
-                     .arg(shownLength(*draft.fineness.moves, unit_));
+        parts +=
+            tr("95 % of the sheet within about %1").arg(shownLength(*draft.fineness.moves, unit_));
     }
     parts += session_.isRunning() ? tr("being refined") : tr("run the dip before printing");
     return parts.join(QStringLiteral(" · "));

@@ -30,7 +30,7 @@ SearchPage::SearchPage(QWidget* parent)
       progress_(new QProgressBar), left_(new QLabel), note_(new QLabel), table_(new PoseTable),
       map_(new OrientationMap), plot_(new MeasurePlot), comparison_(new QLabel),
       apply_(new QPushButton(tr("&Use this pose"))),
-      sideBySide_(new QPushButton(tr("Side &by side …"))) {
+      sideBySide_(new QPushButton(tr("Side &by side…"))) {
     setObjectName(QStringLiteral("searchPage"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);

@@ -165,7 +165,10 @@ QWidget* CalibrationDialog::makeMeasurements() {
 }
 
 CalibrationPage CalibrationDialog::page() const {
-    return calibrationPage(current_, paper_->currentData().toSizeF(), verifies_->isChecked());
+    CalibrationPage result =
+        calibrationPage(current_, paper_->currentData().toSizeF(), verifies_->isChecked());
+    result.printer = shownName(current_.name);
+    return result;
 }
 
 void CalibrationDialog::findPrinters() {
@@ -274,7 +277,7 @@ void CalibrationDialog::takeOver() {
             verifies_->setChecked(true);
         }
         tell(tr("%1 now has the scale X %2, Y %3. Print the page again to verify the scale.")
-                 .arg(result.name, shown(result.scaleX, 5), shown(result.scaleY, 5)));
+                 .arg(shownName(result.name), shown(result.scaleX, 5), shown(result.scaleY, 5)));
     } catch (const ChangedFile&) {
         const std::exception_ptr failure = std::current_exception();
         showPage(); // another program may have changed the profile

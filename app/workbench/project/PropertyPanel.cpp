@@ -161,7 +161,9 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
     label->setBuddy(field);
     label->setToolTip(spec.help);
     QWidget* row = field;
-    if (spec.parts.size() > 1) { // its boxes need the panel's whole width
+    // These fields need the panel's whole width. If the form wrapped such a row by itself, Qt 6.4
+    // would lay out other rows with no height as long as the form has hidden rows.
+    if (spec.parts.size() > 1 || !spec.absent.isEmpty()) {
         row = new QWidget;
         auto* stack = new QVBoxLayout(row);
         stack->setContentsMargins(0, 0, 0, 0);

@@ -44,7 +44,7 @@ std::vector<PropertySection> projectProperties() {
 std::vector<PropertySection> modelProperties() {
     return {{Text::tr("Distance field"),
              {{.path = QStringLiteral("body.sdf_resolution"),
-               .label = Text::tr("Resolution"),
+               .label = Text::tr("Samples per edge"),
                .help = Text::tr(
                    "Number of samples along each edge of the distance field around the part. More "
                    "samples follow finer detail and take longer to compute.")}}}};
@@ -59,8 +59,9 @@ PropertySection printedFilmProperties() {
          .words = {{QStringLiteral("custom"), Text::tr("Custom")}}},
         {.path = QStringLiteral("film.size_mm"),
          .label = Text::tr("Size"),
-         .help = Text::tr(
-             "Width (W) and height (H) of the printed film. The grid spacing does not change."),
+         .help =
+             Text::tr("Width (W) and height (H) of the printed film. The cells of the simulated "
+                      "film keep their size."),
          .unit = Unit::Length,
          .parts = {Text::tr("W", "width"), Text::tr("H", "height")}},
         {.path = QStringLiteral("film.resolution"),
@@ -85,8 +86,9 @@ PropertySection printedFilmProperties() {
          .label = Text::tr("Work limit"),
          .help =
              Text::tr("If the numerical error is too large to print a sheet, its dip is repeated "
-                      "with smaller cells, but never with more than this many million points × "
-                      "steps. 60 takes about 20 s on two cores. 0: the dip is not repeated."),
+                      "with smaller cells. This limits the work of one dip: the number of film "
+                      "points times the number of steps, in millions. 60 takes about 20 s on two "
+                      "cores. 0: the dip is not repeated."),
          .unit = Unit::Million,
          .relevant =
              [](const Project& project) {
@@ -156,7 +158,7 @@ PropertySection cradleProperties() {
                Text::tr("Smallest distance from the cradle to any place that the film reaches or "
                         "that earlier dips have painted.")),
         {.path = QStringLiteral("cradle.on_paint"),
-         .label = Text::tr("May touch painted areas"),
+         .label = Text::tr("Contact with paint"),
          .help = Text::tr("Whether the cradle may support the part on areas that earlier dips have "
                           "painted, with padding in between.")},
         {.path = QStringLiteral("cradle.padding_mm"),
@@ -176,8 +178,8 @@ PropertySection cradleProperties() {
         length("cradle.pin_clearance_mm", Text::tr("Pin clearance"),
                Text::tr("Gap between a pin and its hole, all round.")),
         length("cradle.bore_mm", Text::tr("Bore"),
-               Text::tr("Diameter of a hole through plate and seat, for holding the part with a "
-                        "screw, suction or hot glue. 0: no hole.")),
+               Text::tr("Diameter of a hole through the cradle and its plate, for holding the part "
+                        "with a screw, suction or hot glue. 0: no hole.")),
         length("cradle.engraving_mm", Text::tr("Engraving"),
                Text::tr("Depth of the engraved arrow, dip number and job number in the plate. 0: "
                         "no engraving.")),
@@ -439,7 +441,8 @@ std::vector<PropertySpec> whiteProperties() {
              .label = Text::tr("Part colour"),
              .help = Text::tr(
                  "Colour of the bare part, such as #1a2b3c. Proof and view show the ink on this "
-                 "colour. If empty, they show a light grey part, and the ink as on white."),
+                 "colour. If empty, they show a light grey part, with the ink in the colours that "
+                 "it has on white."),
              .isColour = true},
             {.path = QStringLiteral("sheet.white"),
              .label = Text::tr("White"),

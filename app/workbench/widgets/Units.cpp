@@ -105,7 +105,7 @@ QString shownPlace(const Eigen::Vector3f& place, LengthUnit length) {
     const auto coordinate = [&](float value) {
         return QLocale().toString(double(value) * side, 'f', decimals);
     };
-    return QStringLiteral("%1, %2, %3%4")
+    return QStringLiteral("x %1; y %2; z %3%4")
         .arg(coordinate(place.x()), coordinate(place.y()), coordinate(place.z()),
              unitSuffix(Unit::Length, length));
 }

@@ -17,7 +17,7 @@ QString nameOf(const QString& setting) {
         return Text::tr("Overhang (°)");
     }
     if (setting == QLatin1String("film.grip_fade_deg")) {
-        return Text::tr("Fading grip (°)");
+        return Text::tr("Grip fade range (°)");
     }
     if (setting == QLatin1String("process.tear_stretch")) {
         return Text::tr("Tearing (stretch in length or area)");
@@ -59,8 +59,9 @@ QString lawText(const LawChange& change, const std::function<QString(double)>& l
     const QLocale locale;
     const auto number = [&](double value) { return locale.toString(value, 'g', 4); };
     const auto percent = [&](double share) { return locale.toString(100 * share, 'f', 1); };
-    return Text::tr("%1 varied from %2 to %3 (set: %4): 95 % of the painted area moves by at most "
-                    "%5. %6 % of it moves by more than %7, and %8 % is no longer painted.")
+    return Text::tr(
+               "%1 varied from %2 to %3 (in the project: %4): 95 % of the painted area moves "
+               "by at most %5. %6 % of it moves by more than %7, and %8 % is no longer painted.")
         .arg(nameOf(change.setting), number(change.less), number(change.more), number(change.value),
              length(change.distance.percentile95), percent(change.moved),
              length(mostHalfSpacingChange), percent(change.lost));

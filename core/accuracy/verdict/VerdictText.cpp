@@ -50,7 +50,7 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
             .arg(length(reason.value), length(reason.limit));
     case Kind::FarOffPlaces:
         return Text::tr("The numerical error may exceed %2 on %1 % of the painted area. Check the "
-                        "places in the list.")
+                        "places that the program lists.")
             .arg(percent(reason.value), length(reason.limit));
     case Kind::Border:
         return Text::tr("The border of the painted area is uncertain: with other cells or steps, "

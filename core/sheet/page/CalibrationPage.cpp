@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +28,7 @@ double wholeCentimetres(double millimetres) {
 }
 
 QString plain(double number) {
-    return QString::number(number, 'g', 6);
+    return QLocale().toString(number, 'g', 6);
 }
 
 QStringList words(const CalibrationPage& page) {

@@ -26,7 +26,7 @@ constexpr double rulerInset = 5;  // mm from the page's edge to the upright rule
 QString titleOf(const WatchPage& page) {
     return page.kind == BoardKind::Film
                ? Text::tr("Film watch: print this page on the film")
-               : Text::tr("Film watch, card: print this page on stiff, waterproof card");
+               : Text::tr("Film watch, card: print this page on stiff, waterproof cardboard");
 }
 
 QStringList wordsOf(const WatchPage& page) {

@@ -45,7 +45,7 @@ double patchSize(const WedgePage& page) {
 }
 
 QString titleOf() {
-    return Text::tr("Ink wedge: print this page on the film like a sheet");
+    return Text::tr("Step wedge: print this page on the film like a sheet");
 }
 
 void paintWords(const SheetInk& ink, const WedgePage& page) {
@@ -73,6 +73,7 @@ void paintWedge(QPainter& painter, const WedgePage& page) {
     paintWords(ink, page);
     const double size = patchSize(page);
     const double left = margin + nameWidth;
+    ink.text({margin, headHeight - 2}, 2.4, Text::tr("density"));
     for (int column = 0; column < page.tones.size(); ++column) {
         ink.text({left + column * size + 1, headHeight - 2}, 2.4, page.tones[column]);
     }

@@ -223,7 +223,10 @@ void photographTolerances(WindowDriver& driver, MainWindow& window, const Photog
     });
     driver.trigger("zones");
     camera.take(window, QStringLiteral("zones"));
-    driver.trigger("tolerances");
+    // The edit has started a job, and the action is off until the job ends.
+    if (QTest::qWaitFor([&] { return driver.action("tolerances")->isEnabled(); }, 300000)) {
+        driver.trigger("tolerances");
+    }
     const auto dialog = [&] { return driver.find<QDialog>("toleranceDialog"); };
     if (QTest::qWaitFor([&] { return dialog() != nullptr; }, 900000)) {
         camera.take(*dialog(), QStringLiteral("tolerances"));

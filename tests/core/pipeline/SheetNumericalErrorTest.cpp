@@ -59,16 +59,20 @@ private slots:
         for (const DipNumericalError& one : numericalError) {
             const double step = one.halfStep.distance.percentile95;
             const double spacing = one.halfSpacing.distance.percentile95;
-            QVERIFY2(step < mostHalfStepChange,
-                     qPrintable(
-                         QStringLiteral("half the step moves 95 % by up to %1 mm, expected < %2 mm")
-                             .arg(step)
-                             .arg(mostHalfStepChange)));
-            QVERIFY2(spacing < mostHalfSpacingChange,
-                     qPrintable(
-                         QStringLiteral("half the cell moves 95 % by up to %1 mm, expected < %2 mm")
-                             .arg(spacing)
-                             .arg(mostHalfSpacingChange)));
+            QVERIFY2(
+                step < mostHalfStepChange,
+                qPrintable(
+                    QStringLiteral(
+                        "half the step moves 95 % of the sheet by up to %1 mm, expected < %2 mm")
+                        .arg(step)
+                        .arg(mostHalfStepChange)));
+            QVERIFY2(
+                spacing < mostHalfSpacingChange,
+                qPrintable(
+                    QStringLiteral(
+                        "half the cell moves 95 % of the sheet by up to %1 mm, expected < %2 mm")
+                        .arg(spacing)
+                        .arg(mostHalfSpacingChange)));
             QVERIFY(one.halfSpacing.painted > 0.5 && one.halfSpacing.painted < 0.8);
             QVERIFY(one.halfSpacing.paintedOnce < 0.02);
             QVERIFY(isAccurateEnough(one));

@@ -360,7 +360,8 @@ private slots:
         const auto found = differences(one, other, {}, 100);
         QCOMPARE(found.size(), 2U);
         QVERIFY(!found[0].isBetter && !found[1].isBetter);
-        QCOMPARE(reasonText(found), QStringLiteral("−3.0 % coverage, +0.40 largest stretch"));
+        QCOMPARE(reasonText(found),
+                 QStringLiteral("Coverage −3.0 % (worse), Largest stretch +0.40 (worse)"));
         QCOMPARE(reasonText(differences(one, one, {}, 100)), QStringLiteral("no difference"));
     }
 

@@ -77,7 +77,7 @@ private slots:
         for (const char* words :
              {"Dip 1 of 2: Below", "aaaaaaaaaaa1", "12.5°", "Soak the film: 60 s",
               "then wait: 10 s", "before rinsing: see the film maker's instructions", "dry: 5400 s",
-              "lot: L-77", "250 × 330 mm apart", "72 mm below it, at 5 mm/s: 14.5 s",
+              "lot: L-77", "250 × 330 mm apart", "72 mm below it, at 5 mm/s, in 14.5 s",
               "Before dip 2, compare", "Done by"}) {
             QVERIFY2(first.contains(QString::fromUtf8(words)), words);
         }
