@@ -95,6 +95,41 @@
     </message>
 </context>
 <context>
+    <name>BodyPath</name>
+    <message>
+        <source>A slanted dip needs an angle to the water between %1° and %2°</source>
+        <translation>Ein schräger Tauchvorgang braucht einen Winkel zum Wasser zwischen %1° und %2°</translation>
+    </message>
+    <message>
+        <source>The part can enter tilted by at most 85°</source>
+        <translation>Das Teil kann höchstens um 85° gekippt eintauchen</translation>
+    </message>
+    <message>
+        <source>slanted by %1° towards %2°</source>
+        <translation>schräg mit %1° in Richtung %2°</translation>
+    </message>
+    <message>
+        <source>tilted by %1° towards %2°</source>
+        <translation>um %1° in Richtung %2° gekippt</translation>
+    </message>
+    <message>
+        <source>rolled by %1° towards %2°</source>
+        <translation>um %1° in Richtung %2° gerollt</translation>
+    </message>
+    <message>
+        <source>turned by %1° while it sinks</source>
+        <translation>beim Absenken um %1° gedreht</translation>
+    </message>
+    <message>
+        <source>water at %1 mm/s towards %2°</source>
+        <translation>Wasser mit %1 mm/s in Richtung %2°</translation>
+    </message>
+    <message>
+        <source>slow at the beginning and the end</source>
+        <translation>am Anfang und am Ende langsam</translation>
+    </message>
+</context>
+<context>
     <name>Certainty</name>
     <message>
         <source>Overhang (°)</source>
@@ -279,6 +314,14 @@
     <message>
         <source>%1 of the painted area (%2 %) is painted by film that tore, was released or did not converge. %3.</source>
         <translation>%1 der bemalten Fläche (%2 %) sind von Film bemalt, der riss, sich löste oder nicht konvergierte. %3.</translation>
+    </message>
+    <message>
+        <source>This solver knows only straight dips; choose another solver, or a straight path</source>
+        <translation>Dieser Solver kann nur gerade Tauchvorgänge berechnen; wählen Sie einen anderen Solver oder einen geraden Weg</translation>
+    </message>
+    <message>
+        <source>The film model of the paper knows only straight dips; choose the production film, or a straight path</source>
+        <translation>Das Filmmodell der Veröffentlichung kennt nur gerade Tauchvorgänge; wählen Sie den Produktionsfilm oder einen geraden Weg</translation>
     </message>
 </context>
 <context>
@@ -885,6 +928,10 @@
     <message>
         <source>The motion template contains the unknown placeholder {%1}; use one of these: %2</source>
         <translation>Die Bewegungsvorlage enthält den unbekannten Platzhalter {%1}; verwenden Sie einen von diesen: %2</translation>
+    </message>
+    <message>
+        <source>This dip follows a path, and the motion template has no {moves}; add {moves} or {moves_per_minute}, or choose the template of a controller: linuxcnc, grbl or marlin</source>
+        <translation>Dieser Tauchvorgang folgt einem Weg, aber die Bewegungsvorlage enthält kein {moves}; ergänzen Sie {moves} oder {moves_per_minute}, oder wählen Sie die Vorlage einer Steuerung: linuxcnc, grbl oder marlin</translation>
     </message>
 </context>
 <context>
@@ -2849,6 +2896,106 @@
         <source>Start value of the random deviations in the simulated dips. Another value gives other deviations.</source>
         <translation>Startwert der zufälligen Abweichungen in den simulierten Tauchvorgängen. Ein anderer Wert ergibt andere Abweichungen.</translation>
     </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film. The rotation above is the part&apos;s rotation at the end of the dip.</source>
+        <translation>Wie sich das Teil ins Wasser bewegt. Schräg: nach unten und zur Seite. Kippen: Eine Seite taucht zuerst ein, und das Teil wird beim Absenken waagerecht gestellt. Rollen: bis zur Tauchtiefe nach unten, dann seitlich über den Film gerollt. Die Drehung oben ist die Drehung des Teils am Ende des Tauchvorgangs.</translation>
+    </message>
+    <message>
+        <source>Straight down</source>
+        <translation>Gerade nach unten</translation>
+    </message>
+    <message>
+        <source>Slanted</source>
+        <translation>Schräg</translation>
+    </message>
+    <message>
+        <source>Tilt in and level</source>
+        <translation>Kippen und waagerecht stellen</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Slanted: the angle between the way and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
+        <translation>Schräg: der Winkel zwischen Weg und Wasser. Kippen: wie weit das Teil am Anfang gekippt ist. Rollen: der Winkel, um den es rollt.</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>The direction over the water in which the part travels or rolls, or of the side that enters first: 0° to the right (X), 90° down the sheet (Z). Also the direction in which the water flows.</source>
+        <translation>Die Richtung über dem Wasser, in die das Teil fährt oder rollt, oder die der Seite, die zuerst eintaucht: 0° nach rechts (X), 90° zum unteren Rand des Blatts (Z). Auch die Richtung, in die das Wasser fließt.</translation>
+    </message>
+    <message>
+        <source>Level at</source>
+        <translation>Waagerecht bei</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point at which the part is level.</source>
+        <translation>Tiefe des tiefsten Punkts des Teils, bei der das Teil waagerecht ist.</translation>
+    </message>
+    <message>
+        <source>The end of the dip</source>
+        <translation>Ende des Tauchvorgangs</translation>
+    </message>
+    <message>
+        <source>Rolling radius</source>
+        <translation>Rollradius</translation>
+    </message>
+    <message>
+        <source>How far the part travels sideways while it rolls through one radian (57.3°). Half the part&apos;s height lets a cylinder roll without slip.</source>
+        <translation>Wie weit das Teil zur Seite fährt, während es um einen Radianten (57,3°) rollt. Mit der halben Höhe des Teils rollt ein Zylinder ohne Schlupf.</translation>
+    </message>
+    <message>
+        <source>Half the part&apos;s height</source>
+        <translation>Halbe Höhe des Teils</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Turn about the vertical while the part goes down, counterclockwise seen from above.</source>
+        <translation>Drehung um die Senkrechte beim Absenken, von oben gesehen gegen den Uhrzeigersinn.</translation>
+    </message>
+    <message>
+        <source>Water speed</source>
+        <translation>Fließgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed at which water and film flow through the tank, in the direction of the heading.</source>
+        <translation>Geschwindigkeit, mit der Wasser und Film durch das Becken fließen, in der angegebenen Richtung.</translation>
+    </message>
+    <message>
+        <source>Slow speed</source>
+        <translation>Langsam mit</translation>
+    </message>
+    <message>
+        <source>Speed at the first contact with the water and at the end of the dip.</source>
+        <translation>Geschwindigkeit beim ersten Kontakt mit dem Wasser und am Ende des Tauchvorgangs.</translation>
+    </message>
+    <message>
+        <source>As the dip</source>
+        <translation>Wie der Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>Slow for</source>
+        <translation>Langsam auf</translation>
+    </message>
+    <message>
+        <source>The first and the last part of the way down that the slow speed applies to.</source>
+        <translation>Der erste und der letzte Teil des Wegs nach unten, für den die langsame Geschwindigkeit gilt.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3443,6 +3590,14 @@
     <message>
         <source>After dip %1 the part should look like this (seen from the lower edge, the right edge and below)</source>
         <translation>Nach Tauchvorgang %1 soll das Teil so aussehen (von der unteren Kante, der rechten Kante und von unten gesehen)</translation>
+    </message>
+    <message>
+        <source>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</source>
+        <translation>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</translation>
+    </message>
+    <message>
+        <source>Dip the part along its path (motion-%1.csv), in %2 s. Time, place of the part&apos;s middle (to the right; towards the upper edge; up) from the film&apos;s centre on the water, and turn about these axes from the rotation at the end: %3</source>
+        <translation>Das Teil auf seinem Weg eintauchen (motion-%1.csv), in %2 s. Zeit, Ort der Teilmitte (nach rechts; zum oberen Rand; nach oben) von der Filmmitte auf dem Wasser aus, und Drehung um diese Achsen gegenüber der Drehung am Ende: %3</translation>
     </message>
 </context>
 <context>
@@ -4945,6 +5100,10 @@
     <message>
         <source>The fit found no film and camera that explain the pairs; check whether a pair names the wrong place</source>
         <translation>Die Anpassung fand keinen Film und keine Kamera, die die Paare erklären; prüfen Sie, ob ein Paar die falsche Stelle nennt</translation>
+    </message>
+    <message>
+        <source>A film can be fitted to straight dips only</source>
+        <translation>Ein Film lässt sich nur an gerade Tauchvorgänge anpassen</translation>
     </message>
 </context>
 <context>
@@ -8748,6 +8907,14 @@ mm je mm</translation>
     <message>
         <source>Waiting until the dip of the project has finished</source>
         <translation>Wartet, bis der Tauchvorgang des Projekts fertig ist</translation>
+    </message>
+    <message>
+        <source>Try tilted entries</source>
+        <translation>Gekippte Eintritte probieren</translation>
+    </message>
+    <message>
+        <source>Also tries the best poses entered tilted and levelled while they sink, so that air escapes and the film reaches further. Takes about twice as long.</source>
+        <translation>Probiert die besten Lagen auch gekippt eingetaucht und beim Absenken waagerecht gestellt, damit Luft entweicht und der Film weiter reicht. Dauert etwa doppelt so lang.</translation>
     </message>
 </context>
 <context>

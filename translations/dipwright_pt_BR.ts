@@ -95,6 +95,41 @@
     </message>
 </context>
 <context>
+    <name>BodyPath</name>
+    <message>
+        <source>A slanted dip needs an angle to the water between %1° and %2°</source>
+        <translation>Uma imersão inclinada precisa de um ângulo com a água entre %1° e %2°</translation>
+    </message>
+    <message>
+        <source>The part can enter tilted by at most 85°</source>
+        <translation>A peça pode entrar inclinada em 85° no máximo</translation>
+    </message>
+    <message>
+        <source>slanted by %1° towards %2°</source>
+        <translation>inclinado a %1° na direção de %2°</translation>
+    </message>
+    <message>
+        <source>tilted by %1° towards %2°</source>
+        <translation>tombada em %1° na direção de %2°</translation>
+    </message>
+    <message>
+        <source>rolled by %1° towards %2°</source>
+        <translation>rolada em %1° na direção de %2°</translation>
+    </message>
+    <message>
+        <source>turned by %1° while it sinks</source>
+        <translation>girada em %1° enquanto desce</translation>
+    </message>
+    <message>
+        <source>water at %1 mm/s towards %2°</source>
+        <translation>água a %1 mm/s na direção de %2°</translation>
+    </message>
+    <message>
+        <source>slow at the beginning and the end</source>
+        <translation>lenta no início e no fim</translation>
+    </message>
+</context>
+<context>
     <name>Certainty</name>
     <message>
         <source>Overhang (°)</source>
@@ -279,6 +314,14 @@
     <message>
         <source>%1 of the painted area (%2 %) is painted by film that tore, was released or did not converge. %3.</source>
         <translation>%1 da área pintada (%2 %) foram pintados por película que rasgou, se soltou ou não convergiu. %3.</translation>
+    </message>
+    <message>
+        <source>This solver knows only straight dips; choose another solver, or a straight path</source>
+        <translation>Este solucionador só calcula imersões retas; escolha outro solucionador ou um percurso reto</translation>
+    </message>
+    <message>
+        <source>The film model of the paper knows only straight dips; choose the production film, or a straight path</source>
+        <translation>O modelo de película do artigo só conhece imersões retas; escolha a película de produção ou um percurso reto</translation>
     </message>
 </context>
 <context>
@@ -885,6 +928,10 @@
     <message>
         <source>The motion template contains the unknown placeholder {%1}; use one of these: %2</source>
         <translation>O modelo do movimento contém o marcador desconhecido {%1}; use um destes: %2</translation>
+    </message>
+    <message>
+        <source>This dip follows a path, and the motion template has no {moves}; add {moves} or {moves_per_minute}, or choose the template of a controller: linuxcnc, grbl or marlin</source>
+        <translation>Esta imersão segue um percurso, mas o modelo de movimento não contém {moves}; acrescente {moves} ou {moves_per_minute}, ou escolha o modelo de um controlador: linuxcnc, grbl ou marlin</translation>
     </message>
 </context>
 <context>
@@ -2849,6 +2896,106 @@
         <source>Start value of the random deviations in the simulated dips. Another value gives other deviations.</source>
         <translation>Valor inicial dos desvios aleatórios nas imersões simuladas. Outro valor dá outros desvios.</translation>
     </message>
+    <message>
+        <source>Path</source>
+        <translation>Percurso</translation>
+    </message>
+    <message>
+        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film. The rotation above is the part&apos;s rotation at the end of the dip.</source>
+        <translation>Como a peça entra na água. Inclinado: para baixo e para o lado. Tombar: um lado entra primeiro e a peça é nivelada enquanto desce. Rolar: desce até a profundidade da imersão e depois rola de lado sobre a película. A rotação acima é a rotação da peça no fim da imersão.</translation>
+    </message>
+    <message>
+        <source>Straight down</source>
+        <translation>Reto para baixo</translation>
+    </message>
+    <message>
+        <source>Slanted</source>
+        <translation>Inclinado</translation>
+    </message>
+    <message>
+        <source>Tilt in and level</source>
+        <translation>Tombar e nivelar</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rolar</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Ângulo</translation>
+    </message>
+    <message>
+        <source>Slanted: the angle between the way and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
+        <translation>Inclinado: o ângulo entre o percurso e a água. Tombar: quanto a peça está tombada no início. Rolar: o ângulo que ela rola.</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Direção</translation>
+    </message>
+    <message>
+        <source>The direction over the water in which the part travels or rolls, or of the side that enters first: 0° to the right (X), 90° down the sheet (Z). Also the direction in which the water flows.</source>
+        <translation>A direção sobre a água em que a peça avança ou rola, ou a do lado que entra primeiro: 0° para a direita (X), 90° para a borda inferior da folha (Z). Também a direção em que a água corre.</translation>
+    </message>
+    <message>
+        <source>Level at</source>
+        <translation>Nivelada em</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point at which the part is level.</source>
+        <translation>Profundidade do ponto mais baixo da peça em que ela está nivelada.</translation>
+    </message>
+    <message>
+        <source>The end of the dip</source>
+        <translation>Fim da imersão</translation>
+    </message>
+    <message>
+        <source>Rolling radius</source>
+        <translation>Raio de rolamento</translation>
+    </message>
+    <message>
+        <source>How far the part travels sideways while it rolls through one radian (57.3°). Half the part&apos;s height lets a cylinder roll without slip.</source>
+        <translation>Quanto a peça avança de lado enquanto rola um radiano (57,3°). Com metade da altura da peça, um cilindro rola sem deslizar.</translation>
+    </message>
+    <message>
+        <source>Half the part&apos;s height</source>
+        <translation>Metade da altura da peça</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Giro</translation>
+    </message>
+    <message>
+        <source>Turn about the vertical while the part goes down, counterclockwise seen from above.</source>
+        <translation>Giro em torno da vertical enquanto a peça desce, no sentido anti-horário visto de cima.</translation>
+    </message>
+    <message>
+        <source>Water speed</source>
+        <translation>Velocidade da água</translation>
+    </message>
+    <message>
+        <source>Speed at which water and film flow through the tank, in the direction of the heading.</source>
+        <translation>Velocidade com que a água e a película correm pelo tanque, na direção indicada.</translation>
+    </message>
+    <message>
+        <source>Slow speed</source>
+        <translation>Velocidade lenta</translation>
+    </message>
+    <message>
+        <source>Speed at the first contact with the water and at the end of the dip.</source>
+        <translation>Velocidade no primeiro contato com a água e no fim da imersão.</translation>
+    </message>
+    <message>
+        <source>As the dip</source>
+        <translation>Como a imersão</translation>
+    </message>
+    <message>
+        <source>Slow for</source>
+        <translation>Lenta por</translation>
+    </message>
+    <message>
+        <source>The first and the last part of the way down that the slow speed applies to.</source>
+        <translation>A primeira e a última parte da descida em que vale a velocidade lenta.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3443,6 +3590,14 @@
     <message>
         <source>After dip %1 the part should look like this (seen from the lower edge, the right edge and below)</source>
         <translation>Após a imersão %1 a peça deve ficar assim (vista da borda inferior, da borda direita e de baixo)</translation>
+    </message>
+    <message>
+        <source>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</source>
+        <translation>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</translation>
+    </message>
+    <message>
+        <source>Dip the part along its path (motion-%1.csv), in %2 s. Time, place of the part&apos;s middle (to the right; towards the upper edge; up) from the film&apos;s centre on the water, and turn about these axes from the rotation at the end: %3</source>
+        <translation>Mergulhe a peça pelo seu percurso (motion-%1.csv), em %2 s. Tempo, lugar do meio da peça (para a direita; para a borda superior; para cima) a partir do centro da película na água, e giro em torno desses eixos em relação à rotação no fim: %3</translation>
     </message>
 </context>
 <context>
@@ -4945,6 +5100,10 @@
     <message>
         <source>The fit found no film and camera that explain the pairs; check whether a pair names the wrong place</source>
         <translation>O ajuste não encontrou película e câmera que expliquem os pares; verifique se um par indica o lugar errado</translation>
+    </message>
+    <message>
+        <source>A film can be fitted to straight dips only</source>
+        <translation>Só é possível ajustar uma película a imersões retas</translation>
     </message>
 </context>
 <context>
@@ -8748,6 +8907,14 @@ mm por mm</translation>
     <message>
         <source>Waiting until the dip of the project has finished</source>
         <translation>Aguardando o fim da imersão do projeto</translation>
+    </message>
+    <message>
+        <source>Try tilted entries</source>
+        <translation>Tentar entradas tombadas</translation>
+    </message>
+    <message>
+        <source>Also tries the best poses entered tilted and levelled while they sink, so that air escapes and the film reaches further. Takes about twice as long.</source>
+        <translation>Tenta as melhores poses também com entrada tombada e nivelamento durante a descida, para que o ar escape e a película alcance mais. Leva cerca do dobro do tempo.</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 #include "cli/Arguments.h"
+#include "dip/BodyPath.h"
 #include "geometry/FieldGrid.h"
 #include "geometry/TriangleMesh.h"
 #include "model/TextureNotes.h"
@@ -86,6 +87,9 @@ void printImmersion(const Immersion& immersion, QTextStream& out) {
                .arg(immersion.name, plain(immersion.rotation[0].value()),
                     plain(immersion.rotation[1].value()), plain(immersion.rotation[2].value()),
                     plain(immersion.offset[0].value()), plain(immersion.offset[1].value()));
+    if (const QString path = pathText(immersion.path); !path.isEmpty()) {
+        out << QStringLiteral("  path: %1\n").arg(path);
+    }
 }
 
 void printProject(const Project& project, QTextStream& out) {

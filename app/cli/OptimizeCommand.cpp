@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 #include "project/Project.h"
 
+#include "dip/BodyPath.h"
 #include "disk/AtomicFile.h"
 #include "disk/SmallFile.h"
 #include "pipeline/JobSearch.h"
@@ -23,6 +24,7 @@ const QString limitOption = QStringLiteral("limit");
 const QString shardOption = QStringLiteral("shard");
 const QString outOption = QStringLiteral("out");
 const QString mergeOption = QStringLiteral("merge");
+const QString pathsOption = QStringLiteral("paths");
 const QString solverOption = QStringLiteral("solver");
 constexpr std::size_t shownPoses = 5;
 constexpr int mostParts = 1000;
@@ -40,6 +42,9 @@ QString poseText(const Immersion& immersion) {
     if (immersion.offset != std::array<Millimetres, 2>{}) {
         text += QStringLiteral(" at %1, %2 mm")
                     .arg(plain(immersion.offset[0].value()), plain(immersion.offset[1].value()));
+    }
+    if (const QString path = pathText(immersion.path); !path.isEmpty()) {
+        text += QStringLiteral(" ") + path;
     }
     return text;
 }
@@ -139,6 +144,7 @@ SearchSettings settingsOf(const QCommandLineParser& parser, const Project& proje
     settings.confirmed =
         wholeNumberOption(parser, confirmedOption, confirmedRange.least, confirmedRange.most);
     settings.seed = wholeNumberOption(parser, seedOption, seedRange.least, seedRange.most);
+    settings.paths = parser.isSet(pathsOption);
     settings.aims = project.poseAims;
     applyPairs(parser, weightOption, settings.aims,
                [](PoseAims& aims, const QString& name, std::optional<double> weight) {
@@ -210,6 +216,9 @@ public:
               usual.confirmed);
         count(seedOption, QStringLiteral("The seed of the random directions, 0 to 1000000."),
               usual.seed);
+        syntax.addOption(
+            {pathsOption, QStringLiteral("Also tries the best poses entered tilted and levelled "
+                                         "while they sink.")});
         syntax.addOption({weightOption,
                           QStringLiteral("The weight of a measure, or of zone_a, zone_b or zone_c, "
                                          "instead of the project's weight. May be repeated."),

@@ -4,6 +4,8 @@
 #include "dip/Pose.h"
 
 #include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
 #include <algorithm>
 #include <cmath>
 
@@ -319,6 +321,39 @@ solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry
         pose.pivot[2] += immersion.offset[1].value();
     }
     return result;
+}
+
+QString pathText(const DipPath& path) {
+    const QLocale locale;
+    const auto degrees = [&](Degrees angle) { return locale.toString(angle.value(), 'g', 4); };
+    QStringList words;
+    switch (path.kind) {
+    case PathKind::Straight:
+        break;
+    case PathKind::Slanted:
+        words << Text::tr("slanted by %1° towards %2°")
+                     .arg(degrees(path.angle), degrees(path.heading));
+        break;
+    case PathKind::Tilt:
+        words << Text::tr("tilted by %1° towards %2°")
+                     .arg(degrees(path.angle), degrees(path.heading));
+        break;
+    case PathKind::Roll:
+        words << Text::tr("rolled by %1° towards %2°")
+                     .arg(degrees(path.angle), degrees(path.heading));
+        break;
+    }
+    if (path.turn != Degrees(0)) {
+        words << Text::tr("turned by %1° while it sinks").arg(degrees(path.turn));
+    }
+    if (path.waterSpeed != MillimetresPerSecond(0)) {
+        words << Text::tr("water at %1 mm/s towards %2°")
+                     .arg(locale.toString(path.waterSpeed.value(), 'g', 4), degrees(path.heading));
+    }
+    if (path.slowSpeed) {
+        words << Text::tr("slow at the beginning and the end");
+    }
+    return words.join(QStringLiteral(", "));
 }
 
 std::vector<PathMoment> momentsOf(const solver::BodyPath& path) {

@@ -14,6 +14,7 @@
 #include <dipwright/FilmSolver.h>
 
 #include <Eigen/Geometry>
+#include <QString>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,10 @@ solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry
 // Returns the bounding box, in x and z from the offset, of the places at which the body is under
 // water on its path. `posed` is the body in its pose frame.
 Eigen::AlignedBox2d wetShadow(const solver::BodyPath& path, const TriangleMesh& posed);
+
+// Returns a few words on a path for the user, "tilted by 20° towards 45°"; empty if the part goes
+// straight down.
+QString pathText(const DipPath& path);
 
 // A moment on a path for which the body's rotation is looked at.
 struct PathMoment {

@@ -115,7 +115,8 @@ std::size_t PoseDips::batchSizeFor(const std::vector<Immersion>& immersions) con
     if (immersions.empty()) {
         return mostInBatch;
     }
-    const PosedBody body = posedBody(subject_.model->mesh, immersions.front(), searchedAirCells);
+    const PosedBody body =
+        posedBody(subject_.model->mesh, immersions.front(), subject_.process, searchedAirCells);
     return std::clamp(pointsInBatch / films_.gridOf(body, immersions.front()).pointCount(),
                       fewestInBatch, mostInBatch);
 }
@@ -130,8 +131,8 @@ std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& i
     std::vector<std::array<double, 6>> films(immersions.size());
     parallelFor(std::size_t(0), films.size(), [&](std::size_t index) {
         const Immersion& immersion = immersions[index];
-        const Eigen::AlignedBox2d box =
-            films_.fineCellsOf(posedBody(subject_.model->mesh, immersion, searchedAirCells));
+        const Eigen::AlignedBox2d box = films_.fineCellsOf(
+            posedBody(subject_.model->mesh, immersion, subject_.process, searchedAirCells));
         films[index] = {box.min().x(),
                         box.min().y(),
                         box.max().x(),
@@ -160,7 +161,7 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
     parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
         const Immersion& immersion = immersions[batch[item]];
         bodies[item] = std::make_shared<const PosedBody>(
-            posedBody(subject_.model->mesh, immersion, searchedAirCells));
+            posedBody(subject_.model->mesh, immersion, subject_.process, searchedAirCells));
         fields[item].emplace(*bodies[item], *field_);
         items[item].setup = setupOf(*bodies[item], *fields[item], immersion);
     });

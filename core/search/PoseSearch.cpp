@@ -36,6 +36,7 @@ constexpr double distinct = 5;                     // least angle between ranked
 constexpr std::array<double, 3> tilts{10, 5, 2.5}; // degrees, one for each round of refinement
 constexpr double turn = 5;                         // degrees about the vertical, in the last round
 constexpr double shift = 0.05;                     // share of the film's sides, in the last round
+constexpr std::size_t triedWithPaths = 6;          // number of best poses that are tried with paths
 constexpr double fieldShare = 0.05, geometryShare = 0.1; // progress after these steps, 0 … 1
 
 // The share of the dips of the best pairs that differ; most pairs have a dip in common with
@@ -64,7 +65,8 @@ bool isBetter(const Entry& one, const Entry& other) {
 }
 
 bool isDistinct(const Immersion& one, const Immersion& other) {
-    return downOf(one).dot(downOf(other)) < std::cos(radians(Degrees(distinct)));
+    return one.path != other.path ||
+           downOf(one).dot(downOf(other)) < std::cos(radians(Degrees(distinct)));
 }
 
 bool isDistinct(const Entry& one, const Entry& other) {
@@ -103,6 +105,37 @@ std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
         result.push_back(next);
         next = immersion;
         next.offset[1] = next.offset[1] + film.height * (side * shift);
+        result.push_back(next);
+    }
+    return result;
+}
+
+// Returns the pose with paths on which it is entered tilted, by several angles and from all sides.
+std::vector<Immersion> withPaths(const Immersion& immersion) {
+    constexpr int sides = 8;
+    std::vector<Immersion> result;
+    for (const double angle : {15.0, 30.0, 50.0}) {
+        for (int side = 0; side < sides; ++side) {
+            Immersion next = immersion;
+            next.path = {};
+            next.path.kind = PathKind::Tilt;
+            next.path.angle = Degrees(angle);
+            next.path.heading = Degrees(360.0 * side / sides);
+            result.push_back(next);
+        }
+    }
+    return result;
+}
+
+// Returns paths near that of a pose.
+std::vector<Immersion> nearPaths(const Immersion& immersion) {
+    std::vector<Immersion> result;
+    for (const double side : {-1.0, 1.0}) {
+        Immersion next = immersion;
+        next.path.heading = next.path.heading + Degrees(22.5 * side);
+        result.push_back(next);
+        next = immersion;
+        next.path.angle = next.path.angle * (1 + 0.25 * side);
         result.push_back(next);
     }
     return result;
@@ -195,6 +228,9 @@ public:
         left_ = {own + tried + settings.refined * each * (4 * rounds + 6),
                  differing(settings.finer + settings.refined),
                  settings.confirmed > 0 ? differing(settings.confirmed) : 0};
+        if (settings.paths) {
+            left_[Coarse] += int(triedWithPaths) * each * 28; // withPaths() and nearPaths()
+        }
         estimateCosts();
         result_.equator = body_.equator();
     }
@@ -253,6 +289,9 @@ public:
         try {
             simulate();
             refine();
+            if (settings_.paths) {
+                tryPaths();
+            }
             rankWithFinerFilm();
             confirm();
         } catch (const Cancelled&) {
@@ -464,26 +503,55 @@ private:
         }
     }
 
-    void refineMember(std::size_t count, std::size_t round, std::size_t member) {
+    // Adds, for each of the best entries, the best one with paths if it is better than straight
+    // down.
+    void tryPaths() {
+        const std::size_t count = std::min(best_.size(), triedWithPaths);
+        std::vector<Entry> moved(best_.begin(), best_.begin() + std::ptrdiff_t(count));
+        for (std::size_t member = 0; member < std::size_t(settings_.immersions); ++member) {
+            improve(moved, member, withPaths);
+            improve(moved, member, [](const Immersion& immersion) {
+                return immersion.path.isStraightDown() ? std::vector<Immersion>()
+                                                       : nearPaths(immersion);
+            });
+        }
+        for (std::size_t index = 0; index < count; ++index) {
+            if (isBetter(moved[index], best_[index])) {
+                best_.push_back(std::move(moved[index]));
+            }
+        }
+        rank();
+    }
+
+    // Replaces one dip of each entry by the best of trialsOf(its immersion), if that is better.
+    template <typename TrialsOf>
+    void improve(std::vector<Entry>& entries, std::size_t member, const TrialsOf& trialsOf) {
         std::vector<Immersion> trials;
         std::vector<std::size_t> owner;
-        for (std::size_t index = 0; index < count; ++index) {
-            for (const Immersion& trial :
-                 neighbours(best_[index].dips[member]->immersion, round, subject_.film)) {
+        for (std::size_t index = 0; index < entries.size(); ++index) {
+            for (const Immersion& trial : trialsOf(entries[index].dips[member]->immersion)) {
                 trials.push_back(trial);
                 owner.push_back(index);
             }
         }
         const std::vector<Judged> judged = dipped(coarse_, Coarse, trials);
-        const std::vector<Entry> before(best_.begin(), best_.begin() + std::ptrdiff_t(count));
+        const std::vector<Entry> before = entries;
         for (std::size_t trial = 0; trial < trials.size(); ++trial) {
             std::vector<Judged> dips = before[owner[trial]].dips;
             dips[member] = judged[trial];
             Entry tried = entry(std::move(dips), false);
-            if (isBetter(tried, best_[owner[trial]])) {
-                best_[owner[trial]] = std::move(tried);
+            if (isBetter(tried, entries[owner[trial]])) {
+                entries[owner[trial]] = std::move(tried);
             }
         }
+    }
+
+    void refineMember(std::size_t count, std::size_t round, std::size_t member) {
+        std::vector<Entry> refined(best_.begin(), best_.begin() + std::ptrdiff_t(count));
+        improve(refined, member, [&](const Immersion& immersion) {
+            return neighbours(immersion, round, subject_.film);
+        });
+        std::move(refined.begin(), refined.end(), best_.begin());
         rank();
     }
 

@@ -75,8 +75,9 @@ struct SearchSettings {
     int simulated = 96;    // number of these that are simulated by one coarse dip each
     int refined = 6;       // number of the best that are refined in angle, turn and offset
     int finer = 12; // number of the best that are simulated with finer film; these dips rank them
-    int confirmed = 3; // number of the best that are simulated with the film and field of the job
-    int seed = 1;      // for the random directions
+    int confirmed = 3;  // number of the best that are simulated with the film and field of the job
+    int seed = 1;       // for the random directions
+    bool paths = false; // whether the best poses are also tried with paths (settings/DipPath.h)
     PoseAims aims;
     bool operator==(const SearchSettings&) const = default;
 };

@@ -1,5 +1,7 @@
 #include "workbench/poses/PoseTable.h"
 
+#include "dip/BodyPath.h"
+
 #include <QApplication>
 #include <QHeaderView>
 
@@ -19,8 +21,12 @@ QString posesText(const RankedPoses& poses) {
         for (const Degrees& angle : immersion.rotation) {
             angles.append(QLocale().toString(angle.value(), 'f', 1));
         }
-        lines.append(PoseTable::tr("%1: turned by %2° about X, Y, Z")
-                         .arg(immersion.name, angles.join(QStringLiteral("°, "))));
+        QString line = PoseTable::tr("%1: turned by %2° about X, Y, Z")
+                           .arg(immersion.name, angles.join(QStringLiteral("°, ")));
+        if (const QString path = pathText(immersion.path); !path.isEmpty()) {
+            line += QStringLiteral("; ") + path;
+        }
+        lines.append(line);
     }
     return lines.join(QLatin1Char('\n'));
 }

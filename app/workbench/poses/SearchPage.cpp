@@ -25,7 +25,7 @@ namespace dipwright {
 
 SearchPage::SearchPage(QWidget* parent)
     : QWidget(parent), immersions_(new QComboBox), simulated_(new QSpinBox), seed_(new QSpinBox),
-      weights_(new WeightFields), start_(new QPushButton(tr("&Search"))),
+      paths_(new QCheckBox), weights_(new WeightFields), start_(new QPushButton(tr("&Search"))),
       pause_(new QPushButton(tr("Pause"))), stop_(new QPushButton(tr("Stop"))),
       progress_(new QProgressBar), left_(new QLabel), note_(new QLabel), table_(new PoseTable),
       map_(new OrientationMap), plot_(new MeasurePlot), comparison_(new QLabel),
@@ -83,6 +83,13 @@ QWidget* SearchPage::makeSettings() {
     form->addRow(tr("Dips"), immersions_);
     form->addRow(tr("Simulate"), simulated_);
     form->addRow(tr("Seed"), seed_);
+    paths_->setText(tr("Try tilted entries"));
+    paths_->setToolTip(
+        tr("Also tries the best poses entered tilted and levelled while they sink, so "
+           "that air escapes and the film reaches further. Takes about twice as "
+           "long."));
+    paths_->setObjectName(QStringLiteral("searchedPaths"));
+    form->addRow(paths_);
     auto* more = new QToolButton;
     more->setText(tr("Weights and limits"));
     more->setCheckable(true);
@@ -168,6 +175,7 @@ SearchSettings SearchPage::settings() const {
     settings.immersions = immersions_->currentData().toInt();
     settings.simulated = simulated_->value();
     settings.seed = seed_->value();
+    settings.paths = paths_->isChecked();
     settings.aims = weights_->aims();
     return settings;
 }

@@ -11,6 +11,7 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QCheckBox;
 class QSpinBox;
 
 namespace dipwright {
@@ -65,6 +66,7 @@ private:
     QComboBox* immersions_;
     QSpinBox* simulated_;
     QSpinBox* seed_;
+    QCheckBox* paths_;
     WeightFields* weights_;
     QWidget* settings_;
     QPushButton* start_;

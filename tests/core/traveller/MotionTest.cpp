@@ -3,6 +3,7 @@
 
 #include "base/Error.h"
 
+#include <QMap>
 #include <QtTest>
 #include <cmath>
 
@@ -19,6 +20,76 @@ DipMotion motion() {
     result.speed = MillimetresPerSecond(4);
     return result;
 }
+
+// A part that rolls by 200° while it travels and then is levelled about another axis.
+DipMotion motionOnPath() {
+    DipMotion result = motion();
+    const Eigen::Vector3d across = Eigen::Vector3d(1, 2, 0).normalized();
+    for (int i = 0; i <= 40; ++i) {
+        const double share = i / 40.0;
+        result.path.push_back(
+            {Seconds(12 * share),
+             {-30 + 60 * share, 5 * share, 20 - 40 * share},
+             Eigen::Quaterniond(Eigen::AngleAxisd(-200 * pi / 180 * (1 - share), across) *
+                                Eigen::AngleAxisd(0.3 * (1 - share), Eigen::Vector3d::UnitZ()))});
+    }
+    return result;
+}
+
+// A controller that reads G-code: absolute millimetres and degrees, and feed by inverse time (G93)
+// or per minute (G94, which is the default).
+struct Controller {
+    struct Stop {
+        double seconds = 0;
+        Eigen::Vector3d place;
+        Eigen::Quaterniond turn;
+    };
+    std::vector<Stop> stops;
+
+    explicit Controller(const QString& code) {
+        QMap<QChar, double> axes{{u'X', 0}, {u'Y', 0}, {u'Z', 0}, {u'A', 0}, {u'B', 0}, {u'C', 0}};
+        bool inInverseTime = false;
+        double seconds = 0;
+        for (const QString& line : code.split(u'\n')) {
+            const QMap<QChar, double> before = axes;
+            double feed = 0;
+            bool moves = false;
+            const QStringList words = line.section(u';', 0, 0).simplified().split(u' ');
+            for (const QString& word : words) {
+                const double number = word.mid(1).toDouble();
+                if (word == QLatin1String("G93")) {
+                    inInverseTime = true;
+                } else if (word == QLatin1String("G1")) {
+                    moves = true;
+                } else if (word.startsWith(u'F')) {
+                    feed = number;
+                } else if (!word.isEmpty() && axes.contains(word[0])) {
+                    axes[word[0]] = number;
+                }
+            }
+            if (!moves) {
+                continue;
+            }
+            const auto way = [&](const char* names) {
+                double squares = 0;
+                for (const char* name = names; *name; ++name) {
+                    squares += std::pow(axes[QLatin1Char(*name)] - before[QLatin1Char(*name)], 2);
+                }
+                return std::sqrt(squares);
+            };
+            const double linear = way("XYZ");
+            seconds += inInverseTime ? 60 / feed : 60 * (linear > 0 ? linear : way("ABC")) / feed;
+            const auto about = [&](char name, const Eigen::Vector3d& axis) {
+                return Eigen::AngleAxisd(axes[QLatin1Char(name)] * pi / 180, axis);
+            };
+            stops.push_back(
+                {seconds,
+                 {axes[u'X'], axes[u'Y'], axes[u'Z']},
+                 about('C', Eigen::Vector3d::UnitZ()) * about('B', Eigen::Vector3d::UnitY()) *
+                     about('A', Eigen::Vector3d::UnitX())});
+        }
+    }
+};
 
 } // namespace
 
@@ -83,6 +154,59 @@ private slots:
         for (const char* dialect : {"Marlin", "GRBL", "LinuxCNC"}) {
             QVERIFY2(header.contains(QLatin1String(dialect)), dialect);
         }
+    }
+
+    void filledTemplate_path_isReadBackFromTheGCode_data() {
+        QTest::addColumn<QString>("controller");
+        for (const char* name : {"linuxcnc", "grbl", "marlin"}) {
+            QTest::newRow(name) << QString::fromLatin1(name);
+        }
+    }
+
+    void filledTemplate_path_isReadBackFromTheGCode() {
+        QFETCH(QString, controller);
+        const DipMotion moved = motionOnPath();
+        const MotionTemplate text = motionTemplate(controller);
+        const Controller read(QString::fromUtf8(filledTemplate(moved, text.text, text.where)));
+        const std::vector<MotionPose> poses = motionPoses(moved);
+        QCOMPARE(read.stops.size(), poses.size());
+        for (std::size_t pose = 0; pose < poses.size(); ++pose) {
+            const Controller::Stop& stop = read.stops[pose];
+            QVERIFY((stop.place - poses[pose].place).norm() < 0.01);
+            QVERIFY(stop.turn.angularDistance(poses[pose].turn) < 0.01 * pi / 180);
+            const double lasts = stop.seconds - read.stops.front().seconds;
+            QVERIFY2(std::abs(lasts - poses[pose].time.value()) < 0.01,
+                     qPrintable(QStringLiteral("%1 s, expected %2 s")
+                                    .arg(lasts)
+                                    .arg(poses[pose].time.value())));
+        }
+    }
+
+    // A part that only turns about the vertical while it sinks needs two axes.
+    void filledTemplate_turnAboutTheVertical_movesTwoAxes() {
+        DipMotion moved = motion();
+        for (int i = 0; i <= 4; ++i) {
+            moved.path.push_back(
+                {Seconds(i),
+                 {0, 0, 10.0 - 5 * i},
+                 Eigen::Quaterniond(Eigen::AngleAxisd(0.2 * (i - 4), Eigen::Vector3d::UnitZ()))});
+        }
+        const MotionTemplate text = standardMotionTemplate(moved);
+        const QString code = QString::fromUtf8(filledTemplate(moved, text.text, text.where));
+        const QString move = code.section(QStringLiteral("M0"), 1).section(u'\n', 1, 1);
+        QVERIFY2(move.startsWith(QStringLiteral("G1 Z10.000 C-45.837 F")), qPrintable(move));
+    }
+
+    void motionCsv_path_hasPlacesAndAngles() {
+        const QList<QByteArray> lines = motionCsv(motionOnPath()).split('\n');
+        QCOMPARE(lines.front(), QByteArray("time_s,x_mm,y_mm,z_mm,a_deg,b_deg,c_deg"));
+        QCOMPARE(lines.size(), 1 + int(motionPoses(motionOnPath()).size()) + 1);
+        QVERIFY(lines[lines.size() - 2].endsWith(",0.000,0.000,0.000"));
+    }
+
+    void filledTemplate_pathWithoutMoves_isRefused() {
+        const MotionTemplate straight = standardMotionTemplate({});
+        QVERIFY_EXCEPTION_THROWN(filledTemplate(motionOnPath(), straight.text, {}), Error);
     }
 
     void filledTemplate_projectName_cannotAddCommands() {
