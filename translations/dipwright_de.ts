@@ -248,6 +248,10 @@
         <source>%1: the cradle touches %2 mm² of paint from an earlier dip; line the cradle there with %3 mm of soft felt or foam</source>
         <translation>%1: Die Halterung berührt %2 mm² Farbe aus einem früheren Tauchvorgang; legen Sie die Halterung dort mit %3 mm weichem Filz oder Schaumstoff aus</translation>
     </message>
+    <message>
+        <source>%1: cradles are made for parts that go straight down; hold this part by hand or by a fixture of your own</source>
+        <translation>%1: Halterungen werden nur für Teile gemacht, die gerade nach unten gehen; halten Sie dieses Teil von Hand oder mit einer eigenen Vorrichtung</translation>
+    </message>
 </context>
 <context>
     <name>Dip</name>
@@ -1278,6 +1282,10 @@
         <source>%1: the dip could not be repeated with smaller cells: %2</source>
         <translation>%1: Der Tauchvorgang konnte nicht mit kleineren Zellen wiederholt werden: %2</translation>
     </message>
+    <message>
+        <source>The film model of the paper knows only straight dips; choose the production film, or a straight path</source>
+        <translation>Das Filmmodell der Veröffentlichung kennt nur gerade Tauchvorgänge; wählen Sie den Produktionsfilm oder einen geraden Weg</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -1410,6 +1418,10 @@
     <message>
         <source>This file holds no part of a pose search, or it is damaged; create it again with --shard</source>
         <translation>Diese Datei enthält keinen Teil einer Lagensuche, oder sie ist beschädigt; erzeugen Sie sie mit --shard neu</translation>
+    </message>
+    <message>
+        <source>Paths need the production film and a solver that follows them; choose another solver, or search without paths</source>
+        <translation>Wege brauchen den Produktionsfilm und einen Solver, der ihnen folgt; wählen Sie einen anderen Solver, oder suchen Sie ohne Wege</translation>
     </message>
 </context>
 <context>
@@ -3428,6 +3440,10 @@
         <source>Zone %1 exceeds its limit of ±%3: on only %2 % of the painted area, the image is displaced by less than this limit, and on 95 % by ±%4 or less. Largest contributor: %5.</source>
         <translation>Zone %1 überschreitet ihre Grenze von ±%3: Nur auf %2 % der bemalten Fläche ist das Bild um weniger als diese Grenze verschoben, auf 95 % um höchstens ±%4. Größter Beitrag: %5.</translation>
     </message>
+    <message>
+        <source>Tolerances can be computed for straight dips only; choose a straight path</source>
+        <translation>Toleranzen lassen sich nur für gerade Tauchvorgänge berechnen; wählen Sie einen geraden Weg</translation>
+    </message>
 </context>
 <context>
     <name>Traveller</name>
@@ -3596,8 +3612,12 @@
         <translation>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</translation>
     </message>
     <message>
-        <source>Dip the part along its path (motion-%1.csv), in %2 s. Time, place of the part&apos;s middle (to the right; towards the upper edge; up) from the film&apos;s centre on the water, and turn about these axes from the rotation at the end: %3</source>
-        <translation>Das Teil auf seinem Weg eintauchen (motion-%1.csv), in %2 s. Zeit, Ort der Teilmitte (nach rechts; zum oberen Rand; nach oben) von der Filmmitte auf dem Wasser aus, und Drehung um diese Achsen gegenüber der Drehung am Ende: %3</translation>
+        <source>The part at the end of the dip, when its rotation about fixed axes is X %1°, then Y %2°, then Z %3°. Dashed blue line: water at the end.</source>
+        <translation>Das Teil am Ende des Tauchvorgangs; seine Drehung um feste Achsen ist dann X %1°, danach Y %2°, danach Z %3°. Gestrichelte blaue Linie: Wasser am Ende.</translation>
+    </message>
+    <message>
+        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Time, place of the part&apos;s middle (to the right; towards the upper edge; up) from the film&apos;s centre on the water, and turn about these axes from the rotation at the end: %3</source>
+        <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Zeit, Ort der Teilmitte (nach rechts; zum oberen Rand; nach oben) von der Filmmitte auf dem Wasser aus, und Drehung um diese Achsen gegenüber der Drehung am Ende: %3</translation>
     </message>
 </context>
 <context>

@@ -106,7 +106,7 @@
     </message>
     <message>
         <source>slanted by %1° towards %2°</source>
-        <translation>inclinado a %1° na direção de %2°</translation>
+        <translation>inclinada a %1° na direção de %2°</translation>
     </message>
     <message>
         <source>tilted by %1° towards %2°</source>
@@ -247,6 +247,10 @@
     <message>
         <source>%1: the cradle touches %2 mm² of paint from an earlier dip; line the cradle there with %3 mm of soft felt or foam</source>
         <translation>%1: o berço toca %2 mm² de tinta de uma imersão anterior; forre o berço ali com %3 mm de feltro macio ou espuma</translation>
+    </message>
+    <message>
+        <source>%1: cradles are made for parts that go straight down; hold this part by hand or by a fixture of your own</source>
+        <translation>%1: berços são feitos só para peças que descem em linha reta; segure esta peça com a mão ou com um dispositivo próprio</translation>
     </message>
 </context>
 <context>
@@ -1278,6 +1282,10 @@
         <source>%1: the dip could not be repeated with smaller cells: %2</source>
         <translation>%1: a imersão não pôde ser repetida com células menores: %2</translation>
     </message>
+    <message>
+        <source>The film model of the paper knows only straight dips; choose the production film, or a straight path</source>
+        <translation>O modelo de película do artigo só conhece imersões retas; escolha a película de produção ou um percurso reto</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -1410,6 +1418,10 @@
     <message>
         <source>This file holds no part of a pose search, or it is damaged; create it again with --shard</source>
         <translation>Este arquivo não contém uma parte de uma busca de poses ou está danificado; crie-o de novo com --shard</translation>
+    </message>
+    <message>
+        <source>Paths need the production film and a solver that follows them; choose another solver, or search without paths</source>
+        <translation>Percursos precisam da película de produção e de um solucionador que os siga; escolha outro solucionador ou busque sem percursos</translation>
     </message>
 </context>
 <context>
@@ -3428,6 +3440,10 @@
         <source>Zone %1 exceeds its limit of ±%3: on only %2 % of the painted area, the image is displaced by less than this limit, and on 95 % by ±%4 or less. Largest contributor: %5.</source>
         <translation>A zona %1 ultrapassa seu limite de ±%3: em só %2 % da área pintada, a imagem se desloca menos que esse limite, e em 95 %, no máximo ±%4. Maior contribuição: %5.</translation>
     </message>
+    <message>
+        <source>Tolerances can be computed for straight dips only; choose a straight path</source>
+        <translation>Só é possível calcular tolerâncias para imersões retas; escolha um percurso reto</translation>
+    </message>
 </context>
 <context>
     <name>Traveller</name>
@@ -3596,8 +3612,12 @@
         <translation>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</translation>
     </message>
     <message>
-        <source>Dip the part along its path (motion-%1.csv), in %2 s. Time, place of the part&apos;s middle (to the right; towards the upper edge; up) from the film&apos;s centre on the water, and turn about these axes from the rotation at the end: %3</source>
-        <translation>Mergulhe a peça pelo seu percurso (motion-%1.csv), em %2 s. Tempo, lugar do meio da peça (para a direita; para a borda superior; para cima) a partir do centro da película na água, e giro em torno desses eixos em relação à rotação no fim: %3</translation>
+        <source>The part at the end of the dip, when its rotation about fixed axes is X %1°, then Y %2°, then Z %3°. Dashed blue line: water at the end.</source>
+        <translation>A peça no fim da imersão, quando sua rotação em torno de eixos fixos é X %1°, depois Y %2°, depois Z %3°. Linha azul tracejada: água no fim.</translation>
+    </message>
+    <message>
+        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Time, place of the part&apos;s middle (to the right; towards the upper edge; up) from the film&apos;s centre on the water, and turn about these axes from the rotation at the end: %3</source>
+        <translation>Mergulhe a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Tempo, lugar do meio da peça (para a direita; para a borda superior; para cima) a partir do centro da película na água, e giro em torno desses eixos em relação à rotação no fim: %3</translation>
     </message>
 </context>
 <context>

@@ -268,7 +268,7 @@ AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query,
                        const solver::BodyPath& path, int cells) {
     auto grid = std::make_shared<const SpaceGrid>(mesh, query, std::min(cells, airCellsOnPath));
     cell_ = grid->spacing();
-    const std::vector<PathMoment> moments = momentsOf(path);
+    const std::vector<PathMoment> moments = momentsOf(path, 2 * double(cell_));
     const std::vector<Heading> headings = headingsOf(moments);
     const std::vector<std::uint16_t> headingOf = headingsAtTheWater(*grid, moments, headings);
     std::vector<std::uint8_t> isTrapped(grid->count(), 0);

@@ -8,6 +8,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dipwright {
 
@@ -20,7 +21,7 @@ struct Text {
 // The most by which the body turns between two poses. Between them the pivot moves on a straight
 // line, so the lowest point of a tilting body is off by less than 1/1000 of its distance.
 constexpr double turnOfAPose = 5 * pi / 180;
-constexpr double leastWay = 1e-9; // mm; shorter moves are left out
+constexpr double farthestTravel = 10'000; // mm, sideways
 
 // A pose: the body's rotation from its final one, and the place of the pivot from the offset.
 struct Move {
@@ -46,7 +47,7 @@ public:
     // Returns how far the lowest point of the turned body lies under its pivot.
     double below(const Eigen::Quaterniond& turn) const {
         const Eigen::RowVector3d up = turn.toRotationMatrix().row(1);
-        double lowest = 0;
+        double lowest = std::numeric_limits<double>::infinity();
         for (const Eigen::Vector3d& place : places_) {
             lowest = std::min(lowest, up.dot(place));
         }
@@ -56,6 +57,15 @@ public:
         double most = 0;
         for (const Eigen::Vector3d& place : places_) {
             most = std::max(most, place.norm());
+        }
+        return most;
+    }
+
+    // Returns the distance of the farthest point from the horizontal axis across `heading`.
+    double reachAcross(const Eigen::Vector3d& heading) const {
+        double most = 0;
+        for (const Eigen::Vector3d& place : places_) {
+            most = std::max(most, std::hypot(place.dot(heading), place.y()));
         }
         return most;
     }
@@ -89,11 +99,11 @@ public:
     std::vector<Move> moves() {
         switch (path_.kind) {
         case PathKind::Straight:
-            goDown([](double) { return 0.0; }, [](double) { return Eigen::Vector3d(0, 0, 0); }, {});
+            goDown(noTilt, notBeside, {});
             break;
         case PathKind::Slanted: {
             const double steepness = std::tan(radians(path_.angle));
-            goDown([](double) { return 0.0; },
+            goDown(noTilt,
                    [&](double deep) -> Eigen::Vector3d {
                        return (deep + startHeight) / steepness * directionOf(path_.heading);
                    },
@@ -112,25 +122,21 @@ public:
     }
 
 private:
+    static double noTilt(double) { return 0; }
+    static Eigen::Vector3d notBeside(double) { return Eigen::Vector3d::Zero(); }
+
     // Speed of the dip at a depth of the lowest point.
     double speedAt(double deep) const {
-        const bool isSlow = path_.slowSpeed &&
-                            (deep < path_.slowWay.value() || deep > depth_ - path_.slowWay.value());
+        const double slow = path_.slowWay.value();
+        const bool isSlow = path_.slowSpeed && slow > 0 && (deep < slow || deep > depth_ - slow);
         return isSlow ? path_.slowSpeed->value() : process_.dipSpeed.value();
     }
 
-    void add(const Eigen::Quaterniond& turn, const Eigen::Vector3d& middle, double speed) {
-        double seconds = 0;
-        if (!moves_.empty()) {
-            const Move& last = moves_.back();
-            const double way = (middle - last.middle).norm() +
-                               last.turn.angularDistance(turn) * shape_.height() / 2;
-            if (way < leastWay) {
-                return;
-            }
-            seconds = last.seconds + way / speed;
+    // Adds `parts` equal parts of the depths from `first` to `last`, without its end.
+    static void split(double first, double last, int parts, std::vector<double>& stops) {
+        for (int part = 0; part < parts; ++part) {
+            stops.push_back(first + (last - first) * part / parts);
         }
-        moves_.push_back({seconds, turn, middle});
     }
 
     // Goes down until the lowest point is at the depth of the dip. tiltAt(depth) is the tilt
@@ -138,32 +144,33 @@ private:
     // a pose.
     template <typename TiltAt, typename Beside>
     void goDown(const TiltAt& tiltAt, const Beside& beside, std::vector<double> stops) {
-        const double way = startHeight + depth_;
-        const int parts =
-            std::max(partsOf(radians(path_.turn)), partsOf(tiltAt(-startHeight) - tiltAt(depth_)));
-        for (int part = 0; part <= parts; ++part) {
-            stops.push_back(-startHeight + way * part / parts);
-        }
+        constexpr double close = 1e-6; // mm; of stops that are closer, one is left out
+        split(-startHeight, depth_, partsOf(radians(path_.turn)), stops);
         if (path_.slowSpeed) {
             stops.push_back(path_.slowWay.value());
             stops.push_back(depth_ - path_.slowWay.value());
         }
+        std::erase_if(stops, [&](double deep) {
+            return deep <= -startHeight + close || deep >= depth_ - close;
+        });
+        stops.push_back(-startHeight);
+        stops.push_back(depth_);
         std::sort(stops.begin(), stops.end());
         double before = -startHeight;
         for (const double deep : stops) {
-            if (deep < -startHeight || deep > depth_ || (deep == before && !moves_.empty())) {
+            if (!moves_.empty() && deep - before < close) {
                 continue;
             }
-            const double left = 1 - (deep + startHeight) / way;
+            const double left = 1 - (deep + startHeight) / (depth_ + startHeight);
             const Eigen::Quaterniond turn =
                 forwards(path_.heading, tiltAt(deep)) *
                 Eigen::Quaterniond(
                     Eigen::AngleAxisd(-left * radians(path_.turn), Eigen::Vector3d::UnitY()));
-            const double middle = shape_.below(turn) - deep;
-            // The lowest point sets the speed, though the middle comes down at another one.
-            const Eigen::Vector3d place = beside(deep) + middle * Eigen::Vector3d::UnitY();
+            // The lowest point sets the speed, though the pivot comes down at another one.
             const double seconds = (deep - before) / speedAt((deep + before) / 2);
-            moves_.push_back({moves_.empty() ? 0 : moves_.back().seconds + seconds, turn, place});
+            moves_.push_back(
+                {moves_.empty() ? 0 : moves_.back().seconds + seconds, turn,
+                 beside(deep) + (shape_.below(turn) - deep) * Eigen::Vector3d::UnitY()});
             before = deep;
         }
     }
@@ -172,23 +179,33 @@ private:
         const double level =
             std::min(path_.levelDepth ? path_.levelDepth->value() : depth_, depth_);
         const double entry = radians(path_.angle);
-        const auto tiltAt = [&](double deep) {
-            return deep >= level ? 0.0 : entry * (level - deep) / (level + startHeight);
-        };
-        goDown(tiltAt, [](double) { return Eigen::Vector3d(0, 0, 0); }, {level});
+        std::vector<double> stops{level};
+        split(-startHeight, level, partsOf(entry), stops);
+        goDown(
+            [&](double deep) {
+                return deep >= level ? 0.0 : entry * (level - deep) / (level + startHeight);
+            },
+            notBeside, std::move(stops));
     }
 
+    // The lowest point stays at the depth of the dip. The farthest point from the axis sets the
+    // speed.
     void roll() {
         const double angle = radians(path_.angle);
         const double radius = path_.rollRadius ? path_.rollRadius->value() : shape_.height() / 2;
-        goDown([&](double) { return -angle; }, [](double) { return Eigen::Vector3d(0, 0, 0); }, {});
+        goDown([&](double) { return -angle; }, notBeside, {});
         const Move down = moves_.back();
-        const int parts = partsOf(angle);
+        const double reach = shape_.reachAcross(directionOf(path_.heading));
+        const int parts = angle == 0 ? 0 : partsOf(angle);
         for (int part = 1; part <= parts; ++part) {
             const double rolled = angle * part / parts;
-            add(forwards(path_.heading, rolled - angle),
-                down.middle + rolled * radius * directionOf(path_.heading),
-                process_.dipSpeed.value());
+            const Eigen::Quaterniond turn = forwards(path_.heading, rolled - angle);
+            Eigen::Vector3d middle = down.middle + rolled * radius * directionOf(path_.heading);
+            middle.y() = shape_.below(turn) - depth_;
+            const Move& last = moves_.back();
+            const double way =
+                std::max((middle - last.middle).norm(), last.turn.angularDistance(turn) * reach);
+            moves_.push_back({last.seconds + way / process_.dipSpeed.value(), turn, middle});
         }
     }
 
@@ -356,30 +373,47 @@ QString pathText(const DipPath& path) {
     return words.join(QStringLiteral(", "));
 }
 
-std::vector<PathMoment> momentsOf(const solver::BodyPath& path) {
-    std::vector<PathMoment> moments;
-    for (std::size_t i = 0; i < path.poses.size(); ++i) {
-        if (i > 0) { // the body may go far between two poses without a turn
-            const double middle = (path.poses[i - 1].travelled + path.poses[i].travelled) / 2;
-            moments.push_back({middle, placeOnPath(path, middle)});
+std::vector<PathMoment> momentsOf(const solver::BodyPath& path, double most) {
+    std::vector<PathMoment> moments{{0, placeOnPath(path, 0)}};
+    for (std::size_t i = 1; i < path.poses.size(); ++i) {
+        const double begin = path.poses[i - 1].travelled, end = path.poses[i].travelled;
+        const int parts = std::max(2, int(std::ceil((end - begin) / most)));
+        for (int part = 1; part <= parts; ++part) {
+            const double way = begin + (end - begin) * part / parts;
+            moments.push_back({way, placeOnPath(path, way)});
         }
-        const double end = path.poses[i].travelled;
-        moments.push_back({end, placeOnPath(path, end)});
     }
     return moments;
 }
 
-Eigen::AlignedBox2d wetShadow(const solver::BodyPath& path, const TriangleMesh& posed) {
+Eigen::AlignedBox2d shadowOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
+                                 ShadowOf part) {
+    const double step = std::max(double(boundingBox(posed).diagonal().norm()) / 12, 0.5);
     Eigen::AlignedBox2d shadow;
-    for (const PathMoment& moment : momentsOf(path)) {
+    for (const PathMoment& moment : momentsOf(path, step)) {
         for (const Eigen::Vector3f& place : posed.positions) {
             const Eigen::Vector3d at = moment.poseToWorld * place.cast<double>();
-            if (at.y() <= 0) {
+            if (part == ShadowOf::Whole || at.y() <= 0) {
                 shadow.extend(Eigen::Vector2d(at.x(), at.z()));
             }
         }
     }
     return shadow;
+}
+
+Eigen::Vector3d upAtWater(const solver::BodyPath& path, const Eigen::Vector3d& at) {
+    if (path.isStraightDown()) {
+        return Eigen::Vector3d::UnitY();
+    }
+    const double way = firstUnderWater(path, at).value_or(path.poses.back().travelled);
+    return placeOnPath(path, way).linear().row(1);
+}
+
+bool isTilting(const solver::BodyPath& path) {
+    constexpr double alike = 0.9998; // cosine of about 1°
+    return std::any_of(path.poses.begin(), path.poses.end(), [](const solver::PathPose& pose) {
+        return rotationOf(pose).toRotationMatrix()(1, 1) < alike;
+    });
 }
 
 } // namespace dipwright

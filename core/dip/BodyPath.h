@@ -37,9 +37,18 @@ solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
 solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& modelToPose,
                              const Immersion& immersion);
 
-// Returns the bounding box, in x and z from the offset, of the places at which the body is under
-// water on its path. `posed` is the body in its pose frame.
-Eigen::AlignedBox2d wetShadow(const solver::BodyPath& path, const TriangleMesh& posed);
+// Which part of a body throws a shadow.
+enum class ShadowOf : std::uint8_t { Whole, UnderWater };
+// Returns the bounding box, in x and z from the offset, of the body on its path, or of the places
+// at which it is under water. `posed` is the body in its pose frame.
+Eigen::AlignedBox2d shadowOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
+                                 ShadowOf part);
+
+// Returns the direction of the vertical, in the body's frame, when a place first goes under water;
+// of the end, if it never does. Straight down: +Y.
+Eigen::Vector3d upAtWater(const solver::BodyPath& path, const Eigen::Vector3d& at);
+// Whether the vertical changes in the frame of the pose, by more than about 1°.
+bool isTilting(const solver::BodyPath& path);
 
 // Returns a few words on a path for the user, "tilted by 20° towards 45°"; empty if the part goes
 // straight down.
@@ -50,7 +59,8 @@ struct PathMoment {
     double travelled = 0;
     Eigen::Isometry3d poseToWorld;
 };
-// Returns moments on a path between which the body turns by a few degrees at most.
-std::vector<PathMoment> momentsOf(const solver::BodyPath& path);
+// Returns moments on a path between which the body turns by a few degrees at most, and travels
+// `most` mm at most.
+std::vector<PathMoment> momentsOf(const solver::BodyPath& path, double most);
 
 } // namespace dipwright

@@ -209,8 +209,16 @@ private:
         const float water = film_.positions[point].y();
         const ClosestPoint under =
             query_.closest(place, largestGap * cellOfPoint(film_.grid, point));
-        return under.point.isValid() && position(mesh_, under.point).y() <= water &&
-               normal(under.point).y() <= steepest_ && !body_.isDry(under.point);
+        if (!under.point.isValid() || body_.isDry(under.point)) {
+            return false;
+        }
+        const Eigen::Vector3f at = position(mesh_, under.point);
+        if (body_.path.isStraightDown()) {
+            return at.y() <= water && normal(under.point).y() <= steepest_;
+        }
+        const Eigen::Vector3f up = upAtWater(body_.path, at.cast<double>()).cast<float>();
+        return firstUnderWater(body_.path, at.cast<double>()).has_value() &&
+               normal(under.point).dot(up) <= steepest_;
     }
     Eigen::Vector3f normal(const SurfacePoint& point) const { return normalAt(normals_, point); }
 

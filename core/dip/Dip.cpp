@@ -257,7 +257,7 @@ std::vector<float> grownWhenTouched(const DippedFilm& film, const solver::DipSet
         double seconds = (begin + double(place.y())) / setup.motion.speed;
         if (!setup.path.isStraightDown()) {
             const auto way = firstUnderWater(setup.path, toModel * place.cast<double>());
-            seconds = way ? secondsOnPath(setup.path, *way) : 0;
+            seconds = secondsOnPath(setup.path, way.value_or(setup.motion.travel));
         }
         grown.push_back(float(grownLength(std::max(seconds, 0.0), setup.settings)));
     }

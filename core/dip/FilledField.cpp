@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace dipwright {
 
@@ -54,9 +55,49 @@ public:
                 filled_.distance[sample] = own;
             }
         });
+        if (isTilting(body_.path)) {
+            bringNearer();
+        }
     }
 
 private:
+    // Lowers the distances outside the filled body so that none exceeds the way to a pocket along
+    // the grid's axes. Pockets of a body that tilts have no flat level, from which the distance to
+    // them would be known.
+    void bringNearer() {
+        const auto [width, height, depth] = own_.size;
+        const auto lower = [&](int i, int j, int k, std::ptrdiff_t towards) {
+            const std::ptrdiff_t sample = i + strides_[1] * j + strides_[2] * k;
+            float& distance = filled_.distance[std::size_t(sample)];
+            for (const auto& [axis, at, last] :
+                 {std::tuple(0, i, width), std::tuple(1, j, height), std::tuple(2, k, depth)}) {
+                const bool hasNeighbour = towards < 0 ? at > 0 : at + 1 < last;
+                if (hasNeighbour && distance > 0) {
+                    const std::ptrdiff_t other = sample + towards * strides_[std::size_t(axis)];
+                    distance =
+                        std::min(distance, std::max(filled_.distance[std::size_t(other)], 0.f) +
+                                               float(own_.spacing));
+                }
+            }
+        };
+        for (int sweep = 0; sweep < 2; ++sweep) {
+            for (int k = 0; k < depth; ++k) {
+                for (int j = 0; j < height; ++j) {
+                    for (int i = 0; i < width; ++i) {
+                        lower(i, j, k, -1);
+                    }
+                }
+            }
+            for (int k = depth; k-- > 0;) {
+                for (int j = height; j-- > 0;) {
+                    for (int i = width; i-- > 0;) {
+                        lower(i, j, k, 1);
+                    }
+                }
+            }
+        }
+    }
+
     // Calls visit(sample, place) for all samples that pockets may change; `place` is in the pose
     // frame. Uses all cores.
     template <typename Visit>

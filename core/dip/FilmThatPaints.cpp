@@ -149,13 +149,10 @@ private:
     // Returns the vertical component of the body's normal when the place went under water.
     float upwards(const SurfacePoint& place) const {
         const Eigen::Vector3f outward = normalAt(normals_, place);
-        if (path_.isStraightDown()) {
-            return outward.y();
-        }
-        const auto way = firstUnderWater(path_, position(mesh_, place).cast<double>());
-        const double end = path_.poses.back().travelled;
-        return float(placeOnPath(path_, way.value_or(end)).linear().row(1) *
-                     outward.cast<double>());
+        return path_.isStraightDown()
+                   ? outward.y()
+                   : outward.dot(
+                         upAtWater(path_, position(mesh_, place).cast<double>()).cast<float>());
     }
     // Whether film spans a hollow at `place`, a mean of two or three places on the body that are
     // `length` apart. Film spans one if `place` is farther outside the body than `deepest` or than

@@ -89,6 +89,7 @@ Underside undersideInPose(const TriangleMesh& mesh, const SurfaceQuery& query,
         }
     }
     underside.thickness = narrowest(std::move(thickness));
+    underside.longest = underside.shadow.isEmpty() ? 0 : underside.shadow.sizes().maxCoeff();
     return underside;
 }
 
@@ -100,7 +101,8 @@ Underside undersideOf(const TriangleMesh& mesh, const SurfaceQuery& query,
     Underside underside = undersideInPose(mesh, query, toPose, process);
     if (!immersion.path.isStraightDown()) {
         const TriangleMesh posed = transformed(mesh, toPose);
-        underside.shadow = wetShadow(bodyPath(posed, immersion, process), posed);
+        underside.shadow =
+            shadowOnPath(bodyPath(posed, immersion, process), posed, ShadowOf::UnderWater);
     }
     return underside;
 }
@@ -109,7 +111,7 @@ Underside undersideOf(const PosedBody& body, const ProcessSettings& process) {
     Underside underside =
         undersideInPose(body.mesh, body.query, Eigen::Isometry3d::Identity(), process);
     if (!body.path.isStraightDown()) {
-        underside.shadow = wetShadow(body.path, body.mesh);
+        underside.shadow = shadowOnPath(body.path, body.mesh, ShadowOf::UnderWater);
     }
     return underside;
 }
@@ -122,7 +124,7 @@ double drawIn(const Underside& underside) {
 }
 
 Millimetres automaticCell(const Underside& underside, const FilmSettings& film) {
-    const double longest = underside.shadow.isEmpty() ? 0 : underside.shadow.sizes().maxCoeff();
+    const double longest = underside.longest;
     const double coarsest = longest / leastCellsAlong;
     const double wanted = underside.thickness > 0 ? underside.thickness / cellsAcross : coarsest;
     const solver::FilmGrid whole = filmGrid(film);

@@ -16,6 +16,7 @@ struct Underside {
     // Bounding box of the submerged part's shadow on the water, mm; without the offset. On a path,
     // of all places that it covers.
     Eigen::AlignedBox2d shadow;
+    double longest = 0;    // longest side of the shadow at the end of the dip, mm
     double area = 0;       // area of the faces, mm²
     double shadowArea = 0; // area of the faces' shadow on the water, mm²
     // Thickness of the body that 90 % of the samples on these faces exceed, mm; 0 if there are no

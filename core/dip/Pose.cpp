@@ -70,8 +70,8 @@ PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion,
     const double height = boundingBox(posed).max().y();
     SurfaceQuery query(posed);
     solver::BodyPath path = bodyPath(posed, immersion, process);
-    AirPockets air = path.isStraightDown() ? AirPockets(posed, query, cells)
-                                           : AirPockets(posed, query, path, cells);
+    AirPockets air =
+        isTilting(path) ? AirPockets(posed, query, path, cells) : AirPockets(posed, query, cells);
     return {std::move(posed), modelToPose,    height,
             std::move(query), std::move(air), std::move(path)};
 }

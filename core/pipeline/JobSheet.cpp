@@ -66,7 +66,7 @@ QString jobHash(const Project& project, const Immersion& immersion, const Printe
                                immersion.rotation[2].value()});
     settings.insert(QStringLiteral("offset"),
                     QJsonArray{immersion.offset[0].value(), immersion.offset[1].value()});
-    if (immersion.path != DipPath()) {
+    if (!immersion.path.isStraightDown()) {
         settings.insert(QStringLiteral("path"), pathToJson(immersion));
     }
     Sha256 hash;

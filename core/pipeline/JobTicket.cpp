@@ -61,18 +61,25 @@ QJsonObject dwellTicket(const std::optional<FilmProfile>& film) {
             {"drying_s", orNull(film->dryingTime)}};
 }
 
-QJsonObject motionTicket(const DipMotion& motion) {
-    QJsonArray path;
+// Returns the poses of a dip on a path, for a machine.
+QJsonArray posesTicket(const DipMotion& motion) {
+    QJsonArray poses;
     for (const MotionPose& pose : motion.path) {
-        path.append(QJsonObject{
-            {"time_s", pose.time.value()},
-            {"place_mm", QJsonArray{pose.place.x(), pose.place.y(), pose.place.z()}},
-            {"turn_wxyz", QJsonArray{pose.turn.w(), pose.turn.x(), pose.turn.y(), pose.turn.z()}}});
+        const Eigen::Vector3d& place = pose.place;
+        const Eigen::Quaterniond& turn = pose.turn;
+        poses.append(
+            QJsonObject{{"time_s", pose.time.value()},
+                        {"place_mm", QJsonArray{place.x(), place.y(), place.z()}},
+                        {"turn_wxyz", QJsonArray{turn.w(), turn.x(), turn.y(), turn.z()}}});
     }
+    return poses;
+}
+
+QJsonObject motionTicket(const DipMotion& motion) {
     return {{"park_mm", motion.park.value()},    {"start_mm", motion.start.value()},
             {"depth_mm", motion.depth.value()},  {"speed_mm_s", motion.speed.value()},
             {"dip_s", motion.dipTime().value()}, {"approach_mm_s", motion.approach.value()},
-            {"hold_s", motion.hold.value()},     {"path", path}};
+            {"hold_s", motion.hold.value()}};
 }
 
 QJsonObject sheetTicket(const Sheet& sheet) {
@@ -117,16 +124,21 @@ QJsonObject jobTicket(const JobResult& result, const std::vector<QStringList>& f
         const ImmersionResult& dip = result.immersions[i];
         const std::array<Degrees, 3>& turn = dip.immersion.rotation;
         jobs << dip.sheet.job.hash;
-        dips.append(QJsonObject{
+        const DipMotion motion = jobMotion(result, i);
+        QJsonObject ticket{
             {"name", dip.immersion.name},
             {"job", dip.sheet.job.hash},
             {"rotation_deg", QJsonArray{turn[0].value(), turn[1].value(), turn[2].value()}},
             {"offset_mm", pair(dip.immersion.offset[0].value(), dip.immersion.offset[1].value())},
-            {"path", pathToJson(dip.immersion)},
             {"advice", adviceKey(dip.verdict.advice)},
-            {"motion", motionTicket(jobMotion(result, i))},
+            {"motion", motionTicket(motion)},
             {"sheet", sheetTicket(dip.sheet)},
-            {"files", filesTicket(files[i], contents)}});
+            {"files", filesTicket(files[i], contents)}};
+        if (!motion.path.empty()) {
+            ticket.insert(QStringLiteral("path"), pathToJson(dip.immersion));
+            ticket.insert(QStringLiteral("poses"), posesTicket(motion));
+        }
+        dips.append(ticket);
     }
     return {{"format", "dipwright-ticket"},
             {"version", 1},

@@ -213,6 +213,9 @@ QJsonObject immersionJson(const ImmersionResult& result) {
          toJson(*result.readBack)}, // name of the read-back error in earlier versions
         {"ink", inkJson(result)},
         {"job", result.sheet.job.hash}};
+    if (!result.immersion.path.isStraightDown()) {
+        json.insert(QStringLiteral("path"), pathToJson(result.immersion));
+    }
     if (const QJsonArray spots = spotsJson(result); !spots.isEmpty()) {
         json["spots"] = spots;
     }

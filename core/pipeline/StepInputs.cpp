@@ -15,8 +15,9 @@ InkSettings TextureInputs::printedInk() const {
 
 BodyInputs bodyInputs(const Project& project, std::size_t number) {
     const Immersion& immersion = project.immersions[number];
-    BodyInputs inputs{project.model, immersion.rotation, immersion.path, std::nullopt};
+    BodyInputs inputs{project.model, immersion.rotation, {}, std::nullopt};
     if (!immersion.path.isStraightDown()) {
+        inputs.path = immersion.path;
         inputs.process = project.process;
         inputs.process->solver.clear();
     }

@@ -25,10 +25,17 @@ struct Text {
 
 constexpr double cellsAcrossBody = 10; // fewer cells resolve the body's shape poorly
 
-// Returns the body's extent on the water in this immersion, as a box in x and z.
-Eigen::AlignedBox2d footprint(const TexturedMesh& model, const Immersion& immersion) {
+// Returns the body's extent on the water in this immersion, as a box in x and z; on a path, all
+// that it covers. Throws Error if the path cannot be travelled.
+Eigen::AlignedBox2d footprint(const TexturedMesh& model, const Immersion& immersion,
+                              const ProcessSettings& process) {
     const Eigen::Isometry3d pose = poseTransform(model.mesh, immersion);
     const Eigen::Vector2d offset(immersion.offset[0].value(), immersion.offset[1].value());
+    if (!immersion.path.isStraightDown()) {
+        const TriangleMesh posed = transformed(model.mesh, pose);
+        return shadowOnPath(bodyPath(posed, immersion, process), posed, ShadowOf::Whole)
+            .translated(offset);
+    }
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector3f& position : model.mesh.positions) {
         const Eigen::Vector3d posed = pose * position.cast<double>();
@@ -58,7 +65,7 @@ void checkImmersion(const Project& project, const Immersion& immersion, const Su
                     QStringList& warnings) {
     const TriangleMesh& mesh = project.model->mesh;
     const Underside underside = undersideOf(mesh, query, immersion, project.process);
-    const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
+    const Eigen::AlignedBox2d body = footprint(*project.model, immersion, project.process);
     if (!filmOutline(project.film).intersects(body)) {
         throw Error(beside(), immersion.name);
     }
@@ -116,6 +123,12 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     warnings += fontWarnings(project.artwork);
     warnings += colourNotes(*project.model) + colourNotes(project.artwork);
     for (const Immersion& immersion : project.immersions) {
+        if (!immersion.path.isStraightDown() &&
+            !solver::isProductionFilm(project.film.lattice, project.film.support)) {
+            throw Error(Text::tr("The film model of the paper knows only straight dips; choose the "
+                                 "production film, or a straight path"),
+                        immersion.name);
+        }
         checkImmersion(project, immersion, query, warnings);
     }
     if (const QString expiry = expiryWarning(project.profiles.film); !expiry.isEmpty()) {
@@ -125,7 +138,12 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
 }
 
 QString misplacement(const Project& project, const Immersion& immersion) {
-    const Eigen::AlignedBox2d body = footprint(*project.model, immersion);
+    Eigen::AlignedBox2d body;
+    try {
+        body = footprint(*project.model, immersion, project.process);
+    } catch (const Error& error) {
+        return error.message();
+    }
     const std::optional<TankProfile>& tank = project.profiles.tank;
     if (tank && !centred(tank->width.value(), tank->length.value()).contains(body)) {
         return Text::tr("The part reaches past the edge of the tank “%1”; move or turn the part")

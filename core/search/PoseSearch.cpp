@@ -110,35 +110,59 @@ std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
     return result;
 }
 
+constexpr std::array<double, 3> triedTilts{15, 30, 50}; // degrees
+
 // Returns the pose with paths on which it is entered tilted, by several angles and from all sides.
+// If the water flows, only from the side that meets the flow and the one behind it, because a path
+// has one heading.
 std::vector<Immersion> withPaths(const Immersion& immersion) {
-    constexpr int sides = 8;
+    const bool flows = immersion.path.waterSpeed != MillimetresPerSecond(0);
+    const int sides = flows ? 1 : 8;
     std::vector<Immersion> result;
-    for (const double angle : {15.0, 30.0, 50.0}) {
+    for (const double angle : triedTilts) {
         for (int side = 0; side < sides; ++side) {
             Immersion next = immersion;
-            next.path = {};
             next.path.kind = PathKind::Tilt;
             next.path.angle = Degrees(angle);
-            next.path.heading = Degrees(360.0 * side / sides);
+            next.path.levelDepth.reset();
+            if (flows) {
+                result.push_back(next);
+                next.path.angle = Degrees(-angle);
+            } else {
+                next.path.heading = Degrees(360.0 * side / sides);
+            }
             result.push_back(next);
         }
     }
     return result;
 }
 
-// Returns paths near that of a pose.
+// Returns paths near that of a pose that withPaths() made.
 std::vector<Immersion> nearPaths(const Immersion& immersion) {
     std::vector<Immersion> result;
     for (const double side : {-1.0, 1.0}) {
         Immersion next = immersion;
-        next.path.heading = next.path.heading + Degrees(22.5 * side);
-        result.push_back(next);
-        next = immersion;
+        if (immersion.path.waterSpeed == MillimetresPerSecond(0)) {
+            next.path.heading = next.path.heading + Degrees(22.5 * side);
+            result.push_back(next);
+            next = immersion;
+        }
         next.path.angle = next.path.angle * (1 + 0.25 * side);
         result.push_back(next);
     }
     return result;
+}
+
+// Returns what the tank and the operator do in every pose: a flow of the water and a slow entry.
+DipPath commonPath(const SearchSubject& subject) {
+    DipPath path = subject.immersions.empty() ? DipPath() : subject.immersions.front().path;
+    const DipPath usual;
+    path.kind = usual.kind;
+    path.angle = usual.angle;
+    path.levelDepth = usual.levelDepth;
+    path.rollRadius = usual.rollRadius;
+    path.turn = usual.turn;
+    return path.isStraightDown() ? usual : path;
 }
 
 // Returns the weight of each triangle of the preview, at its centre.
@@ -212,11 +236,18 @@ public:
            const solver::SolverModule& module, const Progress& progress)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
           body_(subject, settings.aims.zoneWeights),
-          coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)) {
+          coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)),
+          common_(commonPath(subject)) {
+        if (settings.paths || !common_.isStraightDown()) {
+            requirePaths();
+        }
         progress_(fieldShare, Text::tr("Rating directions by the part's shape"));
         const CoveragePreview preview(subject.model->mesh);
         candidates_ = poseCandidates(preview, triangleWeights(subject, preview, settings),
                                      subject.film, subject.process, settings, progress);
+        for (PoseCandidate& candidate : candidates_.all) {
+            candidate.immersion.path = common_;
+        }
         const int each = settings.immersions;
         const int rounds = int(tilts.size());
         const int tried = int(candidates_.chosen.size());
@@ -307,6 +338,15 @@ public:
     }
 
 private:
+    void requirePaths() const {
+        const FilmSettings& film = subject_.film;
+        if (!solver::isProductionFilm(film.lattice, film.support) || !module_.followsPaths()) {
+            throw Error(Text::tr("Paths need the production film and a solver that follows them; "
+                                 "choose another solver, or search without paths"),
+                        subject_.name);
+        }
+    }
+
     Entry entry(std::vector<Judged> dips, bool isConfirmed) const {
         std::vector<const JudgedPose*> judged;
         Entry entry;
@@ -509,10 +549,16 @@ private:
         const std::size_t count = std::min(best_.size(), triedWithPaths);
         std::vector<Entry> moved(best_.begin(), best_.begin() + std::ptrdiff_t(count));
         for (std::size_t member = 0; member < std::size_t(settings_.immersions); ++member) {
-            improve(moved, member, withPaths);
+            improve(moved, member, [this](const Immersion& immersion) {
+                Immersion straight = immersion;
+                straight.path = common_;
+                return withPaths(straight);
+            });
             improve(moved, member, [](const Immersion& immersion) {
-                return immersion.path.isStraightDown() ? std::vector<Immersion>()
-                                                       : nearPaths(immersion);
+                const double angle = std::abs(immersion.path.angle.value());
+                const bool isTried = immersion.path.kind == PathKind::Tilt &&
+                                     std::count(triedTilts.begin(), triedTilts.end(), angle) > 0;
+                return isTried ? nearPaths(immersion) : std::vector<Immersion>();
             });
         }
         for (std::size_t index = 0; index < count; ++index) {
@@ -692,6 +738,7 @@ private:
     const SearchWatch* watch_ = nullptr;
     JudgedBody body_;
     PoseDips coarse_;
+    DipPath common_;
     PoseCandidates candidates_;
     std::vector<Judged> own_;   // the job's own poses
     std::vector<Judged> poses_; // dips of candidates_.chosen; null until dipped

@@ -39,59 +39,67 @@ QString oneLine(const QString& name) {
     return result.left(80);
 }
 
-QString line(const QStringList& words) {
-    return words.join(u' ') + u'\n';
+using Axes = Eigen::Matrix<double, 6, 1>; // X, Y, Z in mm, A, B, C in degrees
+
+constexpr double still = 5e-4; // as written, an axis that moves less does not move
+
+// Returns the words of the axes in `chosen` that move or are not at 0.
+QStringList axisWords(const Axes& values, const Axes& ranges, std::initializer_list<int> chosen) {
+    constexpr std::array<char16_t, 6> names{u'X', u'Y', u'Z', u'A', u'B', u'C'};
+    QStringList words;
+    for (const int axis : chosen) {
+        const bool isPlaced = axis < 2 && std::abs(values[axis]) > still;
+        if (axis == 2 || isPlaced || ranges[axis] > still) {
+            words << names[std::size_t(axis)] + plain(values[axis]);
+        }
+    }
+    return words;
 }
 
-// Returns the whole motion of a path as G-code moves. `inInverseTime`: G93, else G94.
-QString moves(const DipMotion& motion, bool inInverseTime) {
-    if (motion.path.empty()) {
-        return {};
+// Returns the whole motion as G-code moves. `inInverseTime`: the feed of G93, else that of G94.
+QString moves(DipMotion motion, bool inInverseTime) {
+    if (motion.path.empty()) { // a straight motion moves Z only
+        motion.path = {{Seconds(0), {0, 0, motion.start.value()}},
+                       {motion.dipTime(), {0, 0, -motion.depth.value()}}};
     }
     const std::vector<MotionPose> poses = motionPoses(motion);
     const std::vector<Eigen::Vector3d> angles = motionAngles(poses);
-    const auto valuesAt = [&](std::size_t pose) {
-        Eigen::Matrix<double, 6, 1> values;
-        values << poses[pose].place, angles[pose];
-        return values;
-    };
-    Eigen::Matrix<double, 6, 1> least = valuesAt(0), most = valuesAt(0);
-    for (std::size_t pose = 1; pose < poses.size(); ++pose) {
-        least = least.cwiseMin(valuesAt(pose));
-        most = most.cwiseMax(valuesAt(pose));
-    }
-    constexpr double still = 5e-4; // as written, such an axis does not move
-    const std::array<char16_t, 6> names{u'X', u'Y', u'Z', u'A', u'B', u'C'};
-    QString result;
+    std::vector<Axes> values(poses.size());
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-        const auto values = valuesAt(pose);
-        QStringList words{QStringLiteral("G1")};
-        for (int axis = 0; axis < 6; ++axis) {
-            const bool isRotary = axis >= 3;
-            const bool isPlaced = !isRotary && std::abs(values[axis]) > still;
-            if (axis == 2 || isPlaced || most[axis] - least[axis] > still) {
-                words << names[std::size_t(axis)] + plain(values[axis]);
-            }
-        }
-        if (pose == 0) { // as slow as the approach, from wherever the part is
-            const double minutes = motion.park.value() / (60 * motion.approach.value());
-            words << QStringLiteral("F") +
-                         plain(inInverseTime ? 1 / minutes : 60 * motion.approach.value());
-            result += line(words) + QStringLiteral("M0 ; film swollen, activator sprayed: go on\n");
-            continue;
-        }
-        const auto before = valuesAt(pose - 1);
+        values[pose] << poses[pose].place, angles[pose];
+    }
+    Axes least = values[0], most = values[0];
+    for (const Axes& each : values) {
+        least = least.cwiseMin(each);
+        most = most.cwiseMax(each);
+    }
+    const Axes ranges = most - least;
+    // Up first, then over the film, at the speed of the approach wherever the part is.
+    const QString approach = QStringLiteral(" F") + plain(60 * motion.approach.value()) + u'\n';
+    QString result = inInverseTime ? QStringLiteral("G94\n") : QString();
+    result += QStringLiteral("G1 ") + axisWords(values[0], ranges, {2}).join(u' ') + approach;
+    if (const QStringList others = axisWords(values[0], ranges, {0, 1, 3, 4, 5});
+        !others.isEmpty()) {
+        result += QStringLiteral("G1 ") + others.join(u' ') + approach;
+    }
+    result += QStringLiteral("M0 ; film swollen, activator sprayed: go on\n");
+    result += inInverseTime ? QStringLiteral("G93\n") : QString();
+    for (std::size_t pose = 1; pose < poses.size(); ++pose) {
         const double minutes = (poses[pose].time - poses[pose - 1].time).value() / 60;
-        const double way = (values.head<3>() - before.head<3>()).norm();
-        const double turn = (values.tail<3>() - before.tail<3>()).norm();
-        words << QStringLiteral("F") + QString::number(inInverseTime
-                                                           ? 1 / minutes
-                                                           : (way > still ? way : turn) / minutes,
-                                                       'f', 5);
+        const Axes change = values[pose] - values[pose - 1];
+        const double way = change.head<3>().norm(), turn = change.tail<3>().norm();
         if (pose + 1 == poses.size()) {
             result += QStringLiteral("M0 ; film round the part cleared from the water: go on\n");
         }
-        result += line(words);
+        result += QStringLiteral("G1 ") +
+                  axisWords(values[pose], ranges, {0, 1, 2, 3, 4, 5}).join(u' ') +
+                  QStringLiteral(" F") +
+                  QString::number((inInverseTime ? 1
+                                   : way > still ? way
+                                                 : turn) /
+                                      minutes,
+                                  'f', 5) +
+                  u'\n';
     }
     return result.trimmed();
 }
@@ -156,20 +164,20 @@ std::vector<MotionPose> motionPoses(const DipMotion& motion) {
 }
 
 std::vector<Eigen::Vector3d> motionAngles(const std::vector<MotionPose>& poses) {
-    std::vector<Eigen::Vector3d> angles;
-    for (const MotionPose& pose : poses) {
-        const Eigen::Vector3d zyx = pose.turn.toRotationMatrix().eulerAngles(2, 1, 0);
+    std::vector<Eigen::Vector3d> angles(poses.size());
+    Eigen::Vector3d after(0, 0, 0); // the angles of the next pose
+    for (std::size_t pose = poses.size(); pose-- > 0;) {
+        const Eigen::Vector3d zyx = poses[pose].turn.toRotationMatrix().eulerAngles(2, 1, 0);
         const Eigen::Vector3d one(zyx[2], zyx[1], zyx[0]);
         const Eigen::Vector3d other(one.x() + pi, pi - one.y(), one.z() + pi); // the same rotation
-        const Eigen::Vector3d before =
-            angles.empty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(angles.back() * pi / 180);
         const auto near = [&](const Eigen::Vector3d& all) -> Eigen::Vector3d {
-            return before + (all - before).unaryExpr([](double angle) {
+            return after + (all - after).unaryExpr([](double angle) {
                 return std::remainder(angle, 2 * pi);
             });
         };
-        const bool otherIsNearer = (near(other) - before).norm() < (near(one) - before).norm();
-        angles.push_back(near(otherIsNearer ? other : one) * 180 / pi);
+        const bool otherIsNearer = (near(other) - after).norm() < (near(one) - after).norm();
+        after = near(otherIsNearer ? other : one);
+        angles[pose] = after * 180 / pi;
     }
     return angles;
 }

@@ -52,7 +52,7 @@ std::vector<MotionPoint> motionPoints(const DipMotion& motion);
 // to the same height after the dip. Times begin there.
 std::vector<MotionPose> motionPoses(const DipMotion& motion);
 // Returns the angles of each pose about fixed axes X, then Y, then Z, in degrees. From pose to pose
-// they change as little as they can.
+// they change as little as they can; without a turn at the end they end at 0.
 std::vector<Eigen::Vector3d> motionAngles(const std::vector<MotionPose>& poses);
 
 // Returns a CSV table with decimal points and LF line ends: the heading time_s,height_mm,speed_mm_s

@@ -118,6 +118,12 @@ void paintPose(QPainter& painter, const QRectF& place, const QString& title,
 }
 
 QString poseText(const TravellerDip& dip) {
+    if (!dip.motion.path.empty()) {
+        return Text::tr("The part at the end of the dip, when its rotation about fixed axes is X "
+                        "%1°, then Y %2°, then Z %3°. Dashed blue line: water at the end.")
+            .arg(plain(dip.immersion.rotation[0].value()), plain(dip.immersion.rotation[1].value()),
+                 plain(dip.immersion.rotation[2].value()));
+    }
     const auto& angles = dip.immersion.rotation;
     const auto& offset = dip.immersion.offset;
     return Text::tr("Rotation about fixed axes: X %1°, then Y %2°, then Z %3°. Centre of the part: "
@@ -238,25 +244,38 @@ QString materialText(const Traveller& traveller) {
            u' ' + origin;
 }
 
+// Returns the pose on a path at a time, between its poses.
+MotionPose poseAt(const std::vector<MotionPose>& path, Seconds time) {
+    const auto after = std::find_if(path.begin() + 1, path.end() - 1,
+                                    [&](const MotionPose& pose) { return pose.time >= time; });
+    const MotionPose& before = *(after - 1);
+    const double share = std::clamp((time - before.time) / (after->time - before.time), 0.0, 1.0);
+    return {time, before.place + share * (after->place - before.place),
+            before.turn.slerp(share, after->turn)};
+}
+
 // Describes a dip that does not go straight down by its key poses.
 QString pathText(const TravellerDip& dip, std::size_t number) {
-    const std::vector<MotionPose>& poses = dip.motion.path;
+    constexpr int parts = 3;
+    std::vector<MotionPose> poses;
+    for (int part = 0; part <= parts; ++part) {
+        poses.push_back(poseAt(dip.motion.path, dip.motion.dipTime() * (double(part) / parts)));
+    }
     const std::vector<Eigen::Vector3d> angles = motionAngles(poses);
     QStringList keys;
-    constexpr std::size_t parts = 3;
-    for (std::size_t part = 0; part <= parts; ++part) {
-        const std::size_t pose = (poses.size() - 1) * part / parts;
+    for (std::size_t pose = 0; pose < poses.size(); ++pose) {
         const Eigen::Vector3d &place = poses[pose].place, &turn = angles[pose];
         keys << Text::tr("%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)")
                     .arg(plain(poses[pose].time.value()), plain(place.x()), plain(place.y()),
                          plain(place.z()), plain(turn.x()), plain(turn.y()), plain(turn.z()));
     }
-    return Text::tr(
-               "Dip the part along its path (motion-%1.csv), in %2 s. Time, place of the "
-               "part's middle (to the right; towards the upper edge; up) from the film's centre "
-               "on the water, and turn about these axes from the rotation at the end: %3")
+    return Text::tr("Dip the part along its path in %1 s (motion-%2.csv begins at the waiting "
+                    "height). Time, place of the part's middle (to the right; towards the upper "
+                    "edge; up) from the film's centre on the water, and turn about these axes from "
+                    "the rotation at the end: %3")
+        .arg(plain(dip.motion.dipTime().value()))
         .arg(number + 1)
-        .arg(plain(dip.motion.dipTime().value()), keys.join(QStringLiteral(" · ")));
+        .arg(keys.join(QStringLiteral(" · ")));
 }
 
 QStringList stepsOf(const Traveller& traveller, std::size_t number) {

@@ -190,7 +190,7 @@ void InstallTest::installedCli_run_dipsSample() {
     const QByteArray output =
         runInstalled("dipwright-cli",
                      {"run", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--out", out, "--solver",
-                      "pbd-cpu", "--set", "film.points=60x84", "--dpi", "72", "--quiet"});
+                      "pbd-cpu", "--set", "film.points=110x154", "--dpi", "72", "--quiet"});
     QVERIFY2(QFileInfo(out + "/immersion-1/sheet.pdf").size() > 0, output.constData());
     const QJsonObject report =
         QJsonDocument::fromJson(contents(out + QStringLiteral("/report.json"))).object();
@@ -345,7 +345,7 @@ void InstallTest::findPackage_examplePlugin_buildsAndDips() {
     output =
         runInstalled("dipwright-cli",
                      {"run", installed(INSTALLED_SAMPLES "/sphere.dipw"), "--out", out, "--solver",
-                      "plumb-film", "--set", "film.points=60x84", "--dpi", "72", "--quiet"},
+                      "plumb-film", "--set", "film.points=110x154", "--dpi", "72", "--quiet"},
                      plugin.path());
     const QJsonObject report =
         QJsonDocument::fromJson(contents(out + QStringLiteral("/report.json"))).object();

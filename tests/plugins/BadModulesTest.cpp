@@ -148,7 +148,7 @@ void BadModulesTest::solverRegistry_badModule_isListedWithItsReason_data() {
     QTest::addColumn<QString>("reasonPart");
     QTest::newRow("entry") << "not today";
     QTest::newRow("entry-unknown") << "unknown exception";
-    QTest::newRow("old") << "does not match this program's solver interface 3";
+    QTest::newRow("old") << "does not match this program's solver interface 4";
     QTest::newRow("name") << "no entry point";
     QTest::newRow("device") << "There is no such device here";
     QTest::newRow("device-long") << "It said far too much: xxx";
@@ -221,7 +221,7 @@ void BadModulesTest::solverRegistry_otherInterfaceVersion_isNotLoaded() {
     QCOMPARE(solvers.size(), std::size_t(1));
     QVERIFY(!solvers.front().available);
     QCOMPARE(solvers.front().reason,
-             QStringLiteral("It was built for solver interface %1, but this program has 3; get the "
+             QStringLiteral("It was built for solver interface %1, but this program has 4; get the "
                             "plugin for this version of the program, or build it again")
                  .arg(version));
 }

@@ -117,7 +117,7 @@ void DipPlayback::showResults() {
 void DipPlayback::showMarks(const DipRecording& recording, const ImmersionResult& result) {
     std::vector<TimelineMark> marks;
     for (const DipMoment& moment : dipMoments(recording, result)) {
-        const QString depth = shownLength(std::max(0.0, moment.descent - startHeight), unit_);
+        const QString depth = shownLength(std::max(0.0, scene_.depthAt(moment.descent)), unit_);
         marks.push_back({int(recording.frameAt(moment.descent)) + 1, colourOf(moment.event),
                          Text::tr("%1, at depth %2").arg(textOf(moment.event), depth)});
     }

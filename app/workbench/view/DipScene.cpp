@@ -14,6 +14,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace dipwright {
@@ -200,15 +201,29 @@ void DipScene::setResult(std::shared_ptr<const JobResult> result,
     }
 }
 
-void DipScene::placeBody(const Immersion& immersion, double descent) {
+double DipScene::depthAt(double travelled) const {
+    if (placedOn_.isStraightDown() || !project_.model) {
+        return travelled - startHeight;
+    }
+    const Eigen::Isometry3d toWorld =
+        placeOnPath(placedOn_, std::min(travelled, placedOn_.poses.back().travelled)) * placedPose_;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3f& place : project_.model->mesh.positions) {
+        lowest = std::min(lowest, (toWorld * place.cast<double>()).y());
+    }
+    return -lowest;
+}
+
+void DipScene::placeBody(const Immersion& immersion, double descent, const solver::BodyPath* own) {
     if (!project_.model) {
         return;
     }
     descent_ = descent;
     const Eigen::Isometry3d pose = poseTransform(project_.model->mesh, immersion);
-    const solver::BodyPath& path = pathOf(immersion, pose);
-    const double travel = path.isStraightDown() ? descent : path.poses.back().travelled;
-    modelToWorld_ = poseToWorld(path, immersion, std::min(descent, travel)) * pose;
+    placedOn_ = own ? *own : pathOf(immersion, pose);
+    placedPose_ = pose;
+    const double travel = placedOn_.isStraightDown() ? descent : placedOn_.poses.back().travelled;
+    modelToWorld_ = poseToWorld(placedOn_, immersion, std::min(descent, travel)) * pose;
     view_.setBodyTransform(modelToWorld_);
     const BoundingBox& box = modelBox_;
     const Eigen::Vector3f centre = (modelToWorld_ * box.center().cast<double>()).cast<float>();
@@ -299,7 +314,10 @@ void DipScene::showFrame(const std::shared_ptr<const DipRecording>& recording,
             view_.setFilmColours(frameColours());
         }
     }
-    placeBody(recording->immersion(), frame.descent);
+    const bool isOfResult = result_ && immersion_ < result_->immersions.size() &&
+                            result_->immersions[immersion_].immersion == recording->immersion();
+    placeBody(recording->immersion(), frame.descent,
+              isOfResult ? &result_->immersions[immersion_].body->path : nullptr);
 }
 
 void DipScene::showEnd() {
@@ -308,7 +326,8 @@ void DipScene::showEnd() {
     }
     moment_ = Moment::End;
     const ImmersionResult& result = result_->immersions[immersion_];
-    placeBody(result.immersion, dipTravel(result_->project.process, *result.body));
+    placeBody(result.immersion, dipTravel(result_->project.process, *result.body),
+              &result.body->path);
     drawDipped(extent_);
 }
 

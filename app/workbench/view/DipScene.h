@@ -40,7 +40,10 @@ public:
     // The world space that the body sweeps on its way down.
     const BoundingBox& bodyRoom() const { return bodyRoom_; }
     // Depth of the body's lowest point below the water at the shown moment, mm.
-    double depth() const { return descent_ - startHeight; }
+    double depth() const { return depthAt(descent_); }
+    // Returns the depth of the part's lowest point after it has descended, or travelled along its
+    // path, that far.
+    double depthAt(double travelled) const;
 
     void setFilmLook(FilmLook look, const QImage& picture = {});
     void setFilmExtent(FilmExtent extent);
@@ -97,7 +100,9 @@ private:
     using FilmSource =
         std::variant<std::monostate, FlatFilm, std::shared_ptr<const DipRecording>, Dipped>;
 
-    void placeBody(const Immersion& immersion, double descent);
+    // `own`: the path of a result, without the offset; null: that of the project as it is.
+    void placeBody(const Immersion& immersion, double descent,
+                   const solver::BodyPath* own = nullptr);
     // Returns the part's path without its offset. `pose` is poseTransform() of the immersion.
     const solver::BodyPath& pathOf(const Immersion& immersion, const Eigen::Isometry3d& pose);
     void setBodyRoom(const Eigen::Isometry3d& modelToSetup);
@@ -148,6 +153,9 @@ private:
     double descent_ = 0;
     // The path that was computed last, and from what.
     solver::BodyPath path_;
+    // The path that the part was placed on last, and poseTransform() of its dip.
+    solver::BodyPath placedOn_;
+    Eigen::Isometry3d placedPose_ = Eigen::Isometry3d::Identity();
     std::optional<Immersion> pathSource_;
     std::shared_ptr<const TexturedMesh> pathModel_;
     ProcessSettings pathProcess_;

@@ -35,23 +35,6 @@ void scale(solver::FilmGrid& grid, double factor) {
     }
 }
 
-// Turns the body on the holder that moves along the path. `centre`, in model coordinates, keeps its
-// way; `by` is the turn that the body has at the end of the dip.
-void turnOnHolder(solver::DipSetup& setup, const Eigen::Vector3d& centre,
-                  const Eigen::Quaterniond& by) {
-    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    const Eigen::Quaterniond nominal(
-        Eigen::Matrix3d(Eigen::Map<const RowMajor>(setup.motion.rotation.data())));
-    const Eigen::Vector3d arm = centre - Eigen::Map<const Eigen::Vector3d>(setup.path.pivot.data());
-    for (solver::PathPose& pose : setup.path.poses) {
-        const auto& [w, x, y, z] = pose.rotation;
-        const Eigen::Quaterniond before(w, x, y, z);
-        const Eigen::Quaterniond after = (before * nominal.conjugate() * by * nominal).normalized();
-        Eigen::Map<Eigen::Vector3d>(pose.pivot.data()) += before * arm - after * arm;
-        pose.rotation = {after.w(), after.x(), after.y(), after.z()};
-    }
-}
-
 // Turns the body about the centre of its bounding box. The centre keeps its path. The dip therefore
 // begins earlier if the turn lowers the body's lowest point, and later if the turn raises it.
 void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degrees) {
@@ -63,25 +46,13 @@ void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degr
     const Eigen::Vector3d centre = (box.min().cast<double>() + box.max().cast<double>()) / 2;
     const double before = (poseTransform(body, dip.immersion) * centre).y();
     const Eigen::AngleAxisd by(angle, degrees.normalized());
-    turnOnHolder(dip.setup, centre, Eigen::Quaterniond(by));
     dip.immersion.rotation = turned(dip.immersion.rotation, by.toRotationMatrix());
     const Eigen::Isometry3d toPose = poseTransform(body, dip.immersion);
     using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
     Eigen::Map<RowMajor>(dip.setup.motion.rotation.data()) = toPose.linear();
     Eigen::Map<Eigen::Vector3d>(dip.setup.motion.start.data()) =
         toPose.translation() + poseToWorld(dip.immersion, 0);
-    if (dip.setup.path.isStraightDown()) {
-        dip.setup.motion.travel += (toPose * centre).y() - before;
-    }
-}
-
-// Sinks the body by `deeper` on its whole path but for the beginning, where it is over the water.
-void sink(solver::DipSetup& setup, double deeper) {
-    for (std::size_t pose = 1; pose < setup.path.poses.size(); ++pose) {
-        setup.path.poses[pose].pivot[1] -= deeper;
-        setup.path.poses[pose].travelled += std::abs(deeper);
-    }
-    setup.motion.travel = setup.path.poses.back().travelled;
+    dip.setup.motion.travel += (toPose * centre).y() - before;
 }
 
 } // namespace
@@ -222,20 +193,11 @@ ChangedDip changed(const NominalDip& dip, const DipChange& change) {
     result.immersion.offset[1] = result.immersion.offset[1] + Millimetres(z);
     setup.motion.start[0] += x;
     setup.motion.start[2] += z;
-    for (solver::PathPose& pose : setup.path.poses) {
-        pose.pivot[0] += x;
-        pose.pivot[2] += z;
-        pose.seconds /= 1 + of(change, Freedom::Speed);
-    }
     turn(result, dip.model.mesh,
          {of(change, Freedom::TurnX), of(change, Freedom::TurnY), of(change, Freedom::TurnZ)});
-    if (setup.path.isStraightDown()) {
-        // The body must at least reach the water.
-        setup.motion.travel =
-            std::max(setup.motion.travel + of(change, Freedom::WaterLevel), startHeight);
-    } else {
-        sink(setup, of(change, Freedom::WaterLevel));
-    }
+    // The body must at least reach the water.
+    setup.motion.travel =
+        std::max(setup.motion.travel + of(change, Freedom::WaterLevel), startHeight);
     scale(setup.film, 1 + of(change, Freedom::Swell));
     setup.motion.speed *= 1 + of(change, Freedom::Speed);
     setup.settings.relaxationTime *= 1 + of(change, Freedom::Relaxation);

@@ -152,8 +152,7 @@ DIPWRIGHT_TEAM inline void findContactLine(Film& film, double descent, bool move
         unfolded.crossing.cell = std::uint32_t(triangle / 2);
         if (isOnPath) {
             unfolded.steepness =
-                Real(steepnessOnPath(double(unfolded.steepness), sinking(corners, frame, ahead),
-                                     film.model().contactTravel));
+                Real(steepnessOnPath(double(unfolded.steepness), sinking(corners, frame, ahead)));
         }
         return unfolded;
     };

@@ -26,11 +26,10 @@ inline constexpr double sinkingTestedOver = 0.1;
 
 // On a path, the contact line travels by the body's vertical motion over the steepness. Returns the
 // steepness of a face on which it would travel as far in a straight dip, if the body sinks or rises
-// by `sinking` mm per mm of its way. A step is at most a cell long.
-DIPWRIGHT_HOST_DEVICE inline double steepnessOnPath(double steepness, double sinking,
-                                                    double contactTravel) {
+// by `sinking` mm per mm of its way; at most that of a vertical face.
+DIPWRIGHT_HOST_DEVICE inline double steepnessOnPath(double steepness, double sinking) {
     const double least = steepness > leastSteepness ? steepness : leastSteepness;
-    return std::fmin(least / std::fmax(sinking, 1e-3), 1 / contactTravel);
+    return least < sinking ? least / sinking : 1;
 }
 
 // Some points have no film on the body near them. Returns the descent after which the first of

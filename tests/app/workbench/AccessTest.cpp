@@ -198,6 +198,7 @@ private:
                     check(*widget);
                     widget->close();
                     checked = true;
+                    return; // check() lets widgets of the list be deleted
                 }
             }
         });

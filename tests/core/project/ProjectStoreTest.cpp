@@ -267,8 +267,8 @@ private slots:
             << zip(withDocument(changed("texture", "mimetype"))) << "picture";
         QTest::newRow("no mesh named") << zip(withDocument(changed("mesh", 5))) << "model.mesh";
         QJsonObject newer = documentOf(entries_);
-        newer["version"] = 3;
-        QTest::newRow("newer") << zip(withDocument(QJsonDocument(newer).toJson())) << "version 3";
+        newer["version"] = 4;
+        QTest::newRow("newer") << zip(withDocument(QJsonDocument(newer).toJson())) << "version 4";
     }
     void loadProject_notAProject_isRefused() {
         QFETCH(QByteArray, bytes);

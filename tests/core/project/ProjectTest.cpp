@@ -75,7 +75,7 @@ private slots:
     void toJson_hasTheDocumentedShape() {
         const QJsonObject json = toJson(sampleProject());
         QCOMPARE(json["format"].toString(), QStringLiteral("dipwright-project"));
-        QCOMPARE(json["version"].toInt(), 2);
+        QCOMPARE(json["version"].toInt(), 3);
         const QJsonObject film = json["film"].toObject();
         QCOMPARE(film["size_mm"].toArray(), (QJsonArray{150, 200.5}));
         QCOMPARE(film["points"].toArray(), (QJsonArray{61, 82}));
@@ -167,7 +167,7 @@ private slots:
 
     void fromJson_newerVersion_isRefusedNamingBoth() {
         const QString sentence = refusal(with(toJson(sampleProject()), {"version"}, 7));
-        QVERIFY2(sentence.contains("version 7") && sentence.contains("version 2"),
+        QVERIFY2(sentence.contains("version 7") && sentence.contains("version 3"),
                  qPrintable(sentence));
     }
 

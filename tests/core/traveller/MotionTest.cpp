@@ -59,6 +59,8 @@ struct Controller {
                 const double number = word.mid(1).toDouble();
                 if (word == QLatin1String("G93")) {
                     inInverseTime = true;
+                } else if (word == QLatin1String("G94")) {
+                    inInverseTime = false;
                 } else if (word == QLatin1String("G1")) {
                     moves = true;
                 } else if (word.startsWith(u'F')) {
@@ -169,12 +171,13 @@ private slots:
         const MotionTemplate text = motionTemplate(controller);
         const Controller read(QString::fromUtf8(filledTemplate(moved, text.text, text.where)));
         const std::vector<MotionPose> poses = motionPoses(moved);
-        QCOMPARE(read.stops.size(), poses.size());
+        // The first pose is reached by two moves: up, then over the film.
+        QCOMPARE(read.stops.size(), poses.size() + 1);
         for (std::size_t pose = 0; pose < poses.size(); ++pose) {
-            const Controller::Stop& stop = read.stops[pose];
+            const Controller::Stop& stop = read.stops[pose + 1];
             QVERIFY((stop.place - poses[pose].place).norm() < 0.01);
             QVERIFY(stop.turn.angularDistance(poses[pose].turn) < 0.01 * pi / 180);
-            const double lasts = stop.seconds - read.stops.front().seconds;
+            const double lasts = stop.seconds - read.stops[1].seconds;
             QVERIFY2(std::abs(lasts - poses[pose].time.value()) < 0.01,
                      qPrintable(QStringLiteral("%1 s, expected %2 s")
                                     .arg(lasts)
@@ -193,8 +196,21 @@ private slots:
         }
         const MotionTemplate text = standardMotionTemplate(moved);
         const QString code = QString::fromUtf8(filledTemplate(moved, text.text, text.where));
-        const QString move = code.section(QStringLiteral("M0"), 1).section(u'\n', 1, 1);
+        const QString move = code.section(QStringLiteral("G93\n"), 1).section(u'\n', 0, 0);
         QVERIFY2(move.startsWith(QStringLiteral("G1 Z10.000 C-45.837 F")), qPrintable(move));
+    }
+
+    // The template of a controller also serves a dip that goes straight down.
+    void filledTemplate_straightDipForAController_movesZ() {
+        const MotionTemplate text = motionTemplate(QStringLiteral("marlin"));
+        const Controller read(QString::fromUtf8(filledTemplate(motion(), text.text, text.where)));
+        double lowest = 0;
+        for (const Controller::Stop& stop : read.stops) {
+            QVERIFY(stop.place.head<2>().norm() == 0);
+            lowest = std::min(lowest, stop.place.z());
+        }
+        QVERIFY(std::abs(lowest + 42.125) < 1e-9); // the hold is a slow move, 0.125 mm deeper
+        QCOMPARE(read.stops.back().place.z(), 50.0);
     }
 
     void motionCsv_path_hasPlacesAndAngles() {
