@@ -5,6 +5,7 @@
 #include "parallel/ParallelFor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -266,8 +267,9 @@ void AirPockets::keep(std::shared_ptr<const SpaceGrid> grid) {
 
 AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query,
                        const solver::BodyPath& path, int cells) {
-    auto grid = std::make_shared<const SpaceGrid>(mesh, query, std::min(cells, airCellsOnPath));
+    auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells);
     cell_ = grid->spacing();
+    isOnPath_ = true;
     const std::vector<PathMoment> moments = momentsOf(path, 2 * double(cell_));
     const std::vector<Heading> headings = headingsOf(moments);
     const std::vector<std::uint16_t> headingOf = headingsAtTheWater(*grid, moments, headings);
@@ -324,6 +326,9 @@ const AirPocket* AirPockets::at(const Eigen::Vector3f& place, const SurfaceQuery
         return isSeen ? &pockets_[number - 1u] : nullptr;
     };
     const bool isClear = grid_->isClear(cell);
+    if (isOnPath_) {
+        return atNearestPoint(place, query);
+    }
     for (int corner = 0; corner < 8; ++corner) {
         if (const AirPocket* pocket = seen(cell + SpaceGrid::corner(corner), isClear)) {
             return pocket;
@@ -338,6 +343,25 @@ const AirPocket* AirPockets::at(const Eigen::Vector3f& place, const SurfaceQuery
             if (const AirPocket* pocket = seen(point, false)) {
                 return pocket;
             }
+        }
+    }
+    return nullptr;
+}
+
+const AirPocket* AirPockets::atNearestPoint(const Eigen::Vector3f& place,
+                                            const SurfaceQuery& query) const {
+    const Eigen::Vector3i cell = grid_->cellOf(place);
+    std::array<std::pair<float, Eigen::Vector3i>, 8> corners;
+    for (int number = 0; number < 8; ++number) {
+        const Eigen::Vector3i point = cell + SpaceGrid::corner(number);
+        corners[std::size_t(number)] = {(grid_->position(point) - place).norm(), point};
+    }
+    std::stable_sort(corners.begin(), corners.end(),
+                     [](const auto& one, const auto& other) { return one.first < other.first; });
+    for (const auto& [distance, point] : corners) {
+        if (!query.hit(place, grid_->position(point) - place, 1).point.isValid()) {
+            const std::uint16_t number = pocketOf_[grid_->index(point)];
+            return number == 0 ? nullptr : &pockets_[number - 1u];
         }
     }
     return nullptr;

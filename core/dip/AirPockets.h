@@ -24,8 +24,6 @@ class SpaceGrid;
 
 // Default number of grid cells along the body's longest edge for the search for air.
 inline constexpr int airCells = 96;
-// Largest number of grid cells along the body's longest edge if the body moves along a path.
-inline constexpr int airCellsOnPath = 64;
 // Smallest depth of a pocket, in cells.
 inline constexpr int leastPocketDepth = 2;
 // Smallest number of grid points in a pocket.
@@ -43,8 +41,8 @@ class AirPockets {
 public:
     // `query` must search `mesh`. Uses all cores; deterministic.
     AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int cells = airCells);
-    // Does the same for a body that moves along `path`, given in the frame of the mesh. The pockets
-    // are accurate to a cell of a grid with at most `airCellsOnPath` cells along the body.
+    // Does the same for a body that tilts on `path`, given in the frame of the mesh. These pockets
+    // are accurate to a cell.
     AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, const solver::BodyPath& path,
                int cells = airCells);
 
@@ -61,11 +59,14 @@ public:
                const SurfaceQuery& query) const;
 
 private:
+    // Looks a place up in pockets without a level: at the nearest grid point that it sees.
+    const AirPocket* atNearestPoint(const Eigen::Vector3f& place, const SurfaceQuery& query) const;
     // Widens the boxes by a cell and keeps the grid, if there are pockets.
     void keep(std::shared_ptr<const SpaceGrid> grid);
 
     std::vector<AirPocket> pockets_;
     std::vector<std::uint16_t> pocketOf_; // per grid point: number of its pocket from 1; 0 for none
+    bool isOnPath_ = false;               // the pockets have no levels
     std::shared_ptr<const SpaceGrid> grid_; // null if there are no pockets
     float cell_ = 0;
 };

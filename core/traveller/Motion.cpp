@@ -141,9 +141,8 @@ std::vector<MotionPoint> motionPoints(const DipMotion& motion) {
 }
 
 std::vector<MotionPose> motionPoses(const DipMotion& motion) {
-    // A part that waits sinks and rises by this much, so that each move is a move on any
-    // controller.
-    constexpr double waiting = 0.1;
+    // A part that waits sinks and rises slowly, so that each move is a move on any controller.
+    const double waiting = holdSpeed.value() * motion.hold.value() / 2;
     const MotionPose &first = motion.path.front(), &last = motion.path.back();
     const Eigen::Vector3d lift(0, 0, (motion.park - motion.start).value());
     std::vector<MotionPose> poses{{Seconds(0), first.place + lift, first.turn}};

@@ -209,7 +209,9 @@ private slots:
             QVERIFY(stop.place.head<2>().norm() == 0);
             lowest = std::min(lowest, stop.place.z());
         }
-        QVERIFY(std::abs(lowest + 42.125) < 1e-9); // the hold is a slow move, 0.125 mm deeper
+        // The hold is a slow move, 0.125 mm deeper.
+        QVERIFY2(std::abs(lowest + 42.125) < 1e-6,
+                 qPrintable(QStringLiteral("%1 mm, expected -42.125 mm").arg(lowest)));
         QCOMPARE(read.stops.back().place.z(), 50.0);
     }
 
