@@ -128,6 +128,10 @@
         <source>slow at the beginning and the end</source>
         <translation>am Anfang und am Ende langsam</translation>
     </message>
+    <message>
+        <source>On its path the part travels more than %1 m; choose a smaller angle or water speed, or a faster dip</source>
+        <translation>Auf seinem Weg fährt das Teil mehr als %1 m; wählen Sie einen kleineren Winkel, eine kleinere Fließgeschwindigkeit oder einen schnelleren Tauchvorgang</translation>
+    </message>
 </context>
 <context>
     <name>Certainty</name>

@@ -128,6 +128,10 @@
         <source>slow at the beginning and the end</source>
         <translation>lenta no início e no fim</translation>
     </message>
+    <message>
+        <source>On its path the part travels more than %1 m; choose a smaller angle or water speed, or a faster dip</source>
+        <translation>No percurso a peça avança mais de %1 m; escolha um ângulo ou uma velocidade da água menor, ou uma imersão mais rápida</translation>
+    </message>
 </context>
 <context>
     <name>Certainty</name>

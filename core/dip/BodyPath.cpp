@@ -321,7 +321,16 @@ solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
         process.depth ? process.depth->value() : shape.height() + process.margin.value();
     solver::BodyPath path;
     Eigen::Map<Eigen::Vector3d>(path.pivot.data()) = shape.middle();
-    path.poses = posesOf(Planner(shape, immersion.path, process, depth).moves(), shape.radius());
+    const std::vector<Move> moves = Planner(shape, immersion.path, process, depth).moves();
+    for (const Move& move : moves) {
+        if (!(move.middle.norm() < farthestTravel)) {
+            throw Error(Text::tr("On its path the part travels more than %1 m; choose a smaller "
+                                 "angle or water speed, or a faster dip")
+                            .arg(farthestTravel / 1000),
+                        immersion.name);
+        }
+    }
+    path.poses = posesOf(moves, shape.radius());
     return path;
 }
 

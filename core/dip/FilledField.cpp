@@ -65,7 +65,7 @@ private:
     // the grid's axes. Pockets of a body that tilts have no flat level, from which the distance to
     // them would be known.
     void bringNearer() {
-        const auto [width, height, depth] = own_.size;
+        const int width = own_.size[0], height = own_.size[1], depth = own_.size[2];
         const auto lower = [&](int i, int j, int k, std::ptrdiff_t towards) {
             const std::ptrdiff_t sample = i + strides_[1] * j + strides_[2] * k;
             float& distance = filled_.distance[std::size_t(sample)];

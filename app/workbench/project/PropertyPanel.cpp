@@ -163,7 +163,11 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
     QWidget* row = field;
     // These fields need the panel's whole width. If the form wrapped such a row by itself, Qt 6.4
     // would lay out other rows with no height as long as the form has hidden rows.
-    if (spec.parts.size() > 1 || !spec.absent.isEmpty()) {
+    constexpr qsizetype longWord = 18; // letters of a choice that leave no room for the label
+    const bool hasLongWord =
+        std::any_of(spec.words.cbegin(), spec.words.cend(),
+                    [](const QString& word) { return word.size() > longWord; });
+    if (spec.parts.size() > 1 || !spec.absent.isEmpty() || hasLongWord) {
         row = new QWidget;
         auto* stack = new QVBoxLayout(row);
         stack->setContentsMargins(0, 0, 0, 0);
