@@ -37,7 +37,8 @@ struct DipPath {
     // Any kind: speed of the water and the film with it, in the direction of the heading. The film
     // sees the part travel the other way.
     MillimetresPerSecond waterSpeed{0};
-    // Any kind: speed over the first and the last `slowWay` of the way; none: the speed of the dip.
+    // Any kind: speed over the first and the last `slowWay` of the way down; none: the speed of the
+    // dip.
     std::optional<MillimetresPerSecond> slowSpeed;
     Millimetres slowWay{5};
 
