@@ -29,16 +29,11 @@ bool isLargeEnough(const AirChamber& chamber) {
 // Calls visit(point, cell) for all trapped points of the grid.
 template <typename Visit>
 void forEachTrapped(const SpaceGrid& grid, const AirSweep& sweep, const Visit& visit) {
-    Eigen::Vector3i cell;
-    for (cell[1] = 0; cell[1] < grid.size()[1]; ++cell[1]) {
-        for (cell[2] = 0; cell[2] < grid.size()[2]; ++cell[2]) {
-            for (cell[0] = 0; cell[0] < grid.size()[0]; ++cell[0]) {
-                if (const std::size_t point = grid.index(cell); sweep.isTrapped(point)) {
-                    visit(point, cell);
-                }
-            }
+    grid.forEachPoint([&](std::size_t point, const Eigen::Vector3i& cell) {
+        if (sweep.isTrapped(point)) {
+            visit(point, cell);
         }
-    }
+    });
 }
 
 // Returns the trapped chambers that are large enough and outside the body. The inside of an open
@@ -177,28 +172,29 @@ private:
     std::vector<float> ceiling_;
 };
 
-// A direction of the vertical on a path, in the frame of the body's pose.
-struct Heading {
-    Eigen::Vector3f up;
-    std::size_t firstMoment = 0; // of the path's moments
+// The directions of the vertical on a path, in the frame of the body's pose.
+struct Verticals {
+    std::vector<Eigen::Vector3f> up;
+    std::vector<std::uint16_t> ofMoment; // per moment of the path: its direction
 };
 
-std::vector<Heading> headingsOf(const std::vector<PathMoment>& moments) {
+Verticals verticalsOf(const std::vector<PathMoment>& moments) {
     constexpr float alike = 0.9998f; // cosine of about 1°
-    std::vector<Heading> headings;
-    for (std::size_t moment = 0; moment < moments.size(); ++moment) {
-        const Eigen::Vector3f up = moments[moment].poseToWorld.linear().row(1).cast<float>();
-        if (headings.empty() || headings.back().up.dot(up) < alike) {
-            headings.push_back({up, moment});
+    Verticals verticals;
+    for (const PathMoment& moment : moments) {
+        const Eigen::Vector3f up = moment.poseToWorld.linear().row(1).cast<float>();
+        if (verticals.up.empty() || verticals.up.back().dot(up) < alike) {
+            verticals.up.push_back(up);
         }
+        verticals.ofMoment.push_back(std::uint16_t(verticals.up.size() - 1));
     }
-    return headings;
+    return verticals;
 }
 
-// Returns, per grid point, the heading that the body has when the point first goes under water.
-std::vector<std::uint16_t> headingsAtTheWater(const SpaceGrid& grid,
-                                              const std::vector<PathMoment>& moments,
-                                              const std::vector<Heading>& headings) {
+// Returns, per grid point, the direction of the vertical when the point first goes under water.
+std::vector<std::uint16_t> verticalsAtTheWater(const SpaceGrid& grid,
+                                               const std::vector<PathMoment>& moments,
+                                               const Verticals& verticals) {
     constexpr std::uint16_t stays = std::numeric_limits<std::uint16_t>::max(); // above the water
     std::vector<std::uint16_t> found(grid.count(), stays);
     parallelFor(0, grid.size()[1], [&](int layer) {
@@ -206,16 +202,13 @@ std::vector<std::uint16_t> headingsAtTheWater(const SpaceGrid& grid,
         for (cell[2] = 0; cell[2] < grid.size()[2]; ++cell[2]) {
             for (cell[0] = 0; cell[0] < grid.size()[0]; ++cell[0]) {
                 const Eigen::Vector3d place = grid.position(cell).cast<double>();
-                std::size_t heading = 0;
-                for (std::size_t moment = 0; moment < moments.size(); ++moment) {
-                    while (heading + 1 < headings.size() &&
-                           headings[heading + 1].firstMoment <= moment) {
-                        ++heading;
-                    }
-                    if ((moments[moment].poseToWorld * place).y() <= 0) {
-                        found[grid.index(cell)] = std::uint16_t(heading);
-                        break;
-                    }
+                const auto under =
+                    std::find_if(moments.begin(), moments.end(), [&](const PathMoment& moment) {
+                        return (moment.poseToWorld * place).y() <= 0;
+                    });
+                if (under != moments.end()) {
+                    found[grid.index(cell)] =
+                        verticals.ofMoment[std::size_t(under - moments.begin())];
                 }
             }
         }
@@ -271,36 +264,29 @@ AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query,
     cell_ = grid->spacing();
     isOnPath_ = true;
     const std::vector<PathMoment> moments = momentsOf(path, 2 * double(cell_));
-    const std::vector<Heading> headings = headingsOf(moments);
-    const std::vector<std::uint16_t> headingOf = headingsAtTheWater(*grid, moments, headings);
+    const Verticals verticals = verticalsOf(moments);
+    const std::vector<std::uint16_t> verticalAt = verticalsAtTheWater(*grid, moments, verticals);
     std::vector<std::uint8_t> isTrapped(grid->count(), 0);
-    parallelFor(std::size_t(0), headings.size(), [&](std::size_t heading) {
-        const AirSweep sweep = sweepAir(*grid, headings[heading].up);
+    parallelFor(std::size_t(0), verticals.up.size(), [&](std::size_t vertical) {
+        const AirSweep sweep = sweepAir(*grid, verticals.up[vertical]);
         const std::map<std::uint32_t, AirChamber> chambers = hollows(*grid, sweep, query);
         for (std::size_t point = 0; point < isTrapped.size(); ++point) {
-            if (headingOf[point] == heading && sweep.isTrapped(point) &&
+            if (verticalAt[point] == vertical && sweep.isTrapped(point) &&
                 chambers.contains(sweep.chamber[point])) {
-                isTrapped[point] = 1; // no other heading has this point
+                isTrapped[point] = 1; // each point has one vertical
             }
         }
     });
     AirPocket pocket;
-    Eigen::Vector3i cell;
-    pocketOf_.assign(grid->count(), 0);
-    for (cell[1] = 0; cell[1] < grid->size()[1]; ++cell[1]) {
-        for (cell[2] = 0; cell[2] < grid->size()[2]; ++cell[2]) {
-            for (cell[0] = 0; cell[0] < grid->size()[0]; ++cell[0]) {
-                if (const std::size_t point = grid->index(cell); isTrapped[point] != 0) {
-                    pocketOf_[point] = 1;
-                    pocket.box.extend(grid->position(cell));
-                }
-            }
+    grid->forEachPoint([&](std::size_t point, const Eigen::Vector3i& cell) {
+        if (isTrapped[point] != 0) {
+            pocket.box.extend(grid->position(cell));
         }
-    }
+    });
     if (pocket.box.isEmpty()) {
-        pocketOf_.clear();
         return;
     }
+    pocketOf_.assign(isTrapped.begin(), isTrapped.end()); // all belong to one pocket, number 1
     pocket.level = double(pocket.box.min().y() - cell_);
     pockets_.push_back(pocket);
     keep(std::move(grid));

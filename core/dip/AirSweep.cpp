@@ -68,18 +68,8 @@ AirSweep sweepAir(const SpaceGrid& grid, const Eigen::Vector3f& up) {
     const float lowest = up.cwiseMin(0).dot(last);
     const int layers = int(std::lround(highest - lowest)) + 1;
     sweep.layer.resize(grid.count());
-    const auto forEachPoint = [&](const auto& visit) {
-        Eigen::Vector3i cell;
-        for (cell[1] = 0; cell[1] < size[1]; ++cell[1]) {
-            for (cell[2] = 0; cell[2] < size[2]; ++cell[2]) {
-                for (cell[0] = 0; cell[0] < size[0]; ++cell[0]) {
-                    visit(std::uint32_t(grid.index(cell)), cell);
-                }
-            }
-        }
-    };
     std::vector<std::uint8_t> isOnBorder(grid.count());
-    forEachPoint([&](std::uint32_t point, const Eigen::Vector3i& cell) {
+    grid.forEachPoint([&](std::size_t point, const Eigen::Vector3i& cell) {
         const int below = int(std::lround(highest - up.dot(cell.cast<float>())));
         sweep.layer[point] = std::clamp(below, 0, layers - 1);
         isOnBorder[point] = grid.isOnBorder(cell) ? 1 : 0;

@@ -293,9 +293,9 @@ double secondsOnPath(const solver::BodyPath& path, double travelled) {
 std::optional<double> firstUnderWater(const solver::BodyPath& path, const Eigen::Vector3d& at) {
     constexpr int halvings = 12;
     const auto heightAt = [&](double way) { return (placeOnPath(path, way) * at).y(); };
+    const Eigen::Vector3d arm = at - vectorOf(path.pivot);
     double above = 0;
     for (const solver::PathPose& pose : path.poses) {
-        const Eigen::Vector3d arm = at - vectorOf(path.pivot);
         if ((rotationOf(pose) * arm).y() + pose.pivot[1] > 0) {
             above = pose.travelled;
             continue;

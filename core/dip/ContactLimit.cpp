@@ -216,9 +216,10 @@ private:
         if (body_.path.isStraightDown()) {
             return at.y() <= water && normal(under.point).y() <= steepest_;
         }
-        const Eigen::Vector3f up = upAtWater(body_.path, at.cast<double>()).cast<float>();
-        return firstUnderWater(body_.path, at.cast<double>()).has_value() &&
-               normal(under.point).dot(up) <= steepest_;
+        const auto way = firstUnderWater(body_.path, at.cast<double>());
+        return way && normal(under.point)
+                              .dot(placeOnPath(body_.path, *way).linear().row(1).cast<float>()) <=
+                          steepest_;
     }
     Eigen::Vector3f normal(const SurfacePoint& point) const { return normalAt(normals_, point); }
 

@@ -53,6 +53,18 @@ public:
         }
         return true;
     }
+    // Calls visit(index, cell) for all points, in the order of y, then z, then x.
+    template <typename Visit>
+    void forEachPoint(const Visit& visit) const {
+        Eigen::Vector3i cell;
+        for (cell[1] = 0; cell[1] < size_[1]; ++cell[1]) {
+            for (cell[2] = 0; cell[2] < size_[2]; ++cell[2]) {
+                for (cell[0] = 0; cell[0] < size_[0]; ++cell[0]) {
+                    visit(index(cell), cell);
+                }
+            }
+        }
+    }
     bool isOnBorder(const Eigen::Vector3i& cell) const {
         return (cell.array() == 0).any() || (cell.array() == size_.array() - 1).any();
     }

@@ -255,7 +255,7 @@ MotionPose poseAt(const std::vector<MotionPose>& path, Seconds time) {
 }
 
 // Describes a dip that does not go straight down by its key poses.
-QString pathText(const TravellerDip& dip, std::size_t number) {
+QString pathStep(const TravellerDip& dip, std::size_t number) {
     constexpr int parts = 3;
     std::vector<MotionPose> poses;
     for (int part = 0; part <= parts; ++part) {
@@ -296,7 +296,7 @@ QStringList stepsOf(const Traveller& traveller, std::size_t number) {
                        "below it, at %3 mm/s, in %4 s")
                   .arg(plain(motion.start.value()), plain(motion.depth.value()),
                        plain(motion.speed.value(), 2), plain(motion.dipTime().value()))
-            : pathText(dip, number),
+            : pathStep(dip, number),
         Text::tr("Hold the part under water for %1 s. Clear the remaining film from the water "
                  "around it. Then lift the part out at %2 mm/s.")
             .arg(plain(motion.hold.value()), plain(motion.speed.value(), 2)),

@@ -1,7 +1,6 @@
 #include "workbench/project/PropertySpecs.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 
 namespace dipwright {
 
@@ -248,23 +247,10 @@ namespace {
 
 PropertySection pathProperties(std::size_t number) {
     const QString prefix = QStringLiteral("immersions[%1].path.").arg(number);
-    const auto isKind = [number](std::initializer_list<PathKind> kinds) {
-        return [number, kinds = std::vector<PathKind>(kinds)](const Project& project) {
-            return number < project.immersions.size() &&
-                   std::find(kinds.begin(), kinds.end(), project.immersions[number].path.kind) !=
-                       kinds.end();
+    const auto ifPath = [number](bool (*holds)(const DipPath&)) {
+        return [number, holds](const Project& project) {
+            return number < project.immersions.size() && holds(project.immersions[number].path);
         };
-    };
-    const auto hasHeading = [number](const Project& project) {
-        if (number >= project.immersions.size()) {
-            return false;
-        }
-        const DipPath& path = project.immersions[number].path;
-        return path.kind != PathKind::Straight || path.waterSpeed != MillimetresPerSecond(0);
-    };
-    const auto isSlow = [number](const Project& project) {
-        return number < project.immersions.size() &&
-               project.immersions[number].path.slowSpeed.has_value();
     };
     return {
         Text::tr("Path"),
@@ -285,21 +271,23 @@ PropertySection pathProperties(std::size_t number) {
               Text::tr("Slanted: the angle between the way and the water. Tilt: how far the part "
                        "is tilted at the beginning. Roll: the angle through which it rolls."),
           .unit = Unit::Angle,
-          .relevant = isKind({PathKind::Slanted, PathKind::Tilt, PathKind::Roll})},
+          .relevant = ifPath([](const DipPath& path) { return path.kind != PathKind::Straight; })},
          {.path = prefix + QStringLiteral("heading_deg"),
           .label = Text::tr("Heading"),
           .help = Text::tr("The direction over the water in which the part travels or rolls, or of "
                            "the side that enters first: 0° to the right (X), 90° down the sheet "
                            "(Z). Also the direction in which the water flows."),
           .unit = Unit::Angle,
-          .relevant = hasHeading},
+          .relevant = ifPath([](const DipPath& path) {
+              return path.kind != PathKind::Straight || path.waterSpeed != MillimetresPerSecond(0);
+          })},
          {.path = prefix + QStringLiteral("level_depth_mm"),
           .label = Text::tr("Level at"),
           .help = Text::tr("Depth of the part's lowest point at which the part is level."),
           .unit = Unit::Length,
           .absent = Text::tr("The end of the dip"),
           .whenPresent = 20,
-          .relevant = isKind({PathKind::Tilt})},
+          .relevant = ifPath([](const DipPath& path) { return path.kind == PathKind::Tilt; })},
          {.path = prefix + QStringLiteral("roll_radius_mm"),
           .label = Text::tr("Rolling radius"),
           .help = Text::tr("How far the part travels sideways while it rolls through one radian "
@@ -307,7 +295,7 @@ PropertySection pathProperties(std::size_t number) {
           .unit = Unit::Length,
           .absent = Text::tr("Half the part's height"),
           .whenPresent = 20,
-          .relevant = isKind({PathKind::Roll})},
+          .relevant = ifPath([](const DipPath& path) { return path.kind == PathKind::Roll; })},
          {.path = prefix + QStringLiteral("turn_deg"),
           .label = Text::tr("Turn"),
           .help =
@@ -331,7 +319,7 @@ PropertySection pathProperties(std::size_t number) {
               Text::tr("The first and the last part of the way down that the slow speed applies "
                        "to."),
           .unit = Unit::Length,
-          .relevant = isSlow}}};
+          .relevant = ifPath([](const DipPath& path) { return path.slowSpeed.has_value(); })}}};
 }
 
 } // namespace

@@ -151,11 +151,11 @@ private:
     Moment moment_ = Moment::Setup;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     double descent_ = 0;
-    // The path that was computed last, and from what.
-    solver::BodyPath path_;
     // The path that the part was placed on last, and poseTransform() of its dip.
     solver::BodyPath placedOn_;
     Eigen::Isometry3d placedPose_ = Eigen::Isometry3d::Identity();
+    // The path that was computed last, and from what.
+    solver::BodyPath path_;
     std::optional<Immersion> pathSource_;
     std::shared_ptr<const TexturedMesh> pathModel_;
     ProcessSettings pathProcess_;
