@@ -3012,6 +3012,14 @@
         <source>The first and the last part of the way down that the slow speed applies to.</source>
         <translation>Der erste und der letzte Teil des Wegs nach unten, für den die langsame Geschwindigkeit gilt.</translation>
     </message>
+    <message>
+        <source>Film expired</source>
+        <translation>Film abgelaufen</translation>
+    </message>
+    <message>
+        <source>The verdict for a film whose profile gives an expiry date in the past.</source>
+        <translation>Das Urteil für einen Film, dessen Profil ein vergangenes Ablaufdatum nennt.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>

@@ -3012,6 +3012,14 @@
         <source>The first and the last part of the way down that the slow speed applies to.</source>
         <translation>A primeira e a última parte da descida em que vale a velocidade lenta.</translation>
     </message>
+    <message>
+        <source>Film expired</source>
+        <translation>Película vencida</translation>
+    </message>
+    <message>
+        <source>The verdict for a film whose profile gives an expiry date in the past.</source>
+        <translation>O veredito para uma película cujo perfil indica uma data de validade já passada.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>

@@ -648,9 +648,6 @@ void runImmersions(JobResult& result, Run& run, const std::vector<SheetInputs>& 
 
 QStringList notesOf(const JobResult& result) {
     QStringList notes;
-    if (const QString expiry = expiryWarning(result.project.profiles.film); !expiry.isEmpty()) {
-        notes.append(expiry);
-    }
     const PosedBody& body = *result.immersions.front().body;
     if (const QString note = thinPartNote(result.project, body.mesh, body.query); !note.isEmpty()) {
         notes.append(note);

@@ -616,6 +616,10 @@ PropertySection verdictProperties() {
         {.path = QStringLiteral("verdict.guessed_film"),
          .label = Text::tr("Film not measured"),
          .help = Text::tr("The verdict for a film whose swell was not measured."),
+         .words = advice},
+        {.path = QStringLiteral("verdict.expired_film"),
+         .label = Text::tr("Film expired"),
+         .help = Text::tr("The verdict for a film whose profile gives an expiry date in the past."),
          .words = advice}};
     return verdict;
 }

@@ -42,6 +42,7 @@ struct VerdictReason {
         NoPicture,    // the model has one plain colour
         ChangedModel, // `text`: what the import repaired, or what is missing
         GuessedFilm,  // the film's swell was not measured
+        ExpiredFilm,  // `text`: which film, and since when
     };
     Kind kind;
     Advice advice = Advice::Print; // the verdict if this is the only reason
