@@ -320,7 +320,7 @@ ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Ru
 }
 
 // Repeats the dip with smaller cells while that may make its sheet good enough to print. If such a
-// dip fails, keeps the film before it.
+// dip fails, keeps the previous film.
 void refine(ImmersionResult& now, Run& run, std::size_t number, JobResult& job,
             const Dipping& dipping, const Progress& progress) {
     judge(now, run, dipping.comparison);
