@@ -31,6 +31,7 @@ using Millimetres = Quantity<struct MillimetresUnit>;
 using Seconds = Quantity<struct SecondsUnit>;
 using MillimetresPerSecond = Quantity<struct MillimetresPerSecondUnit>;
 using Degrees = Quantity<struct DegreesUnit>;
+using DegreesPerSecond = Quantity<struct DegreesPerSecondUnit>;
 using DotsPerInch = Quantity<struct DotsPerInchUnit>;
 
 inline constexpr double millimetresPerInch = 25.4;
@@ -46,6 +47,7 @@ enum class Unit {
     Speed,
     Time,
     Angle,
+    AngularSpeed,
     Resolution,
     Ratio,
     Cells,

@@ -214,7 +214,7 @@ private:
     // The film moves with the water, so the part travels against it.
     void flow() {
         for (Move& move : moves_) {
-            move.middle -= move.seconds * path_.waterSpeed.value() * directionOf(path_.heading);
+            move.middle -= move.seconds * waterVelocity(path_);
         }
     }
 
@@ -269,15 +269,15 @@ std::pair<std::size_t, double> partAt(const solver::BodyPath& path, double trave
             std::clamp((travelled - begin) / (after->travelled - begin), 0.0, 1.0)};
 }
 
-Eigen::Quaterniond rotationOf(const solver::PathPose& pose) {
-    return {pose.rotation[0], pose.rotation[1], pose.rotation[2], pose.rotation[3]};
-}
-
 Eigen::Vector3d vectorOf(const std::array<double, 3>& values) {
     return Eigen::Map<const Eigen::Vector3d>(values.data());
 }
 
 } // namespace
+
+Eigen::Quaterniond rotationOf(const solver::PathPose& pose) {
+    return {pose.rotation[0], pose.rotation[1], pose.rotation[2], pose.rotation[3]};
+}
 
 Eigen::Isometry3d placeOnPath(const solver::BodyPath& path, double travelled) {
     const auto [after, share] = partAt(path, travelled);
@@ -321,8 +321,7 @@ solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
     }
     requireTravellable(immersion.path, immersion);
     const Shape shape(posed);
-    const double depth =
-        process.depth ? process.depth->value() : shape.height() + process.margin.value();
+    const double depth = dipDepth(process, shape.height());
     solver::BodyPath path;
     Eigen::Map<Eigen::Vector3d>(path.pivot.data()) = shape.middle();
     const std::vector<Move> moves = Planner(shape, immersion.path, process, depth).moves();
@@ -351,6 +350,10 @@ solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry
         pose.pivot[2] += immersion.offset[1].value();
     }
     return result;
+}
+
+Eigen::Vector3d waterVelocity(const DipPath& path) {
+    return path.waterSpeed.value() * directionOf(path.heading);
 }
 
 QString pathText(const DipPath& path) {

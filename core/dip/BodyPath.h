@@ -19,6 +19,7 @@
 
 namespace dipwright {
 
+Eigen::Quaterniond rotationOf(const solver::PathPose& pose);
 // Returns the map from the body's coordinates to the world after it has travelled `travelled` mm.
 // `path` must have poses.
 Eigen::Isometry3d placeOnPath(const solver::BodyPath& path, double travelled);
@@ -50,6 +51,9 @@ Eigen::Vector3d upAtWater(const solver::BodyPath& path, const Eigen::Vector3d& a
 // Whether the direction of the vertical in the body's frame changes by more than about 1° on the
 // path.
 bool isTilting(const solver::BodyPath& path);
+
+// Returns the velocity of the water on this path, mm/s, in the pose frame.
+Eigen::Vector3d waterVelocity(const DipPath& path);
 
 // Returns a few words on a path for the user, "tilted by 20°, heading 45°"; empty if the part goes
 // straight down.

@@ -21,9 +21,7 @@ Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles) {
         .toRotationMatrix();
 }
 
-std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
-                                      const std::array<Degrees, 3>& near) {
-    const Eigen::Vector3d aim(radians(near[0]), radians(near[1]), radians(near[2]));
+Eigen::Vector3d anglesNear(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& aim) {
     // Returns the same rotation, with each angle within ±180° of the aim.
     const auto nearAim = [&](const Eigen::Vector3d& angles) -> Eigen::Vector3d {
         return aim + (angles - aim).unaryExpr([](double a) { return std::remainder(a, 2 * pi); });
@@ -37,7 +35,13 @@ std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
     const Eigen::Vector3d other(one.x() + pi, pi - one.y(), one.z() + pi);
     const bool otherIsNearer =
         (nearAim(other) - aim).squaredNorm() < (nearAim(one) - aim).squaredNorm();
-    const Eigen::Vector3d nearest = nearAim(otherIsNearer ? other : one);
+    return nearAim(otherIsNearer ? other : one);
+}
+
+std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
+                                      const std::array<Degrees, 3>& near) {
+    const Eigen::Vector3d nearest =
+        anglesNear(rotation, {radians(near[0]), radians(near[1]), radians(near[2])});
     const auto rounded = [](double angle) {
         const double turn = std::abs(angle) > 2 * pi ? std::remainder(angle, 2 * pi) : angle;
         return Degrees(std::round(turn * 1800 / pi) / 10 + 0.0); // + 0.0 turns −0 into 0
@@ -83,7 +87,11 @@ PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion, int c
 }
 
 double dipDepth(const ProcessSettings& process, const PosedBody& body) {
-    return process.depth ? process.depth->value() : body.height + process.margin.value();
+    return dipDepth(process, body.height);
+}
+
+double dipDepth(const ProcessSettings& process, double height) {
+    return process.depth ? process.depth->value() : height + process.margin.value();
 }
 
 double dipTravel(const ProcessSettings& process, const PosedBody& body) {

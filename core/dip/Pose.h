@@ -25,6 +25,9 @@ Eigen::Matrix3d rotationMatrix(const std::array<Degrees, 3>& angles);
 std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
                                       const std::array<Degrees, 3>& near = {});
 
+// Returns the angles about X, then Y, then Z of a rotation, in radians: the set nearest to `aim`.
+Eigen::Vector3d anglesNear(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& aim);
+
 // Maps model coordinates to the pose frame.
 Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion);
 
@@ -53,6 +56,8 @@ inline constexpr double startHeight = 0.5;
 // Returns the height of the water above the body's lowest point at the end of the dip, mm. This is
 // the depth that the process sets or, if it sets none, the body's height plus a margin.
 double dipDepth(const ProcessSettings& process, const PosedBody& body);
+// Returns the same for a body of this height, mm.
+double dipDepth(const ProcessSettings& process, double height);
 // Returns the total travel of the body, mm; on a path, the length of the path.
 double dipTravel(const ProcessSettings& process, const PosedBody& body);
 // Returns the translation from the pose frame to the world frame after `descent` mm straight down.

@@ -40,9 +40,7 @@ QStringList verdictLines(const JobResult& result, std::size_t number) {
 // Returns the path of a dip in the frame of the machine, which does not move with the water.
 std::vector<MotionPose> machinePath(const ImmersionResult& dip) {
     std::vector<MotionPose> poses;
-    const DipPath& path = dip.immersion.path;
-    const double flow = path.waterSpeed.value(), heading = radians(path.heading);
-    const Eigen::Vector3d water(flow * std::cos(heading), 0, flow * std::sin(heading));
+    const Eigen::Vector3d water = waterVelocity(dip.immersion.path);
     const Eigen::Vector3d offset(dip.immersion.offset[0].value(), 0,
                                  dip.immersion.offset[1].value());
     for (const solver::PathPose& pose : dip.body->path.poses) {

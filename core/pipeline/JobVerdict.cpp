@@ -2,6 +2,7 @@
 
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
+#include "pipeline/TankFit.h"
 #include "project/Profiles.h"
 #include "texture/ReverseTexture.h"
 
@@ -61,6 +62,18 @@ void addHandlingReasons(ReasonList& found, const JobTolerances& tolerances) {
                        {},
                        0,
                        zone.zone});
+        }
+    }
+}
+
+// Adds a reason for each dip that exceeds a limit of the tank or its machine.
+void addTankReasons(ReasonList& found, const JobResult& result) {
+    for (const ImmersionResult& dip : result.immersions) {
+        const QStringList faults = tankFaults(result.project, dip.immersion);
+        if (!faults.isEmpty()) {
+            const QString text = faults.join(QStringLiteral(". "));
+            found.add({Kind::Tank, Advice::DoNotPrint, 0, 0,
+                       Text::tr("%1: %2").arg(dip.immersion.name, text)});
         }
     }
 }
@@ -130,6 +143,7 @@ Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
     if (result.tolerances) {
         addHandlingReasons(found, *result.tolerances);
     }
+    addTankReasons(found, result);
     addOriginReasons(found, result);
     return std::move(found).verdict();
 }

@@ -10,6 +10,7 @@
 #include "pipeline/ModelNotes.h"
 #include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
+#include "pipeline/TankFit.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
 #include "settings/Profile.h"
@@ -144,10 +145,8 @@ QString misplacement(const Project& project, const Immersion& immersion) {
     } catch (const Error& error) {
         return error.message();
     }
-    const std::optional<TankProfile>& tank = project.profiles.tank;
-    if (tank && !centred(tank->width.value(), tank->length.value()).contains(body)) {
-        return Text::tr("The part reaches past the edge of the tank “%1”; move or turn the part")
-            .arg(tank->name);
+    if (const QStringList faults = tankFaults(project, immersion); !faults.isEmpty()) {
+        return faults.join(QStringLiteral(". "));
     }
     const Eigen::AlignedBox2d film = filmOutline(project.film);
     if (!film.intersects(body)) {

@@ -186,7 +186,15 @@ const std::vector<Field<TankProfile>>& fieldsOf(const TankProfile*) {
                 "water_level_mm", 0, 2000, [](auto& p) -> auto& { return p.waterLevel; }),
             numbers<P>(
                 "mark_distance_mm", 2, 0, 10000,
-                [](auto& p, int part) -> auto& { return p.markDistance[std::size_t(part)]; })};
+                [](auto& p, int part) -> auto& { return p.markDistance[std::size_t(part)]; }),
+            notHashedIfDefault(numberOrNone<P>(
+                "water_depth_mm", 1, 10000, [](auto& p) -> auto& { return p.waterDepth; })),
+            notHashedIfDefault(numberOrNone<P>(
+                "reach_mm", 0, 10000, [](auto& p) -> auto& { return p.reach; })),
+            notHashedIfDefault(numberOrNone<P>(
+                "speed_mm_s", 0.1, 10000, [](auto& p) -> auto& { return p.speed; })),
+            notHashedIfDefault(numberOrNone<P>(
+                "turn_speed_deg_s", 0.1, 10000, [](auto& p) -> auto& { return p.turnSpeed; }))};
         const auto add = [&all](const char* path, bool FilmEdges::*side) {
             all.push_back(choice<P>(
                 path, edgeWords(), [side](auto& p) -> auto& { return p.barriers.*side; }));

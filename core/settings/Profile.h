@@ -76,6 +76,11 @@ struct TankProfile {
     Millimetres width{400}, length{600}; // size of the water surface, along X and Z
     Millimetres waterLevel{0};           // depth of the water surface below the tank's rim
     FilmEdges barriers;                  // sides of the film that barriers hold
+    // Limits of a dip; none: not known.
+    std::optional<Millimetres> waterDepth; // from the water surface to the floor
+    std::optional<Millimetres> reach; // how far the machine moves a part sideways from the middle
+    std::optional<MillimetresPerSecond> speed; // of the machine's fastest motion
+    std::optional<DegreesPerSecond> turnSpeed; // of the machine's fastest turn
     // Distances between the tank's marks along X and Z, for the person who lays the film. Nothing
     // is computed from them. 0: no marks.
     std::array<Millimetres, 2> markDistance{};

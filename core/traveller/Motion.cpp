@@ -1,6 +1,7 @@
 #include "traveller/Motion.h"
 
 #include "base/Error.h"
+#include "dip/Pose.h"
 #include "disk/SmallFile.h"
 
 #include <QCoreApplication>
@@ -168,16 +169,7 @@ std::vector<Eigen::Vector3d> motionAngles(const std::vector<MotionPose>& poses) 
     std::vector<Eigen::Vector3d> angles(poses.size());
     Eigen::Vector3d after(0, 0, 0); // the angles of the next pose
     for (std::size_t pose = poses.size(); pose-- > 0;) {
-        const Eigen::Vector3d zyx = poses[pose].turn.toRotationMatrix().eulerAngles(2, 1, 0);
-        const Eigen::Vector3d one(zyx[2], zyx[1], zyx[0]);
-        const Eigen::Vector3d other(one.x() + pi, pi - one.y(), one.z() + pi); // the same rotation
-        const auto near = [&](const Eigen::Vector3d& all) -> Eigen::Vector3d {
-            return after + (all - after).unaryExpr([](double angle) {
-                return std::remainder(angle, 2 * pi);
-            });
-        };
-        const bool otherIsNearer = (near(other) - after).norm() < (near(one) - after).norm();
-        after = near(otherIsNearer ? other : one);
+        after = anglesNear(poses[pose].turn.toRotationMatrix(), after);
         angles[pose] = after * 180 / pi;
     }
     return angles;

@@ -21,6 +21,7 @@ enum Chapter {
     Dipping,
     Results,
     Verdict,
+    Paths,
     Printing,
     Projects,
     Wrong
@@ -32,7 +33,7 @@ QMap<QString, GuidePlace> placesByName() {
     const GuidePlace numericalError{Results, Text::tr("Dip ▸ Check numerical error")};
     const GuidePlace tolerances{Results, Text::tr("Dip ▸ Tolerances")};
     const GuidePlace newProject{FirstSheet, Text::tr("File ▸ New project")};
-    return {
+    QMap<QString, GuidePlace> places{
         {QStringLiteral("startPage"), newProject},
         {QStringLiteral("newProjectDialog"), newProject},
         {QStringLiteral("projectTree"), {Window, Text::tr("Left")}},
@@ -50,6 +51,7 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("propertyPanel/7"), {Printing, Text::tr("ICC profile")}},
         {QStringLiteral("propertyPanel/8"), tolerances},
         {QStringLiteral("searchPage"), {Immersions, Text::tr("Dip ▸ Find poses")}},
+        {QStringLiteral("searchedPaths"), {Paths, {}}},
         {QStringLiteral("results/0"), {Verdict, {}}},
         {QStringLiteral("results/1"), {Results, Text::tr("Stretch")}},
         {QStringLiteral("results/2"), {Results, Text::tr("Texture")}},
@@ -70,6 +72,15 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("jobQueue"), {Projects, Text::tr("File ▸ Job queue")}},
         {QStringLiteral("logDock"), {Wrong, Text::tr("log")}},
     };
+    for (const QString& dip :
+         {QStringLiteral("immersions[0].path."), QStringLiteral("immersions[1].path.")}) {
+        for (const char* field :
+             {"kind", "angle_deg", "heading_deg", "level_depth_mm", "roll_radius_mm", "turn_deg",
+              "water_speed_mm_s", "slow_speed_mm_s", "slow_mm"}) {
+            places.insert(dip + QLatin1String(field), {Paths, {}});
+        }
+    }
+    return places;
 }
 
 QString keyOf(const QWidget& widget) {

@@ -40,6 +40,8 @@ QString unitSuffix(Unit unit, LengthUnit length) {
         return Text::tr(" s");
     case Unit::Angle:
         return Text::tr("°");
+    case Unit::AngularSpeed:
+        return Text::tr("°/s");
     case Unit::Resolution:
         return Text::tr(" dpi");
     case Unit::Cells:
@@ -69,6 +71,7 @@ int unitDecimals(Unit unit, LengthUnit length) {
     case Unit::Time:
         return 4;
     case Unit::Angle:
+    case Unit::AngularSpeed:
         return 1;
     case Unit::Resolution:
     case Unit::Million:

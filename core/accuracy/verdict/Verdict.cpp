@@ -229,6 +229,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"no_picture", "verdict.no_picture"},
                                KindWords{"changed_model", "verdict.changed_model"},
                                KindWords{"guessed_film", "verdict.guessed_film"},
+                               KindWords{"tank", ""},
                                KindWords{"expired_film", "verdict.expired_film"}};
 static_assert(kindWords.size() == std::size_t(Kind::ExpiredFilm) + 1);
 

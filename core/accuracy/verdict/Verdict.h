@@ -42,6 +42,7 @@ struct VerdictReason {
         NoPicture,    // the model has one plain colour
         ChangedModel, // `text`: what the import repaired, or what is missing
         GuessedFilm,  // the film's swell was not measured
+        Tank,         // `text`: the limits of the tank or its machine that a dip exceeds
         ExpiredFilm,  // `text`: which film, and since when
     };
     Kind kind;

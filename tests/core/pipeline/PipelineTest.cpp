@@ -355,6 +355,19 @@ private slots:
         QVERIFY(!expiryReason());
     }
 
+    void runJob_shallowTank_doNotPrint() {
+        Project job = job_;
+        TankProfile bath;
+        bath.name = QStringLiteral("Bath");
+        bath.waterDepth = Millimetres(20); // the ball is 30 mm high
+        job.profiles.tank = bath;
+        const JobResult result = runJob(job, *registry_, {}, &first_, {});
+        QCOMPARE(adviceOf(result), Advice::DoNotPrint);
+        const JobReason reason = reasonsOf(result).front();
+        QCOMPARE(reason.reason.kind, VerdictReason::Kind::Tank);
+        QVERIFY2(reason.reason.text.contains("only 20.0 mm deep"), qPrintable(reason.reason.text));
+    }
+
     void runJob_tooSmallFilm_doNotPrint() {
         Project job = job_;
         job.film.width = job.film.height = Millimetres(36); // mm; the ball is 30 mm wide

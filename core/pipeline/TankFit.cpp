@@ -1,0 +1,136 @@
+#include "pipeline/TankFit.h"
+
+#include "dip/Pose.h"
+#include "model/TexturedMesh.h"
+#include "project/Project.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(TankFit)
+};
+
+// What a dip requires of the tank and its machine.
+struct Demand {
+    Eigen::AlignedBox2d outline; // that the body covers from above, x and z from the tank's middle
+    double depth = 0;            // of the lowest place below the water, mm
+    double reach = 0; // farthest sideways distance of the part's centre from the tank's middle, mm
+    double speed = 0; // mm/s
+    double turnSpeed = 0; // °/s
+};
+
+Eigen::Vector3d offsetOf(const Immersion& immersion) {
+    return {immersion.offset[0].value(), 0, immersion.offset[1].value()};
+}
+
+void cover(Demand& demand, const Eigen::Vector3d& place) {
+    demand.outline.extend(Eigen::Vector2d(place.x(), place.z()));
+    demand.depth = std::max(demand.depth, -place.y());
+}
+
+Demand straightDemand(const TriangleMesh& posed, const Immersion& immersion,
+                      const ProcessSettings& process) {
+    const Eigen::Vector3d offset = offsetOf(immersion);
+    Demand demand;
+    for (const Eigen::Vector3f& position : posed.positions) {
+        cover(demand, position.cast<double>() + offset);
+    }
+    demand.depth = dipDepth(process, boundingBox(posed).sizes().y());
+    demand.reach = offset.norm();
+    demand.speed = process.dipSpeed.value();
+    return demand;
+}
+
+// The machine moves in the frame of the tank, in which the film flows with the water.
+Demand demandOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
+                    const Immersion& immersion) {
+    const auto driftAt = [&](double seconds) -> Eigen::Vector3d {
+        return offsetOf(immersion) + seconds * waterVelocity(immersion.path);
+    };
+    Demand demand;
+    const double step = boundingBox(posed).diagonal().norm() / 12;
+    for (const PathMoment& moment : momentsOf(path, std::max(double(step), 0.5))) {
+        const Eigen::Vector3d drift = driftAt(secondsOnPath(path, moment.travelled));
+        for (const Eigen::Vector3f& position : posed.positions) {
+            cover(demand, moment.poseToWorld * position.cast<double>() + drift);
+        }
+    }
+    const auto centreAt = [&](const solver::PathPose& pose) -> Eigen::Vector3d {
+        return Eigen::Map<const Eigen::Vector3d>(pose.pivot.data()) + driftAt(pose.seconds);
+    };
+    const solver::PathPose* before = nullptr;
+    for (const solver::PathPose& pose : path.poses) {
+        const Eigen::Vector3d centre = centreAt(pose);
+        demand.reach = std::max(demand.reach, std::hypot(centre.x(), centre.z()));
+        if (before && pose.seconds > before->seconds) {
+            const double seconds = pose.seconds - before->seconds;
+            const double turn = rotationOf(*before).angularDistance(rotationOf(pose));
+            demand.speed = std::max(demand.speed, (centre - centreAt(*before)).norm() / seconds);
+            demand.turnSpeed = std::max(demand.turnSpeed, turn * 180 / pi / seconds);
+        }
+        before = &pose;
+    }
+    return demand;
+}
+
+QString number(double value) {
+    return QLocale().toString(value, 'f', 1);
+}
+
+} // namespace
+
+QStringList tankFaults(const Project& project, const Immersion& immersion) {
+    if (!project.profiles.tank) {
+        return {};
+    }
+    const TankProfile& tank = *project.profiles.tank;
+    const TriangleMesh& mesh = project.model->mesh;
+    const TriangleMesh posed = transformed(mesh, poseTransform(mesh, immersion));
+    const solver::BodyPath path = bodyPath(posed, immersion, project.process);
+    const Demand demand = path.isStraightDown() ? straightDemand(posed, immersion, project.process)
+                                                : demandOnPath(path, posed, immersion);
+    QStringList faults;
+    const Eigen::Vector2d half(tank.width.value() / 2, tank.length.value() / 2);
+    if (!Eigen::AlignedBox2d(-half, half).contains(demand.outline)) {
+        faults << Text::tr("The part reaches past the edge of the tank “%1”; move or turn the part")
+                      .arg(tank.name);
+    }
+    constexpr double rounding = 1e-6; // relative
+    const auto exceeds = [](double value, const auto& limit) {
+        return limit && value > limit->value() * (1 + rounding);
+    };
+    if (exceeds(demand.depth, tank.waterDepth)) {
+        faults << Text::tr(
+                      "The part goes %1 mm under water, but the water in the tank “%2” is only "
+                      "%3 mm deep; reduce the depth of the dip, or turn the part")
+                      .arg(number(demand.depth), tank.name, number(tank.waterDepth->value()));
+    }
+    if (exceeds(demand.reach, tank.reach)) {
+        faults << Text::tr(
+                      "The centre of the part moves %1 mm sideways from the middle of the tank "
+                      "“%2”, but its machine reaches only %3 mm; move the part or change its "
+                      "path")
+                      .arg(number(demand.reach), tank.name, number(tank.reach->value()));
+    }
+    if (exceeds(demand.speed, tank.speed)) {
+        faults << Text::tr("The part moves at up to %1 mm/s, but the machine of the tank “%2” "
+                           "reaches only %3 mm/s; reduce the speed of the dip")
+                      .arg(number(demand.speed), tank.name, number(tank.speed->value()));
+    }
+    if (exceeds(demand.turnSpeed, tank.turnSpeed)) {
+        faults << Text::tr(
+                      "The part turns at up to %1 °/s, but the machine of the tank “%2” reaches "
+                      "only %3 °/s; reduce the speed of the dip")
+                      .arg(number(demand.turnSpeed), tank.name, number(tank.turnSpeed->value()));
+    }
+    return faults;
+}
+
+} // namespace dipwright

@@ -1,0 +1,93 @@
+// Tests the limits of a tank and its machine.
+#include "pipeline/TankFit.h"
+
+#include "geometry/Shapes.h"
+#include "model/TexturedMesh.h"
+#include "project/Project.h"
+
+#include <QTest>
+
+using namespace dipwright;
+
+namespace {
+
+// A box of 40 × 20 × 30 mm over a large film, in a tank without limits.
+Project boxInTank() {
+    Project project;
+    auto model = std::make_shared<TexturedMesh>();
+    model->mesh = boxMesh({40, 20, 30});
+    project.model = model;
+    project.immersions.resize(1);
+    project.process.depth = Millimetres(20);
+    project.process.dipSpeed = MillimetresPerSecond(5);
+    TankProfile tank;
+    tank.name = QStringLiteral("Bath");
+    tank.width = Millimetres(400);
+    tank.length = Millimetres(600);
+    project.profiles.tank = tank;
+    return project;
+}
+
+QString faults(const Project& project) {
+    return tankFaults(project, project.immersions.front()).join(u'\n');
+}
+
+} // namespace
+
+class TankFitTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void tankFaults_withoutLimits_areNone() {
+        Project project = boxInTank();
+        QCOMPARE(faults(project), QString());
+        project.profiles.tank->width = Millimetres(30);
+        QVERIFY(faults(project).contains(QStringLiteral("past the edge of the tank “Bath”")));
+        project.profiles.tank.reset();
+        QCOMPARE(faults(project), QString());
+    }
+
+    void tankFaults_straightDip_comparesDepthReachAndSpeed() {
+        Project project = boxInTank();
+        TankProfile& tank = *project.profiles.tank;
+        project.immersions.front().offset = {Millimetres(30), Millimetres(-40)};
+        tank.waterDepth = Millimetres(20);
+        tank.reach = Millimetres(50);
+        tank.speed = MillimetresPerSecond(5);
+        QCOMPARE(faults(project), QString());
+        tank.waterDepth = Millimetres(19);
+        QVERIFY(faults(project).contains(QStringLiteral("goes 20.0 mm under water")));
+        tank.waterDepth.reset();
+        tank.reach = Millimetres(49);
+        QVERIFY(faults(project).contains(QStringLiteral("moves 50.0 mm sideways")));
+        tank.reach.reset();
+        tank.speed = MillimetresPerSecond(4);
+        QVERIFY(faults(project).contains(QStringLiteral("moves at up to 5.0 mm/s")));
+    }
+
+    // A box that turns by 90° about the vertical, in 20.5 mm of its way down at 5 mm/s.
+    void tankFaults_turningPart_comparesTheTurn() {
+        Project project = boxInTank();
+        project.immersions.front().path.turn = Degrees(90);
+        project.profiles.tank->turnSpeed = DegreesPerSecond(22.5);
+        QCOMPARE(faults(project), QString());
+        project.profiles.tank->turnSpeed = DegreesPerSecond(20);
+        QVERIFY2(faults(project).contains(QStringLiteral("turns at up to 2")),
+                 qPrintable(faults(project)));
+    }
+
+    // From 0.5 mm above the water to a depth of 20 mm, at 45°.
+    void tankFaults_slantedDip_comparesTheSidewaysTravel() {
+        Project project = boxInTank();
+        project.immersions.front().path.kind = PathKind::Slanted;
+        project.immersions.front().path.angle = Degrees(45);
+        project.profiles.tank->reach = Millimetres(19);
+        QVERIFY2(faults(project).contains(QStringLiteral("moves 20.5 mm sideways")),
+                 qPrintable(faults(project)));
+        project.profiles.tank->reach = Millimetres(21);
+        QCOMPARE(faults(project), QString());
+    }
+};
+
+QTEST_GUILESS_MAIN(TankFitTest)
+#include "TankFitTest.moc"
