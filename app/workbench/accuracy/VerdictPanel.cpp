@@ -6,7 +6,6 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QRegularExpression>
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -43,11 +42,9 @@ QString colourOf(Advice advice) {
     return QStringLiteral("#808080");
 }
 
-// Keeps each number and its unit on one line.
-QString paragraph(QString text) {
-    static const QRegularExpression betweenNumberAndUnit(QStringLiteral("(?<=\\d) (?=[%mi])"));
-    text.replace(betweenNumberAndUnit, QString(QChar::Nbsp));
-    return QStringLiteral("<p style='margin:4px 0'>%1</p>").arg(text.toHtmlEscaped());
+QString paragraph(const QString& text) {
+    return QStringLiteral("<p style='margin:4px 0'>%1</p>")
+        .arg(withUnitsKept(text).toHtmlEscaped());
 }
 
 QString placeHtml(const PlaceToCheck& place, std::size_t number, LengthUnit unit) {

@@ -5,6 +5,7 @@
 #include "pipeline/DipCache.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/WriteResults.h"
+#include "project/Profiles.h"
 #include "project/ProjectStore.h"
 #include "workbench/jobs/Messages.h"
 
@@ -46,13 +47,16 @@ private:
 QString outcomeOf(const JobResult& result) {
     const QString painted =
         JobQueue::tr("Coverage %1 %").arg(QLocale().toString(100 * result.coverageTotal, 'f', 1));
-    QStringList words{adviceText(adviceOf(result)), painted};
+    QStringList sentences{adviceText(adviceOf(result)) + u'.', painted + u'.'};
     for (const JobReason& reason : reasonsOf(result)) {
         if (reason.reason.advice > Advice::Print) {
-            words << reasonText(reason, result, millimetres);
+            sentences << reasonText(reason, result, millimetres);
         }
     }
-    return words.join(QStringLiteral(". "));
+    if (const QString expiry = expiryWarning(result.project.profiles.film); !expiry.isEmpty()) {
+        sentences << expiry;
+    }
+    return sentences.join(u'\n');
 }
 
 } // namespace
