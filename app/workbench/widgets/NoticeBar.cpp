@@ -13,7 +13,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr int mostHeight = 150; // of the text, pixels; longer text scrolls
+constexpr int mostHeight = 180; // of the text, pixels; longer text scrolls
 
 } // namespace
 
