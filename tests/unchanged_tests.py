@@ -19,6 +19,8 @@ import sys
 
 BUILD = pathlib.Path("build/release")
 KEPT = BUILD / "Testing/passed.json"
+# Text that may contain a file name, in 8 or in 16 bits a letter.
+TEXTS = re.compile(rb"[\w.+/-]{4,}"), re.compile(rb"(?:[\w.+/-]\0){4,}")
 SOURCES = re.compile(r"\.(cpp|h|cu|cuh|cmake|ts)$|(^|/)CMakeLists\.txt$")
 
 
@@ -72,9 +74,9 @@ def started_programs():
 
 
 def named_in(program, names):
-    """Text in programs is in 8 or in 16 bits a letter."""
-    return [name for name in names
-            if name.encode() in program or name.encode("utf-16-le") in program]
+    words = {word for pattern in TEXTS for text in pattern.findall(program)
+             for word in text.replace(b"\0", b"").split(b"/")}
+    return [name for name in names if name.encode() in words]
 
 
 def keys():

@@ -105,32 +105,32 @@
         <translation>Das Teil kann höchstens um 85° gekippt eintauchen</translation>
     </message>
     <message>
-        <source>slanted by %1° towards %2°</source>
-        <translation>schräg mit %1° in Richtung %2°</translation>
-    </message>
-    <message>
-        <source>tilted by %1° towards %2°</source>
-        <translation>um %1° in Richtung %2° gekippt</translation>
-    </message>
-    <message>
-        <source>rolled by %1° towards %2°</source>
-        <translation>um %1° in Richtung %2° gerollt</translation>
-    </message>
-    <message>
-        <source>turned by %1° while it sinks</source>
-        <translation>beim Absenken um %1° gedreht</translation>
-    </message>
-    <message>
-        <source>water at %1 mm/s towards %2°</source>
-        <translation>Wasser mit %1 mm/s in Richtung %2°</translation>
-    </message>
-    <message>
         <source>slow at the beginning and the end</source>
         <translation>am Anfang und am Ende langsam</translation>
     </message>
     <message>
         <source>On its path the part travels more than %1 m; choose a smaller angle or water speed, or a faster dip</source>
         <translation>Auf seinem Weg fährt das Teil mehr als %1 m; wählen Sie einen kleineren Winkel, eine kleinere Fließgeschwindigkeit oder einen schnelleren Tauchvorgang</translation>
+    </message>
+    <message>
+        <source>slanted by %1°, heading %2°</source>
+        <translation>schräg mit %1°, Richtung %2°</translation>
+    </message>
+    <message>
+        <source>tilted by %1°, heading %2°</source>
+        <translation>um %1° gekippt, Richtung %2°</translation>
+    </message>
+    <message>
+        <source>rolled by %1°, heading %2°</source>
+        <translation>um %1° gerollt, Richtung %2°</translation>
+    </message>
+    <message>
+        <source>turned by %1° on the way down</source>
+        <translation>beim Absenken um %1° gedreht</translation>
+    </message>
+    <message>
+        <source>water at %1 mm/s, heading %2°</source>
+        <translation>Wasser mit %1 mm/s, Richtung %2°</translation>
     </message>
 </context>
 <context>
@@ -324,12 +324,12 @@
         <translation>%1 der bemalten Fläche (%2 %) sind von Film bemalt, der riss, sich löste oder nicht konvergierte. %3.</translation>
     </message>
     <message>
-        <source>This solver knows only straight dips; choose another solver, or a straight path</source>
-        <translation>Dieser Solver kann nur gerade Tauchvorgänge berechnen; wählen Sie einen anderen Solver oder einen geraden Weg</translation>
+        <source>This solver allows only straight dips; choose another solver, or a straight path</source>
+        <translation>Dieser Solver erlaubt nur gerade Tauchvorgänge; wählen Sie einen anderen Solver oder einen geraden Weg</translation>
     </message>
     <message>
-        <source>The film model of the paper knows only straight dips; choose the production film, or a straight path</source>
-        <translation>Das Filmmodell der Veröffentlichung kennt nur gerade Tauchvorgänge; wählen Sie den Produktionsfilm oder einen geraden Weg</translation>
+        <source>The film model of the paper allows only straight dips; choose the production film, or a straight path</source>
+        <translation>Das Filmmodell der Veröffentlichung erlaubt nur gerade Tauchvorgänge; wählen Sie den Produktionsfilm oder einen geraden Weg</translation>
     </message>
 </context>
 <context>
@@ -1032,10 +1032,6 @@
         <translation>Prüfung der Physik</translation>
     </message>
     <message>
-        <source>Sphere to 80°</source>
-        <translation>Kugel bis 80°</translation>
-    </message>
-    <message>
         <source>Flat spheroid 1 : 0.6</source>
         <translation>Flaches Sphäroid 1 : 0,6</translation>
     </message>
@@ -1058,14 +1054,6 @@
     <message>
         <source>Flat face, 60 × 40 mm</source>
         <translation>Ebene Fläche, 60 × 40 mm</translation>
-    </message>
-    <message>
-        <source>Inner side of a torus, to 80° from its lowest circle</source>
-        <translation>Innenseite eines Torus, bis 80° von seinem tiefsten Kreis</translation>
-    </message>
-    <message>
-        <source>Lying cylinder to 80°</source>
-        <translation>Liegender Zylinder bis 80°</translation>
     </message>
     <message>
         <source>Ellipsoid turned by 45°</source>
@@ -1098,6 +1086,18 @@
     <message>
         <source>axes − diagonals</source>
         <translation>Achsen − Diagonalen</translation>
+    </message>
+    <message>
+        <source>Inner side of a torus, up to 80° from its lowest circle</source>
+        <translation>Innenseite eines Torus, bis 80° von seinem tiefsten Kreis</translation>
+    </message>
+    <message>
+        <source>Sphere, up to 80° from its lowest point</source>
+        <translation>Kugel, bis 80° von ihrem tiefsten Punkt</translation>
+    </message>
+    <message>
+        <source>Horizontal cylinder, up to 80° from its lowest line</source>
+        <translation>Liegender Zylinder, bis 80° von seiner tiefsten Linie</translation>
     </message>
 </context>
 <context>
@@ -1287,8 +1287,8 @@
         <translation>%1: Der Tauchvorgang konnte nicht mit kleineren Zellen wiederholt werden: %2</translation>
     </message>
     <message>
-        <source>The film model of the paper knows only straight dips; choose the production film, or a straight path</source>
-        <translation>Das Filmmodell der Veröffentlichung kennt nur gerade Tauchvorgänge; wählen Sie den Produktionsfilm oder einen geraden Weg</translation>
+        <source>The film model of the paper allows only straight dips; choose the production film, or a straight path</source>
+        <translation>Das Filmmodell der Veröffentlichung erlaubt nur gerade Tauchvorgänge; wählen Sie den Produktionsfilm oder einen geraden Weg</translation>
     </message>
 </context>
 <context>
@@ -2937,16 +2937,8 @@
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>Slanted: the angle between the way and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
-        <translation>Schräg: der Winkel zwischen Weg und Wasser. Kippen: wie weit das Teil am Anfang gekippt ist. Rollen: der Winkel, um den es rollt.</translation>
-    </message>
-    <message>
         <source>Heading</source>
         <translation>Richtung</translation>
-    </message>
-    <message>
-        <source>The direction over the water in which the part travels or rolls, or of the side that enters first: 0° to the right (X), 90° down the sheet (Z). Also the direction in which the water flows.</source>
-        <translation>Die Richtung über dem Wasser, in die das Teil fährt oder rollt, oder die der Seite, die zuerst eintaucht: 0° nach rechts (X), 90° zum unteren Rand des Blatts (Z). Auch die Richtung, in die das Wasser fließt.</translation>
     </message>
     <message>
         <source>Level at</source>
@@ -2997,20 +2989,36 @@
         <translation>Geschwindigkeit beim ersten Kontakt mit dem Wasser und am Ende des Tauchvorgangs.</translation>
     </message>
     <message>
-        <source>Gauss–Seidel</source>
-        <translation>Gauß–Seidel</translation>
+        <source>Slanted: the angle between the path and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
+        <translation>Schräg: der Winkel zwischen Weg und Wasser. Kippen: wie weit das Teil am Anfang gekippt ist. Rollen: der Winkel, um den es rollt.</translation>
     </message>
     <message>
-        <source>Same as the dip</source>
-        <translation>Wie beim Tauchen</translation>
+        <source>The direction on the water in which the part travels or rolls, or the side that enters first. 0°: to the right (X), 90°: down the sheet (Z). The water flows in this direction, too.</source>
+        <translation>Die Richtung auf dem Wasser, in die das Teil fährt oder rollt, oder die Seite, die zuerst eintaucht. 0°: nach rechts (X), 90°: zum unteren Rand des Blatts (Z). Auch das Wasser fließt in diese Richtung.</translation>
     </message>
     <message>
         <source>Slow distance</source>
         <translation>Langsame Strecke</translation>
     </message>
     <message>
-        <source>Length of the first and of the last part of the way down. The slow speed applies to both.</source>
-        <translation>Länge des ersten und des letzten Teils des Wegs nach unten. Für beide gilt die langsame Geschwindigkeit.</translation>
+        <source>The slow speed applies to the first and the last part of the way down. This is the length of each part.</source>
+        <translation>Die langsame Geschwindigkeit gilt für das erste und das letzte Stück des Wegs nach unten. Dies ist die Länge jedes dieser Stücke.</translation>
+    </message>
+    <message>
+        <source>Film expired</source>
+        <translation>Film abgelaufen</translation>
+    </message>
+    <message>
+        <source>The verdict for a film whose profile gives an expiry date in the past.</source>
+        <translation>Das Urteil für einen Film, dessen Profil ein vergangenes Ablaufdatum nennt.</translation>
+    </message>
+    <message>
+        <source>Gauss–Seidel</source>
+        <translation>Gauß–Seidel</translation>
+    </message>
+    <message>
+        <source>Same as the dip</source>
+        <translation>Wie beim Tauchen</translation>
     </message>
     <message>
         <source>Rotation of the part about X, then Y, then Z. If the part tilts, rolls or turns on its path: its rotation at the end of the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
@@ -3128,8 +3136,8 @@
         <translation>Der größte Teil des Films bleibt leer. Ein Film im Format %1 (%2 × %3) ist groß genug.</translation>
     </message>
     <message>
-        <source>Film cells over the part</source>
-        <translation>Filmzellen über dem Teil</translation>
+        <source>Smallest film cell</source>
+        <translation>Kleinste Filmzelle</translation>
     </message>
 </context>
 <context>
@@ -3624,8 +3632,8 @@
         <translation>Das Teil am Ende des Tauchvorgangs; seine Drehung um feste Achsen ist dann X %1°, danach Y %2°, danach Z %3°. Gestrichelte blaue Linie: Wasser am Ende.</translation>
     </message>
     <message>
-        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Time, place of the part&apos;s middle (to the right; towards the upper edge; up) from the film&apos;s centre on the water, and turn about these axes from the rotation at the end: %3</source>
-        <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Zeit, Ort der Teilmitte (nach rechts; zum oberen Rand; nach oben) von der Filmmitte auf dem Wasser aus, und Drehung um diese Achsen gegenüber der Drehung am Ende: %3</translation>
+        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water (to the right; towards the upper edge; up), and the turn about these axes relative to the rotation at the end: %3</source>
+        <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Jede Lage nennt die Zeit, den Ort der Teilmitte gegenüber der Filmmitte auf dem Wasser (nach rechts; zum oberen Rand; nach oben) und die Drehung um diese Achsen gegenüber der Drehung am Ende: %3</translation>
     </message>
 </context>
 <context>
@@ -4743,10 +4751,6 @@
         <translation>Der Tauchvorgang kann abgespielt werden, wenn der laufende Auftrag zu Ende ist.</translation>
     </message>
     <message>
-        <source>The saved results contain no recording of the dip. To play the dip, it is simulated again; the results stay the same.</source>
-        <translation>Die gespeicherten Ergebnisse enthalten keine Aufzeichnung des Tauchvorgangs. Um ihn abzuspielen, wird er noch einmal simuliert; die Ergebnisse bleiben gleich.</translation>
-    </message>
-    <message>
         <source>Refining until the sheet can be printed. Cancel keeps this result.</source>
         <translation>Wird verfeinert, bis das Blatt druckbar ist. „Abbrechen“ behält dieses Ergebnis.</translation>
     </message>
@@ -4765,6 +4769,10 @@
     <message>
         <source>run the dip before printing</source>
         <translation>vor dem Drucken den Tauchvorgang starten</translation>
+    </message>
+    <message>
+        <source>The saved results contain no recording of the dip. The dip is simulated again so that you can play it; the results stay the same.</source>
+        <translation>Die gespeicherten Ergebnisse enthalten keine Aufzeichnung des Tauchvorgangs. Er wird noch einmal simuliert, damit Sie ihn abspielen können; die Ergebnisse bleiben gleich.</translation>
     </message>
 </context>
 <context>
@@ -5738,16 +5746,8 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Die Modelldatei kann nicht gelesen werden; prüfen Sie ihre Zugriffsrechte</translation>
     </message>
     <message>
-        <source>The model file is empty; save it anew</source>
-        <translation>Die Modelldatei ist leer; speichern Sie sie neu</translation>
-    </message>
-    <message>
         <source>The texture file cannot be read; check its name and permissions</source>
         <translation>Die Texturdatei kann nicht gelesen werden; prüfen Sie Namen und Zugriffsrechte</translation>
-    </message>
-    <message>
-        <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
-        <translation>%1 Ecken der Dreiecke des Modells sind keine Zahlen (NaN oder unendlich); reparieren Sie das Modell und speichern Sie es neu</translation>
     </message>
     <message>
         <source>None of the model&apos;s triangles has an area; choose another model</source>
@@ -5832,10 +5832,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>The model has no texture coordinates, so no picture can be placed on it; unwrap it in a modelling program first</source>
         <translation>Das Modell hat keine Texturkoordinaten, daher lässt sich kein Bild darauf legen; wickeln Sie es erst in einem Modellierprogramm ab</translation>
-    </message>
-    <message>
-        <source>The model cannot be read: %1; save it anew, or as %2</source>
-        <translation>Das Modell kann nicht gelesen werden: %1; speichern Sie es neu oder als %2</translation>
     </message>
     <message>
         <source>the file cannot be opened</source>
@@ -5970,10 +5966,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>die Datei %1 im Paket hat einen Fehler: %2</translation>
     </message>
     <message>
-        <source>The model lies too far from its origin; move it to the origin and save it anew</source>
-        <translation>Das Modell liegt zu weit von seinem Ursprung; schieben Sie es in den Ursprung und speichern Sie es neu</translation>
-    </message>
-    <message>
         <source>The model&apos;s largest dimension would be %1 mm; set the size that it should have</source>
         <translation>Die größte Abmessung des Modells wäre %1 mm; geben Sie die Größe an, die es haben soll</translation>
     </message>
@@ -5996,6 +5988,22 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>Pieces of the surface flipped because they were inside out: %1</source>
         <translation>Gewendete Stücke der Oberfläche, die von innen nach außen gekehrt waren: %1</translation>
+    </message>
+    <message>
+        <source>The model cannot be read: %1; save it again, or as %2</source>
+        <translation>Das Modell kann nicht gelesen werden: %1; speichern Sie es neu oder als %2</translation>
+    </message>
+    <message>
+        <source>The model file is empty; save it again</source>
+        <translation>Die Modelldatei ist leer; speichern Sie sie neu</translation>
+    </message>
+    <message>
+        <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it again</source>
+        <translation>%1 Ecken der Dreiecke des Modells sind keine Zahlen (NaN oder unendlich); reparieren Sie das Modell und speichern Sie es neu</translation>
+    </message>
+    <message>
+        <source>The model lies too far from its origin; move it to the origin and save it again</source>
+        <translation>Das Modell liegt zu weit von seinem Ursprung; schieben Sie es in den Ursprung und speichern Sie es neu</translation>
     </message>
 </context>
 <context>
@@ -6856,10 +6864,6 @@ zuerst eintaucht</translation>
         <translation>Alle Stellen von Foto %1 liegen in einer Ebene, und das bestimmt die Entfernung der Kamera nicht; geben Sie einige Stellen auf anderen Flächen an</translation>
     </message>
     <message>
-        <source>Photo %1 shows its places mirrored; use the photo without flipping it, and give the places in the model&apos;s own coordinates</source>
-        <translation>Foto %1 zeigt seine Stellen gespiegelt; spiegeln Sie das Foto nicht, und geben Sie die Stellen in den Koordinaten des Modells an</translation>
-    </message>
-    <message>
         <source>The pairs do not determine the camera; give more pairs, farther apart</source>
         <translation>Die Paare bestimmen die Kamera nicht; geben Sie mehr Paare an, weiter auseinander</translation>
     </message>
@@ -6902,6 +6906,10 @@ zuerst eintaucht</translation>
     <message>
         <source>Rings: expected places · lines: deviations of the seen places, enlarged %1 times</source>
         <translation>Ringe: erwartete Stellen · Linien: Abweichungen der gesehenen Stellen, %1-fach vergrößert</translation>
+    </message>
+    <message>
+        <source>The places marked in photo %1 are a mirror image of the places on the model; use the photo unflipped, and give the places in the model&apos;s own coordinates</source>
+        <translation>Die im Foto %1 markierten Stellen sind ein Spiegelbild der Stellen auf dem Modell; verwenden Sie das Foto ungespiegelt, und geben Sie die Stellen in den Koordinaten des Modells an</translation>
     </message>
 </context>
 <context>
@@ -8468,10 +8476,6 @@ Ergebnisse: %2</translation>
 <context>
     <name>dipwright::ReaderProcess</name>
     <message>
-        <source>The program that reads models and pictures is missing; install Dipwright anew</source>
-        <translation>Das Programm, das Modelle und Bilder liest, fehlt; installieren Sie Dipwright neu</translation>
-    </message>
-    <message>
         <source>The program that reads models and pictures cannot be started: %1</source>
         <translation>Das Programm, das Modelle und Bilder liest, kann nicht gestartet werden: %1</translation>
     </message>
@@ -8481,11 +8485,15 @@ Ergebnisse: %2</translation>
         <translation>de</translation>
     </message>
     <message>
-        <source>The file was not read, because the file reader returned invalid data for it; save it anew</source>
+        <source>The program that reads models and pictures is missing; reinstall Dipwright</source>
+        <translation>Das Programm, das Modelle und Bilder liest, fehlt; installieren Sie Dipwright neu</translation>
+    </message>
+    <message>
+        <source>The file was not read, because the file reader returned invalid data for it; save it again</source>
         <translation>Die Datei wurde nicht gelesen, weil das Leseprogramm für sie ungültige Daten zurückgab; speichern Sie sie neu</translation>
     </message>
     <message>
-        <source>The file was not read, because it made the file reader crash; save it anew (a model as %1, a picture as PNG)</source>
+        <source>The file was not read, because it made the file reader crash; save it again (a model as %1, a picture as PNG)</source>
         <translation>Die Datei wurde nicht gelesen, weil sie das Leseprogramm zum Absturz brachte; speichern Sie sie neu (ein Modell als %1, ein Bild als PNG)</translation>
     </message>
 </context>
@@ -8945,8 +8953,8 @@ mm je mm</translation>
         <translation>Gekippte Eintritte probieren</translation>
     </message>
     <message>
-        <source>Also tries the best poses entered tilted and levelled while they sink, so that air escapes and the film reaches further. Takes about twice as long.</source>
-        <translation>Probiert die besten Lagen auch gekippt eingetaucht und beim Absenken waagerecht gestellt, damit Luft entweicht und der Film weiter reicht. Dauert etwa doppelt so lang.</translation>
+        <source>Also tries tilted entries of the best poses: the part enters the water tilted and is levelled on the way down. So air can escape, and the film reaches further. Takes about twice as long.</source>
+        <translation>Probiert auch gekippte Eintritte der besten Lagen: Das Teil taucht gekippt ein und wird beim Absenken waagerecht gestellt. So kann Luft entweichen, und der Film reicht weiter. Dauert etwa doppelt so lang.</translation>
     </message>
 </context>
 <context>
@@ -10186,10 +10194,6 @@ mm je mm</translation>
         <translation>&amp;Zonen auf dem Teil</translation>
     </message>
     <message>
-        <source>Show the zones of the part and, after Dip ▸ Tolerances, where they keep their limits</source>
-        <translation>Die Zonen des Teils zeigen und, nach Tauchen ▸ Toleranzen, wo sie ihre Grenzen einhalten</translation>
-    </message>
-    <message>
         <source>Film on the part o&amp;nly</source>
         <translation>&amp;Nur Film auf dem Teil</translation>
     </message>
@@ -10308,6 +10312,10 @@ mm je mm</translation>
     <message>
         <source>Open the user guide at the section about the selected field</source>
         <translation>Das Handbuch an der Stelle zum gewählten Feld öffnen</translation>
+    </message>
+    <message>
+        <source>Show the zones of the part. After Dip ▸ Tolerances, also show where the zones stay within their limits</source>
+        <translation>Die Zonen des Teils zeigen. Nach Tauchen ▸ Toleranzen auch zeigen, wo die Zonen innerhalb ihrer Grenzen bleiben</translation>
     </message>
 </context>
 <context>

@@ -105,32 +105,32 @@
         <translation>A peça pode entrar inclinada em 85° no máximo</translation>
     </message>
     <message>
-        <source>slanted by %1° towards %2°</source>
-        <translation>inclinada a %1° na direção de %2°</translation>
-    </message>
-    <message>
-        <source>tilted by %1° towards %2°</source>
-        <translation>tombada em %1° na direção de %2°</translation>
-    </message>
-    <message>
-        <source>rolled by %1° towards %2°</source>
-        <translation>rolada em %1° na direção de %2°</translation>
-    </message>
-    <message>
-        <source>turned by %1° while it sinks</source>
-        <translation>girada em %1° enquanto desce</translation>
-    </message>
-    <message>
-        <source>water at %1 mm/s towards %2°</source>
-        <translation>água a %1 mm/s na direção de %2°</translation>
-    </message>
-    <message>
         <source>slow at the beginning and the end</source>
         <translation>lenta no início e no fim</translation>
     </message>
     <message>
         <source>On its path the part travels more than %1 m; choose a smaller angle or water speed, or a faster dip</source>
         <translation>No percurso a peça avança mais de %1 m; escolha um ângulo ou uma velocidade da água menor, ou uma imersão mais rápida</translation>
+    </message>
+    <message>
+        <source>slanted by %1°, heading %2°</source>
+        <translation>inclinada a %1°, direção %2°</translation>
+    </message>
+    <message>
+        <source>tilted by %1°, heading %2°</source>
+        <translation>tombada em %1°, direção %2°</translation>
+    </message>
+    <message>
+        <source>rolled by %1°, heading %2°</source>
+        <translation>rolada em %1°, direção %2°</translation>
+    </message>
+    <message>
+        <source>turned by %1° on the way down</source>
+        <translation>girada em %1° durante a descida</translation>
+    </message>
+    <message>
+        <source>water at %1 mm/s, heading %2°</source>
+        <translation>água a %1 mm/s, direção %2°</translation>
     </message>
 </context>
 <context>
@@ -324,12 +324,12 @@
         <translation>%1 da área pintada (%2 %) foram pintados por película que rasgou, se soltou ou não convergiu. %3.</translation>
     </message>
     <message>
-        <source>This solver knows only straight dips; choose another solver, or a straight path</source>
-        <translation>Este solucionador só calcula imersões retas; escolha outro solucionador ou um percurso reto</translation>
+        <source>This solver allows only straight dips; choose another solver, or a straight path</source>
+        <translation>Este solucionador só permite imersões retas; escolha outro solucionador ou um percurso reto</translation>
     </message>
     <message>
-        <source>The film model of the paper knows only straight dips; choose the production film, or a straight path</source>
-        <translation>O modelo de película do artigo só conhece imersões retas; escolha a película de produção ou um percurso reto</translation>
+        <source>The film model of the paper allows only straight dips; choose the production film, or a straight path</source>
+        <translation>O modelo de película do artigo só permite imersões retas; escolha a película de produção ou um percurso reto</translation>
     </message>
 </context>
 <context>
@@ -1032,10 +1032,6 @@
         <translation>validação da física</translation>
     </message>
     <message>
-        <source>Sphere to 80°</source>
-        <translation>Esfera até 80°</translation>
-    </message>
-    <message>
         <source>Flat spheroid 1 : 0.6</source>
         <translation>Esferoide achatado 1 : 0,6</translation>
     </message>
@@ -1058,14 +1054,6 @@
     <message>
         <source>Flat face, 60 × 40 mm</source>
         <translation>Face plana, 60 × 40 mm</translation>
-    </message>
-    <message>
-        <source>Inner side of a torus, to 80° from its lowest circle</source>
-        <translation>Lado interno de um toro, até 80° do seu círculo mais baixo</translation>
-    </message>
-    <message>
-        <source>Lying cylinder to 80°</source>
-        <translation>Cilindro deitado até 80°</translation>
     </message>
     <message>
         <source>Ellipsoid turned by 45°</source>
@@ -1098,6 +1086,18 @@
     <message>
         <source>axes − diagonals</source>
         <translation>eixos − diagonais</translation>
+    </message>
+    <message>
+        <source>Inner side of a torus, up to 80° from its lowest circle</source>
+        <translation>Lado interno de um toro, até 80° do seu círculo mais baixo</translation>
+    </message>
+    <message>
+        <source>Sphere, up to 80° from its lowest point</source>
+        <translation>Esfera, até 80° do seu ponto mais baixo</translation>
+    </message>
+    <message>
+        <source>Horizontal cylinder, up to 80° from its lowest line</source>
+        <translation>Cilindro horizontal, até 80° da sua linha mais baixa</translation>
     </message>
 </context>
 <context>
@@ -1287,8 +1287,8 @@
         <translation>%1: a imersão não pôde ser repetida com células menores: %2</translation>
     </message>
     <message>
-        <source>The film model of the paper knows only straight dips; choose the production film, or a straight path</source>
-        <translation>O modelo de película do artigo só conhece imersões retas; escolha a película de produção ou um percurso reto</translation>
+        <source>The film model of the paper allows only straight dips; choose the production film, or a straight path</source>
+        <translation>O modelo de película do artigo só permite imersões retas; escolha a película de produção ou um percurso reto</translation>
     </message>
 </context>
 <context>
@@ -2937,16 +2937,8 @@
         <translation>Ângulo</translation>
     </message>
     <message>
-        <source>Slanted: the angle between the way and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
-        <translation>Inclinado: o ângulo entre o percurso e a água. Tombar: quanto a peça está tombada no início. Rolar: o ângulo que ela rola.</translation>
-    </message>
-    <message>
         <source>Heading</source>
         <translation>Direção</translation>
-    </message>
-    <message>
-        <source>The direction over the water in which the part travels or rolls, or of the side that enters first: 0° to the right (X), 90° down the sheet (Z). Also the direction in which the water flows.</source>
-        <translation>A direção sobre a água em que a peça avança ou rola, ou a do lado que entra primeiro: 0° para a direita (X), 90° para a borda inferior da folha (Z). Também a direção em que a água corre.</translation>
     </message>
     <message>
         <source>Level at</source>
@@ -2997,20 +2989,36 @@
         <translation>Velocidade no primeiro contato com a água e no fim da imersão.</translation>
     </message>
     <message>
+        <source>Slanted: the angle between the path and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
+        <translation>Inclinado: o ângulo entre o percurso e a água. Tombar: quanto a peça está tombada no início. Rolar: o ângulo que ela rola.</translation>
+    </message>
+    <message>
+        <source>The direction on the water in which the part travels or rolls, or the side that enters first. 0°: to the right (X), 90°: down the sheet (Z). The water flows in this direction, too.</source>
+        <translation>A direção na água em que a peça avança ou rola, ou o lado que entra primeiro. 0°: para a direita (X), 90°: para a borda inferior da folha (Z). A água também corre nessa direção.</translation>
+    </message>
+    <message>
+        <source>Slow distance</source>
+        <translation>Distância lenta</translation>
+    </message>
+    <message>
+        <source>The slow speed applies to the first and the last part of the way down. This is the length of each part.</source>
+        <translation>A velocidade lenta vale no primeiro e no último trecho da descida. Este é o comprimento de cada trecho.</translation>
+    </message>
+    <message>
+        <source>Film expired</source>
+        <translation>Película vencida</translation>
+    </message>
+    <message>
+        <source>The verdict for a film whose profile gives an expiry date in the past.</source>
+        <translation>O veredito para uma película cujo perfil indica uma data de validade já passada.</translation>
+    </message>
+    <message>
         <source>Gauss–Seidel</source>
         <translation>Gauss–Seidel</translation>
     </message>
     <message>
         <source>Same as the dip</source>
         <translation>Igual à da imersão</translation>
-    </message>
-    <message>
-        <source>Slow distance</source>
-        <translation>Trecho lento</translation>
-    </message>
-    <message>
-        <source>Length of the first and of the last part of the way down. The slow speed applies to both.</source>
-        <translation>Comprimento da primeira e da última parte da descida. A velocidade lenta vale nas duas.</translation>
     </message>
     <message>
         <source>Rotation of the part about X, then Y, then Z. If the part tilts, rolls or turns on its path: its rotation at the end of the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
@@ -3128,8 +3136,8 @@
         <translation>A maior parte da película fica vazia. Uma película no formato %1 (%2 × %3) é grande o bastante.</translation>
     </message>
     <message>
-        <source>Film cells over the part</source>
-        <translation>Células da película sobre a peça</translation>
+        <source>Smallest film cell</source>
+        <translation>Menor célula da película</translation>
     </message>
 </context>
 <context>
@@ -3624,8 +3632,8 @@
         <translation>A peça no fim da imersão, quando sua rotação em torno de eixos fixos é X %1°, depois Y %2°, depois Z %3°. Linha azul tracejada: água no fim.</translation>
     </message>
     <message>
-        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Time, place of the part&apos;s middle (to the right; towards the upper edge; up) from the film&apos;s centre on the water, and turn about these axes from the rotation at the end: %3</source>
-        <translation>Mergulhe a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Tempo, lugar do meio da peça (para a direita; para a borda superior; para cima) a partir do centro da película na água, e giro em torno desses eixos em relação à rotação no fim: %3</translation>
+        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water (to the right; towards the upper edge; up), and the turn about these axes relative to the rotation at the end: %3</source>
+        <translation>Mergulhe a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Cada pose dá o tempo, a posição do centro da peça em relação ao centro da película na água (para a direita; para a borda superior; para cima) e o giro em torno desses eixos em relação à rotação no fim: %3</translation>
     </message>
 </context>
 <context>
@@ -4743,10 +4751,6 @@
         <translation>A imersão pode ser reproduzida quando o trabalho em andamento terminar.</translation>
     </message>
     <message>
-        <source>The saved results contain no recording of the dip. To play the dip, it is simulated again; the results stay the same.</source>
-        <translation>Os resultados salvos não contêm uma gravação da imersão. Para reproduzi-la, a imersão é simulada de novo; os resultados permanecem iguais.</translation>
-    </message>
-    <message>
         <source>Refining until the sheet can be printed. Cancel keeps this result.</source>
         <translation>Refinando até a folha poder ser impressa. “Cancelar” mantém este resultado.</translation>
     </message>
@@ -4765,6 +4769,10 @@
     <message>
         <source>run the dip before printing</source>
         <translation>execute a imersão antes de imprimir</translation>
+    </message>
+    <message>
+        <source>The saved results contain no recording of the dip. The dip is simulated again so that you can play it; the results stay the same.</source>
+        <translation>Os resultados salvos não contêm uma gravação da imersão. A imersão é simulada de novo para que você possa reproduzi-la; os resultados permanecem iguais.</translation>
     </message>
 </context>
 <context>
@@ -5738,16 +5746,8 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>O arquivo do modelo não pode ser lido; confira as permissões</translation>
     </message>
     <message>
-        <source>The model file is empty; save it anew</source>
-        <translation>O arquivo do modelo está vazio; salve-o de novo</translation>
-    </message>
-    <message>
         <source>The texture file cannot be read; check its name and permissions</source>
         <translation>O arquivo de textura não pode ser lido; confira o nome e as permissões</translation>
-    </message>
-    <message>
-        <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it anew</source>
-        <translation>%1 vértices dos triângulos do modelo não são números (NaN ou infinito); repare o modelo e salve-o de novo</translation>
     </message>
     <message>
         <source>None of the model&apos;s triangles has an area; choose another model</source>
@@ -5832,10 +5832,6 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>The model has no texture coordinates, so no picture can be placed on it; unwrap it in a modelling program first</source>
         <translation>O modelo não tem coordenadas de textura, portanto nenhuma imagem pode ser posta nele; planifique-o antes em um programa de modelagem</translation>
-    </message>
-    <message>
-        <source>The model cannot be read: %1; save it anew, or as %2</source>
-        <translation>O modelo não pode ser lido: %1; salve-o de novo ou como %2</translation>
     </message>
     <message>
         <source>the file cannot be opened</source>
@@ -5970,10 +5966,6 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>o arquivo %1 no pacote tem um erro: %2</translation>
     </message>
     <message>
-        <source>The model lies too far from its origin; move it to the origin and save it anew</source>
-        <translation>O modelo está longe demais da origem; mova-o para a origem e salve-o de novo</translation>
-    </message>
-    <message>
         <source>The model&apos;s largest dimension would be %1 mm; set the size that it should have</source>
         <translation>A maior dimensão do modelo seria de %1 mm; informe o tamanho desejado</translation>
     </message>
@@ -5996,6 +5988,22 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>Pieces of the surface flipped because they were inside out: %1</source>
         <translation>Pedaços da superfície virados porque estavam do avesso: %1</translation>
+    </message>
+    <message>
+        <source>The model cannot be read: %1; save it again, or as %2</source>
+        <translation>O modelo não pode ser lido: %1; salve-o de novo ou como %2</translation>
+    </message>
+    <message>
+        <source>The model file is empty; save it again</source>
+        <translation>O arquivo do modelo está vazio; salve-o de novo</translation>
+    </message>
+    <message>
+        <source>%1 corners of the model&apos;s triangles are not numbers (NaN or infinite); repair the model and save it again</source>
+        <translation>%1 vértices dos triângulos do modelo não são números (NaN ou infinito); repare o modelo e salve-o de novo</translation>
+    </message>
+    <message>
+        <source>The model lies too far from its origin; move it to the origin and save it again</source>
+        <translation>O modelo está longe demais da origem; mova-o para a origem e salve-o de novo</translation>
     </message>
 </context>
 <context>
@@ -6856,10 +6864,6 @@ desce primeiro</translation>
         <translation>Todos os lugares da foto %1 ficam num plano, o que não determina a distância da câmera; dê alguns lugares em outras faces</translation>
     </message>
     <message>
-        <source>Photo %1 shows its places mirrored; use the photo without flipping it, and give the places in the model&apos;s own coordinates</source>
-        <translation>A foto %1 mostra seus lugares espelhados; use a foto sem espelhá-la, e dê os lugares nas coordenadas do próprio modelo</translation>
-    </message>
-    <message>
         <source>The pairs do not determine the camera; give more pairs, farther apart</source>
         <translation>Os pares não determinam a câmera; dê mais pares, mais afastados</translation>
     </message>
@@ -6902,6 +6906,10 @@ desce primeiro</translation>
     <message>
         <source>Rings: expected places · lines: deviations of the seen places, enlarged %1 times</source>
         <translation>Anéis: lugares esperados · linhas: desvios dos lugares vistos, ampliados %1 vezes</translation>
+    </message>
+    <message>
+        <source>The places marked in photo %1 are a mirror image of the places on the model; use the photo unflipped, and give the places in the model&apos;s own coordinates</source>
+        <translation>Os lugares marcados na foto %1 são uma imagem espelhada dos lugares no modelo; use a foto sem espelhá-la e dê os lugares nas coordenadas do próprio modelo</translation>
     </message>
 </context>
 <context>
@@ -8468,10 +8476,6 @@ Resultados: %2</translation>
 <context>
     <name>dipwright::ReaderProcess</name>
     <message>
-        <source>The program that reads models and pictures is missing; install Dipwright anew</source>
-        <translation>O programa que lê modelos e imagens está faltando; reinstale o Dipwright</translation>
-    </message>
-    <message>
         <source>The program that reads models and pictures cannot be started: %1</source>
         <translation>O programa que lê modelos e imagens não pode ser iniciado: %1</translation>
     </message>
@@ -8481,11 +8485,15 @@ Resultados: %2</translation>
         <translation>pt_BR</translation>
     </message>
     <message>
-        <source>The file was not read, because the file reader returned invalid data for it; save it anew</source>
+        <source>The program that reads models and pictures is missing; reinstall Dipwright</source>
+        <translation>O programa que lê modelos e imagens está faltando; reinstale o Dipwright</translation>
+    </message>
+    <message>
+        <source>The file was not read, because the file reader returned invalid data for it; save it again</source>
         <translation>O arquivo não foi lido, porque o leitor devolveu dados inválidos para ele; salve-o de novo</translation>
     </message>
     <message>
-        <source>The file was not read, because it made the file reader crash; save it anew (a model as %1, a picture as PNG)</source>
+        <source>The file was not read, because it made the file reader crash; save it again (a model as %1, a picture as PNG)</source>
         <translation>O arquivo não foi lido, porque fez o leitor falhar; salve-o de novo (um modelo como %1, uma imagem como PNG)</translation>
     </message>
 </context>
@@ -8945,8 +8953,8 @@ mm por mm</translation>
         <translation>Tentar entradas tombadas</translation>
     </message>
     <message>
-        <source>Also tries the best poses entered tilted and levelled while they sink, so that air escapes and the film reaches further. Takes about twice as long.</source>
-        <translation>Tenta as melhores poses também com entrada tombada e nivelamento durante a descida, para que o ar escape e a película alcance mais. Leva cerca do dobro do tempo.</translation>
+        <source>Also tries tilted entries of the best poses: the part enters the water tilted and is levelled on the way down. So air can escape, and the film reaches further. Takes about twice as long.</source>
+        <translation>Tenta também entradas tombadas das melhores poses: a peça entra tombada na água e é nivelada durante a descida. Assim o ar pode escapar, e a película alcança mais. Leva cerca do dobro do tempo.</translation>
     </message>
 </context>
 <context>
@@ -10186,10 +10194,6 @@ mm por mm</translation>
         <translation>&amp;Zonas na peça</translation>
     </message>
     <message>
-        <source>Show the zones of the part and, after Dip ▸ Tolerances, where they keep their limits</source>
-        <translation>Mostra as zonas da peça e, depois de Imersão ▸ Tolerâncias, onde respeitam seus limites</translation>
-    </message>
-    <message>
         <source>Film on the part o&amp;nly</source>
         <translation>&amp;Só a película na peça</translation>
     </message>
@@ -10308,6 +10312,10 @@ mm por mm</translation>
     <message>
         <source>Open the user guide at the section about the selected field</source>
         <translation>Abre o guia no trecho sobre o campo selecionado</translation>
+    </message>
+    <message>
+        <source>Show the zones of the part. After Dip ▸ Tolerances, also show where the zones stay within their limits</source>
+        <translation>Mostra as zonas da peça. Depois de Imersão ▸ Tolerâncias, mostra também onde as zonas ficam dentro dos seus limites</translation>
     </message>
 </context>
 <context>

@@ -217,8 +217,8 @@ public:
         count(seedOption, QStringLiteral("The seed of the random directions, 0 to 1000000."),
               usual.seed);
         syntax.addOption(
-            {pathsOption, QStringLiteral("Also tries the best poses entered tilted and levelled "
-                                         "while they sink.")});
+            {pathsOption, QStringLiteral("Also tries tilted entries of the best poses. The part "
+                                         "is levelled on the way down.")});
         syntax.addOption({weightOption,
                           QStringLiteral("The weight of a measure, or of zone_a, zone_b or zone_c, "
                                          "instead of the project's weight. May be repeated."),

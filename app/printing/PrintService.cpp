@@ -300,7 +300,7 @@ QString cancelAndDescribe(PrintSystem& system, const PrintJob& job) {
     return Text::tr("the job could not be cancelled, so remove it from the printer's queue");
 }
 
-// Returns the final state of a job, or nothing while the job goes on. Throws NotPrinted if it
+// Returns the final state of a job, or nothing while the job continues. Throws NotPrinted if it
 // failed.
 std::optional<JobState> endOf(PrintSystem& system, const PrintJob& job, const JobStatus& status,
                               const std::optional<PrinterInfo>& printer) {

@@ -87,7 +87,7 @@ std::optional<Eigen::Vector2d> LayerPlane::round(const Eigen::Vector3d& place,
     return Eigen::Vector2d(angle / (2 * pi) * lengthOfTurn_, axis_.dot(place));
 }
 
-// Blends the sides of the box that a place faces about equally, so that no line shows between them.
+// If a place faces several sides of the box about equally, blends them, so that no line shows.
 PlanePlaces LayerPlane::boxed(const SurfacePoint& point) const {
     const Eigen::Vector3d place = position(mesh_, point).cast<double>() - place_;
     const Eigen::Vector3d normal = normalAt(normals_, point).cast<double>();

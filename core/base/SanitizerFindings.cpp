@@ -59,8 +59,9 @@ extern "C" {
 int __clone(int (*)(void*), void*, int, void*, ...);
 
 // Replaces the sanitizer's own wrapper of clone(). Qt starts a process by a clone that shares this
-// process's memory until it runs its program. The sanitizer's wrapper treats it as a fork. It would
-// lose track of the calling thread and end the program when the next thread starts.
+// process's memory until the new program runs. The sanitizer's wrapper treats this clone as a fork.
+// The sanitizer would then lose track of the calling thread, and would end the program when the
+// next thread starts.
 __attribute__((visibility("default"))) int clone(int (*function)(void*), void* stack, int flags,
                                                  void* argument, ...) {
     std::va_list more;

@@ -34,9 +34,9 @@ struct AirPocket {
     BoundingBox box;  // bounding box of its grid points, one cell wider on every side
 };
 
-// The air pockets of a body, in the frame of its mesh; +Y is up. Hollows and ways out narrower than
-// a cell are missed. The inside of an open mesh is not a pocket. Levels are accurate to 1/100 of a
-// cell. Immutable; any thread may query it.
+// The air pockets of a body, in the frame of its mesh; +Y is up. Hollows and ways out that are
+// narrower than a cell are missed. The inside of an open mesh is not a pocket. Levels are accurate
+// to 1/100 of a cell. Immutable; any thread may query it.
 class AirPockets {
 public:
     // `query` must search `mesh`. Uses all cores; deterministic.

@@ -8,8 +8,8 @@ namespace dipwright {
 
 namespace {
 
-// Chambers of air, as disjoint sets of grid points that merge while the water sinks. A chamber that
-// has opened is no longer merged, so its set of points stays known.
+// Chambers of air, as disjoint sets of grid points that merge while the water level falls. A
+// chamber that has opened is no longer merged, so its set of points stays known.
 class Chambers {
 public:
     explicit Chambers(std::size_t count) : parent_(count), opensIn_(count, AirSweep::never) {

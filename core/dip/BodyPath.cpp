@@ -23,7 +23,8 @@ struct Text {
 constexpr double turnOfAPose = 5 * pi / 180;
 constexpr double farthestTravel = 10'000; // mm, sideways
 
-// A pose: the body's rotation from its final one, and the place of the pivot from the offset.
+// A pose: the body's rotation relative to its final one, and the pivot's place relative to the
+// offset.
 struct Move {
     double seconds = 0;
     Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
@@ -80,8 +81,8 @@ Eigen::Vector3d directionOf(Degrees heading) {
     return {std::cos(radians(heading)), 0, std::sin(radians(heading))};
 }
 
-// A turn about this axis by a positive angle lowers the side of the heading, as a wheel that rolls
-// there.
+// A turn about this axis by a positive angle lowers the side of the heading, like a wheel that
+// rolls in that direction.
 Eigen::Quaterniond forwards(Degrees heading, double angle) {
     return Eigen::Quaterniond(
         Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY().cross(directionOf(heading))));
@@ -132,7 +133,8 @@ private:
         return isSlow ? path_.slowSpeed->value() : process_.dipSpeed.value();
     }
 
-    // Adds `parts` equal parts of the depths from `first` to `last`, without its end.
+    // Divides the depths from `first` to `last` into `parts` equal parts and adds the beginning of
+    // each.
     static void split(double first, double last, int parts, std::vector<double>& stops) {
         for (int part = 0; part < parts; ++part) {
             stops.push_back(first + (last - first) * part / parts);
@@ -144,7 +146,7 @@ private:
     // a pose.
     template <typename TiltAt, typename Beside>
     void goDown(const TiltAt& tiltAt, const Beside& beside, std::vector<double> stops) {
-        constexpr double close = 1e-6; // mm; of stops that are closer, one is left out
+        constexpr double close = 1e-6; // mm; if two stops are closer, one is left out
         split(-startHeight, depth_, partsOf(radians(path_.turn)), stops);
         if (path_.slowSpeed) {
             stops.push_back(path_.slowWay.value());
@@ -166,7 +168,7 @@ private:
                 forwards(path_.heading, tiltAt(deep)) *
                 Eigen::Quaterniond(
                     Eigen::AngleAxisd(-left * radians(path_.turn), Eigen::Vector3d::UnitY()));
-            // The lowest point sets the speed, though the pivot comes down at another one.
+            // The lowest point moves at the speed of the dip; the pivot's speed may differ.
             const double seconds = (deep - before) / speedAt((deep + before) / 2);
             moves_.push_back(
                 {moves_.empty() ? 0 : moves_.back().seconds + seconds, turn,
@@ -188,8 +190,8 @@ private:
             notBeside, std::move(stops));
     }
 
-    // The lowest point stays at the depth of the dip. The farthest point from the axis sets the
-    // speed.
+    // The lowest point stays at the depth of the dip. The pivot's travel, or the arc of the point
+    // farthest from the axis if that is longer, is covered at the speed of the dip.
     void roll() {
         const double angle = radians(path_.angle);
         const double radius = path_.rollRadius ? path_.rollRadius->value() : shape_.height() / 2;
@@ -237,7 +239,8 @@ void requireTravellable(const DipPath& path, const Immersion& immersion) {
     }
 }
 
-// Returns the poses after which no point of the body has moved farther than the way travelled.
+// Returns the poses of the path. Between two of them, no point of the body moves farther than
+// `travelled` grows.
 std::vector<solver::PathPose> posesOf(const std::vector<Move>& moves, double radius) {
     std::vector<solver::PathPose> poses;
     for (const Move& move : moves) {
@@ -255,7 +258,8 @@ std::vector<solver::PathPose> posesOf(const std::vector<Move>& moves, double rad
     return poses;
 }
 
-// Returns the index of the pose at the end of the part that contains `travelled`, and the share.
+// Returns the index of the pose that ends the part of the path at `travelled`, and the share of
+// this part that has been travelled.
 std::pair<std::size_t, double> partAt(const solver::BodyPath& path, double travelled) {
     const auto after = std::lower_bound(
         path.poses.begin() + 1, path.poses.end() - 1, travelled,
@@ -357,23 +361,23 @@ QString pathText(const DipPath& path) {
     case PathKind::Straight:
         break;
     case PathKind::Slanted:
-        words << Text::tr("slanted by %1° towards %2°")
+        words << Text::tr("slanted by %1°, heading %2°")
                      .arg(degrees(path.angle), degrees(path.heading));
         break;
     case PathKind::Tilt:
-        words << Text::tr("tilted by %1° towards %2°")
+        words << Text::tr("tilted by %1°, heading %2°")
                      .arg(degrees(path.angle), degrees(path.heading));
         break;
     case PathKind::Roll:
-        words << Text::tr("rolled by %1° towards %2°")
+        words << Text::tr("rolled by %1°, heading %2°")
                      .arg(degrees(path.angle), degrees(path.heading));
         break;
     }
     if (path.turn != Degrees(0)) {
-        words << Text::tr("turned by %1° while it sinks").arg(degrees(path.turn));
+        words << Text::tr("turned by %1° on the way down").arg(degrees(path.turn));
     }
     if (path.waterSpeed != MillimetresPerSecond(0)) {
-        words << Text::tr("water at %1 mm/s towards %2°")
+        words << Text::tr("water at %1 mm/s, heading %2°")
                      .arg(locale.toString(path.waterSpeed.value(), 'g', 4), degrees(path.heading));
     }
     if (path.slowSpeed) {

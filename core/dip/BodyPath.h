@@ -1,10 +1,9 @@
-// The poses of a part over the time of a dip, from the path that the user chose
+// Computes the poses of a part over the time of a dip, from the path that the user chose
 // (settings/DipPath.h).
 //
-// A path is given in the pose frame (Pose.h) of the end of the dip, moved over the water: there the
-// part has its final rotation. The pivot lies on the pose frame's vertical axis, at half the part's
-// height.
-// docs/film-model.md, "Paths", derives the poses of each kind.
+// A path is given in the pose frame (Pose.h) at the end of the dip, moved by the offset on the
+// water. In this frame the part has its final rotation. The pivot lies on the pose frame's vertical
+// axis, at half the part's height. docs/film-model.md, "Paths", derives the poses of each kind.
 #pragma once
 
 #include "geometry/TriangleMesh.h"
@@ -20,41 +19,43 @@
 
 namespace dipwright {
 
-// Returns the place of a body on `path`, which has poses: maps its coordinates to the world.
+// Returns the map from the body's coordinates to the world after it has travelled `travelled` mm.
+// `path` must have poses.
 Eigen::Isometry3d placeOnPath(const solver::BodyPath& path, double travelled);
-// Returns the time since the dip began, s.
+// Returns the time since the dip began, s. `path` must have poses.
 double secondsOnPath(const solver::BodyPath& path, double travelled);
-// Returns the first way along the path, mm, at which the place `at` of the body is under water;
-// nothing if it stays above.
+// Returns the distance, mm, that the body has travelled when the place `at` of the body first goes
+// under water; nothing if it stays above.
 std::optional<double> firstUnderWater(const solver::BodyPath& path, const Eigen::Vector3d& at);
 
 // Returns the path of a body in the coordinates of its pose frame, without the offset on the water;
 // without poses if the part goes straight down. `posed` is the body in its pose frame. Throws Error
-// if the path has a part that cannot be travelled.
+// if the path cannot be travelled.
 solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
                           const ProcessSettings& process);
 // Returns the same path for a body in model coordinates, at an offset on the water.
 solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& modelToPose,
                              const Immersion& immersion);
 
-// Which part of a body throws a shadow.
+// The part of a body whose shadow is computed.
 enum class ShadowOf : std::uint8_t { Whole, UnderWater };
 // Returns the bounding box, in x and z from the offset, of the body on its path, or of the places
 // at which it is under water. `posed` is the body in its pose frame.
 Eigen::AlignedBox2d shadowOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
                                  ShadowOf part);
 
-// Returns the direction of the vertical, in the body's frame, when a place first goes under water;
-// of the end, if it never does. Straight down: +Y.
+// Returns the direction of the vertical, in the body's frame, when a place first goes under water.
+// If it never does, returns the direction at the end of the dip. Straight down: +Y.
 Eigen::Vector3d upAtWater(const solver::BodyPath& path, const Eigen::Vector3d& at);
-// Whether the vertical changes in the frame of the pose, by more than about 1°.
+// Whether the direction of the vertical in the body's frame changes by more than about 1° on the
+// path.
 bool isTilting(const solver::BodyPath& path);
 
-// Returns a few words on a path for the user, "tilted by 20° towards 45°"; empty if the part goes
+// Returns a few words on a path for the user, "tilted by 20°, heading 45°"; empty if the part goes
 // straight down.
 QString pathText(const DipPath& path);
 
-// A moment on a path for which the body's rotation is looked at.
+// A moment on a path at which the body's rotation is examined.
 struct PathMoment {
     double travelled = 0;
     Eigen::Isometry3d poseToWorld;

@@ -77,10 +77,11 @@ void requireFollowed(const solver::DipSetup& setup, const solver::SolverModule& 
     const bool isProduction =
         solver::isProductionFilm(setup.settings.lattice, setup.settings.support);
     if (!setup.path.isStraightDown() && !(isProduction && module.followsPaths())) {
-        throw Error(isProduction ? Text::tr("This solver knows only straight dips; choose another "
-                                            "solver, or a straight path")
-                                 : Text::tr("The film model of the paper knows only straight dips; "
-                                            "choose the production film, or a straight path"),
+        throw Error(isProduction
+                        ? Text::tr("This solver allows only straight dips; choose another "
+                                   "solver, or a straight path")
+                        : Text::tr("The film model of the paper allows only straight dips; "
+                                   "choose the production film, or a straight path"),
                     QStringLiteral("immersions.path"));
     }
 }

@@ -61,9 +61,9 @@ public:
     }
 
 private:
-    // Lowers the distances outside the filled body so that none exceeds the way to a pocket along
-    // the grid's axes. Pockets of a body that tilts have no flat level, from which the distance to
-    // them would be known.
+    // Lowers the distances outside the filled body so that none exceeds the distance to a pocket
+    // along the grid's axes. The pockets of a body that tilts have no flat level, which would give
+    // the distance to them.
     void bringNearer() {
         const int width = own_.size[0], height = own_.size[1], depth = own_.size[2];
         const auto lower = [&](int i, int j, int k, std::ptrdiff_t towards) {

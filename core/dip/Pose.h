@@ -53,12 +53,12 @@ inline constexpr double startHeight = 0.5;
 // Returns the height of the water above the body's lowest point at the end of the dip, mm. This is
 // the depth that the process sets or, if it sets none, the body's height plus a margin.
 double dipDepth(const ProcessSettings& process, const PosedBody& body);
-// Returns the total travel of the body, mm; on a path, the way along it.
+// Returns the total travel of the body, mm; on a path, the length of the path.
 double dipTravel(const ProcessSettings& process, const PosedBody& body);
 // Returns the translation from the pose frame to the world frame after `descent` mm straight down.
 Eigen::Vector3d poseToWorld(const Immersion& immersion, double descent);
-// Returns the map from the pose frame to the world frame after the body has descended, or travelled
-// along its path, that far. `path` is PosedBody::path.
+// Returns the map from the pose frame to the world frame after the body has descended, or has
+// travelled along its path, by this distance. `path` is PosedBody::path.
 Eigen::Isometry3d poseToWorld(const solver::BodyPath& path, const Immersion& immersion,
                               double travelled);
 

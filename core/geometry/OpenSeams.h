@@ -1,6 +1,6 @@
 // Closes the seams of a mesh that look closed but are open. Files often store the vertices of a
-// texture seam twice, with positions that differ by rounding. Welding by position does not close
-// such a seam.
+// texture seam twice, with positions that differ by rounding errors. Welding by position does not
+// close such a seam.
 #pragma once
 
 #include "geometry/TriangleMesh.h"

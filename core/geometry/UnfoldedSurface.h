@@ -28,7 +28,7 @@ SurfaceFrame uprightFrame(const Eigen::Vector3d& outward);
 class UnfoldedSurface {
 public:
     // Unfolds everything within `radius` (> 0) mm of `middle` along the surface. Unfolding
-    // continues across seams whose sides differ only by rounding. uprightFrame() of the
+    // continues across seams whose sides differ only by rounding errors. uprightFrame() of the
     // middle's triangle gives the plane's right and up.
     UnfoldedSurface(const TriangleMesh& mesh, const SurfacePoint& middle, double radius);
 

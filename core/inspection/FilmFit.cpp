@@ -23,7 +23,8 @@ constexpr int mostRounds = 16;
 constexpr double settledShare =
     0.05;                      // share of its interval that an unknown may move in the last round
 constexpr double worse = 1.02; // factor of residual growth above which a step is halved
-// Before the end, an unknown is left out if its interval is this many times the widest known one.
+// Before the end, an unknown is left out if its interval exceeds this multiple of its
+// widestKnownInterval.
 constexpr double clearlyUnknown = 6;
 
 std::vector<FitUnknown> unknownsOf(const Project& project, const FittedDips& dips,
@@ -205,8 +206,8 @@ private:
         return true;
     }
 
-    // Moves to the solution by at most the largest step. Returns whether an unknown moved
-    // noticeably.
+    // Moves each unknown towards the solution, by at most its largest step. Returns whether an
+    // unknown moved noticeably.
     bool moves() {
         bool isMoved = settled_.size() == 0;
         for (std::size_t i = 0; i < unknowns_.size(); ++i) {

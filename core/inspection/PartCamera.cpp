@@ -107,8 +107,9 @@ PartView firstCamera(const std::vector<PlacePair>& pairs, int photos, QSize pict
         }
         const Start start = pinhole(own);
         if (start.pose.turn.determinant() < 0) {
-            refuse(Text::tr("Photo %1 shows its places mirrored; use the photo without flipping "
-                            "it, and give the places in the model's own coordinates")
+            refuse(Text::tr("The places marked in photo %1 are a mirror image of the places on "
+                            "the model; use the photo unflipped, and give the places in the "
+                            "model's own coordinates")
                        .arg(photo + 1),
                    where);
         }

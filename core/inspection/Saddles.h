@@ -21,8 +21,8 @@ cv::Mat shortened(const cv::Mat& grey, int side);
 // The picture itself, then pictures that each have half the size of the previous one.
 using GreyLevels = std::vector<cv::Mat>;
 GreyLevels levelsOf(const cv::Mat& grey);
-// Returns the grey value at a place, interpolated between the pixels' middles. Places count from
-// the picture's corner; outside, the edge value continues.
+// Returns the grey value at a place, interpolated between the pixels' middles. Places are measured
+// from the picture's corner. Outside the picture, the value at its edge applies.
 double greyAt(const cv::Mat& grey, const Eigen::Vector2d& place);
 
 struct Saddle {

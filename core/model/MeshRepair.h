@@ -35,11 +35,11 @@ std::size_t joinOpenSeams(TriangleMesh& mesh);
 // removes only triangles whose removal leaves the mesh closed.
 std::size_t removeDegenerateTriangles(TexturedMesh& mesh);
 
-// Removes duplicate triangles (with the same three corners) and returns how many. Among duplicates
-// that face both ways, the first that faces the way of the majority stays. If equally many face
-// each way, there are two cases. If all connected triangles are duplicated in this way, they are
-// one surface stored from both sides. Then one triangle of each pair stays. Otherwise they are a
-// wall between two parts, and both stay.
+// Removes duplicate triangles (with the same three corners) and returns how many. If duplicates
+// face both ways, keeps the first one that faces like the majority. If equally many face each way,
+// there are two cases. If all connected triangles are duplicated in this way, they are one surface
+// stored from both sides. Then one triangle of each pair stays. Otherwise they are a wall between
+// two parts, and both stay.
 std::size_t mergeDoubledTriangles(TexturedMesh& mesh);
 
 // Flips triangles until neighbours run along their shared edges in opposite directions. In each

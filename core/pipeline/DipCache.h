@@ -4,7 +4,7 @@
 // The file is a zip with one entry for each dip, the newest last. An entry's name contains a hash
 // of everything that the dip depends on. Dips of earlier states of the project stay until their
 // room is needed. All other results are computed again from the films (docs/files-and-commands.md,
-// "Kept dips").
+// "Cached dips").
 #pragma once
 
 #include "base/Progress.h"

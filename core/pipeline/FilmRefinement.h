@@ -1,20 +1,20 @@
-// Chooses smaller cells for a film whose numerical error is too large to print its sheet.
+// Chooses smaller cells for a film if its numerical error keeps its sheet from being printed.
 //
 // A dip with automatic cells begins with the cells that suit its body. While the numerical error
 // keeps its sheet from being printed, the dip is repeated with smaller cells. It ends when the
 // sheet can be printed, or when the next dip would need more work than the film's settings allow.
 // The work is points × steps, so every computer stops at the same cells. Each choice depends only
-// on the film before, so a job that was stopped goes on where it was.
+// on the previous film, so a job that was stopped can continue from there.
 #pragma once
 
 #include "pipeline/JobResult.h"
 
 namespace dipwright {
 
-// Returns the refinement (FilmSettings::refinement) with which the dip is to be repeated: with
-// finerCell(). None if the sheet can be printed as it is, if smaller cells do not help, if the
-// limits do not allow them, or if a dip with smaller cells failed. `verdict` is the verdict on the
-// dip, or the part of it that is about the numerical error (numericalVerdict()).
+// Returns the refinement (FilmSettings::refinement) with which the dip is to be repeated. It
+// follows from finerCell(). None if the sheet can be printed as it is, if smaller cells do not
+// help, if the limits do not allow them, or if a dip with smaller cells failed. `verdict` is the
+// verdict on the dip, or the part of it that is about the numerical error (numericalVerdict()).
 std::optional<double> nextRefinement(const ImmersionResult& dip, const Verdict& verdict,
                                      const FilmSettings& settings);
 

@@ -11,7 +11,7 @@ namespace dipwright {
 namespace {
 
 constexpr double fieldDone = 0.05;
-constexpr float mostColour = 0.5f; // share from which on a place counts for the dip
+constexpr float mostColour = 0.5f; // least share with which a place counts for the dip
 
 } // namespace
 

@@ -37,7 +37,7 @@ QStringList verdictLines(const JobResult& result, std::size_t number) {
     return lines;
 }
 
-// Returns the path of a dip for a machine in its tank. The machine does not move with the water.
+// Returns the path of a dip in the frame of the machine, which does not move with the water.
 std::vector<MotionPose> machinePath(const ImmersionResult& dip) {
     std::vector<MotionPose> poses;
     const DipPath& path = dip.immersion.path;

@@ -93,6 +93,9 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
     if (!hasMeasuredSwell(project.film, project.profiles)) {
         found.add({Kind::GuessedFilm, project.verdict.guessedFilm});
     }
+    if (const QString expiry = expiryWarning(project.profiles.film); !expiry.isEmpty()) {
+        found.add({Kind::ExpiredFilm, project.verdict.expiredFilm, 0, 0, expiry});
+    }
 }
 
 } // namespace

@@ -320,7 +320,7 @@ ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Ru
 }
 
 // Repeats the dip with smaller cells while that may make its sheet good enough to print. If such a
-// dip fails, keeps the film before it.
+// dip fails, keeps the previous film.
 void refine(ImmersionResult& now, Run& run, std::size_t number, JobResult& job,
             const Dipping& dipping, const Progress& progress) {
     judge(now, run, dipping.comparison);
@@ -648,9 +648,6 @@ void runImmersions(JobResult& result, Run& run, const std::vector<SheetInputs>& 
 
 QStringList notesOf(const JobResult& result) {
     QStringList notes;
-    if (const QString expiry = expiryWarning(result.project.profiles.film); !expiry.isEmpty()) {
-        notes.append(expiry);
-    }
     const PosedBody& body = *result.immersions.front().body;
     if (const QString note = thinPartNote(result.project, body.mesh, body.query); !note.isEmpty()) {
         notes.append(note);

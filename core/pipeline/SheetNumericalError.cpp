@@ -36,7 +36,7 @@ constexpr int mapEdge = 1600; // pixels
 // an immersion. The third film has twice as many points per side and takes most of the time.
 constexpr double fieldDone = 0.02;
 constexpr double jobDone = 0.1; // of all progress, if the job's films may be refined
-// Sizes of the pictures and sheets of this job. Nobody looks at them.
+// Sizes of the pictures and sheets of this job. Nobody sees them, so they are small.
 constexpr double smallestPictures = 0.1;
 constexpr DotsPerInch smallestResolution{50};
 constexpr double ownDone = 0.1;

@@ -5,8 +5,8 @@
 
 namespace dipwright {
 
-// Width of the rim that is kept on each side of the film that paints. It leaves room for film that
-// is drawn in and for handling. Assumed, not measured.
+// Width of the rim that is kept round the film that paints. It leaves room for handling, and for
+// film that is pulled inwards. Assumed, not measured.
 inline constexpr Millimetres freeRim{20};
 // A format is proposed only if its area is at most this share of the present film's.
 inline constexpr double mostAreaShare = 0.75;

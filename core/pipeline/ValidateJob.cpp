@@ -25,8 +25,8 @@ struct Text {
 
 constexpr double cellsAcrossBody = 10; // fewer cells resolve the body's shape poorly
 
-// Returns the body's extent on the water in this immersion, as a box in x and z; on a path, all
-// that it covers. Throws Error if the path cannot be travelled.
+// Returns the body's extent on the water in this immersion, as a box in x and z. On a path, the box
+// contains the body at all times. Throws Error if the path cannot be travelled.
 Eigen::AlignedBox2d footprint(const TexturedMesh& model, const Immersion& immersion,
                               const ProcessSettings& process) {
     const Eigen::Isometry3d pose = poseTransform(model.mesh, immersion);
@@ -125,8 +125,8 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     for (const Immersion& immersion : project.immersions) {
         if (!immersion.path.isStraightDown() &&
             !solver::isProductionFilm(project.film.lattice, project.film.support)) {
-            throw Error(Text::tr("The film model of the paper knows only straight dips; choose the "
-                                 "production film, or a straight path"),
+            throw Error(Text::tr("The film model of the paper allows only straight dips; choose "
+                                 "the production film, or a straight path"),
                         immersion.name);
         }
         checkImmersion(project, immersion, query, warnings);

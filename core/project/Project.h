@@ -54,8 +54,8 @@ struct Project {
     std::vector<Immersion> immersions{Immersion{}}; // one or two
     SheetSettings sheet;
     InkSettings ink;
-    // Colour of the bare part, "#rrggbb". Empty: soft proofs show the part light grey, and ink as
-    // on white.
+    // Colour of the bare part, "#rrggbb". Empty: soft proofs show the part in light grey, and the
+    // ink as it looks on white.
     QString baseColour;
     ShareSettings share; // of two immersions
     CradleSettings cradle;
@@ -85,7 +85,7 @@ void applyPreset(Project& project, const QString& preset);
 // of range; the project then does not change.
 void setByPath(Project& project, const QString& path, const QString& value);
 
-// Returns the values that make up the job number. They are project.json of version 1, without newer
+// Returns the settings that the job number hashes: project.json with version 1, without the newer
 // fields that have their default value (Field::notHashedIfDefault).
 QJsonObject countedSettings(const Project& project);
 

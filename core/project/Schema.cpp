@@ -344,6 +344,7 @@ void addVerdictFields(std::vector<Field<Project>>& fields) {
     add(adviceField("verdict.no_picture", &V::noPicture));
     add(adviceField("verdict.changed_model", &V::changedModel));
     add(adviceField("verdict.guessed_film", &V::guessedFilm));
+    add(adviceField("verdict.expired_film", &V::expiredFilm));
 }
 
 // "pose_search.weights.quality", "pose_search.weights.zone_a", "pose_search.limits.coverage".

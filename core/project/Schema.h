@@ -1,4 +1,4 @@
-// Defines project.json, version 2 (docs/files-and-commands.md, "The project file"), as tables of
+// Defines project.json, version 3 (docs/files-and-commands.md, "The project file"), as tables of
 // fields. Private to this folder, except that the dialogs show the limits.
 #pragma once
 

@@ -16,9 +16,9 @@ inline bool tablePays(const RefinedMesh& body, double pixels) {
 
 // A table of the film's places on a fine mesh of the body. A picture of a body needs millions of
 // places, and LaidFilm::place() searches for each. The table holds the places of the corners of
-// each fine triangle and interpolates in between, if the place of the triangle's middle agrees
-// within 0.05 mm of flat film. Elsewhere, such as at the end of the film, it searches as well. Any
-// thread may read.
+// each fine triangle. It interpolates between them if the interpolated place of the triangle's
+// middle is within 0.05 mm of the true one on the flat film. Elsewhere, such as at the end of the
+// film, it searches, too. Any thread may read.
 class FilmPlaces {
 public:
     // Keeps references to both. `body` is a refined mesh of the film's body. Uses all cores.

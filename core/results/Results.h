@@ -99,9 +99,9 @@ struct FilmAppearance {
 // The surface below the ink.
 struct Ground {
     // Colour of the bare body, seen through the ink where no white hides it. None: the bare body is
-    // light grey, and ink looks as on white.
+    // light grey, and ink looks as it does on white.
     std::optional<QColor> base = {};
-    bool whiteOutside = false; // whether white was printed first and thus lies over the colours
+    bool whiteOutside = false; // whether white was printed first, so that it lies over the colours
 };
 
 // Returns the colour at the centre of each triangle of `body` in white light, as in the proof. Uses

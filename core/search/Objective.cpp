@@ -59,7 +59,7 @@ double limitsMissed(const PoseMeasures& measures, const SearchSettings& settings
     for (const Measure measure : allMeasures()) {
         if (const std::optional<double>& limit = settings.aims.limits[measure]) {
             const double over =
-                isMoreBetter(measure) ? *limit - measures[measure] : measures[measure] - *limit;
+                isHigherBetter(measure) ? *limit - measures[measure] : measures[measure] - *limit;
             missed += std::max(over, 0.0) / std::max(*limit, leastLimitScale);
         }
     }

@@ -59,7 +59,7 @@ int bestTurn(const TriangleMesh& mesh, const Eigen::Matrix3d& rotation,
             box.extend(Eigen::Vector2f(p.x(), p.z()));
         }
         const double share = std::max(box.sizes().x() / film.width, box.sizes().y() / film.depth);
-        if (share < smallest * 0.999) { // ignores differences by rounding
+        if (share < smallest * 0.999) { // ignores rounding differences
             smallest = share;
             best = turn;
         }
@@ -171,8 +171,8 @@ std::vector<std::size_t> choose(const std::vector<PoseCandidate>& all, std::size
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return all[a].promise > all[b].promise; });
-    // If half of the wanted candidates had caps of this half-angle, the caps' area would be a
-    // sphere's.
+    // Caps with this half-angle round half of the wanted candidates would together have the area of
+    // the whole sphere.
     double apart = std::acos(1 - 2 / (std::max(spreadShare * double(wanted), 2.0)));
     const auto isFree = [&](std::size_t index) {
         return std::none_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
@@ -215,7 +215,7 @@ PoseCandidates poseCandidates(const CoveragePreview& preview, const std::vector<
         result.all.push_back({down, 0, 0, {}, result.all.size()});
     }
     const solver::FilmGrid grid = filmGrid(film);
-    // Two dips are searched with similar poses, because these may paint different places.
+    // A search for two dips keeps similar poses, because these may paint different places.
     const bool leavesOutAlike = settings.immersions == 1;
     std::vector<Signature> signatures(result.all.size());
     parallelFor(std::size_t(0), result.all.size(), [&](std::size_t index) {

@@ -54,10 +54,10 @@ public:
 
     // Simulates a dip with each of `immersions` and stores its result in `judged` at the same
     // index; both have the same length. After an exception the finished dips remain. Dips with
-    // similar films run together, so the order of the dips may differ. Calls `batchDone` after each
-    // batch with the number of finished dips. The first batch has at most `first` dips. A dip that
-    // misses the film or becomes unstable has no samples. Dips with the job's film get a verdict.
-    // Throws Error if the solver fails. Throws Cancelled.
+    // similar films are simulated together, so the order of the dips may differ. Calls `batchDone`
+    // after each batch with the number of finished dips. The first batch has at most `first` dips.
+    // A dip that misses the film or becomes unstable has no samples. Dips with the job's film get a
+    // verdict. Throws Error if the solver fails. Throws Cancelled.
     void dip(const std::vector<Immersion>& immersions,
              std::vector<std::shared_ptr<const JudgedPose>>& judged,
              const std::function<void(std::size_t)>& batchDone,

@@ -39,8 +39,8 @@ constexpr double shift = 0.05;                     // share of the film's sides,
 constexpr std::size_t triedWithPaths = 6;          // number of best poses that are tried with paths
 constexpr double fieldShare = 0.05, geometryShare = 0.1; // progress after these steps, 0 … 1
 
-// The share of the dips of the best pairs that differ; most pairs have a dip in common with
-// another.
+// Share of the best pairs' dips that are distinct; most pairs have a dip in common with another
+// pair.
 constexpr double distinctDips = 0.6;
 
 using Judged = std::shared_ptr<const JudgedPose>;
@@ -112,9 +112,8 @@ std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
 
 constexpr std::array<double, 3> triedTilts{15, 30, 50}; // degrees
 
-// Returns the pose with paths on which it is entered tilted, by several angles and from all sides.
-// If the water flows, only from the side that meets the flow and the one behind it, because a path
-// has one heading.
+// Returns the pose with tilted entries: by several angles, towards each of eight sides. If the
+// water flows, only along the flow and against it, because a path has one heading.
 std::vector<Immersion> withPaths(const Immersion& immersion) {
     const bool flows = immersion.path.waterSpeed != MillimetresPerSecond(0);
     const int sides = flows ? 1 : 8;
@@ -153,7 +152,7 @@ std::vector<Immersion> nearPaths(const Immersion& immersion) {
     return result;
 }
 
-// Returns what the tank and the operator do in every pose: a flow of the water and a slow entry.
+// Returns the settings that apply to every pose: the flow of the water and the slow entry.
 DipPath commonPath(const SearchSubject& subject) {
     DipPath path = subject.immersions.empty() ? DipPath() : subject.immersions.front().path;
     const DipPath usual;
@@ -176,7 +175,7 @@ std::vector<float> triangleWeights(const SearchSubject& subject, const CoverageP
                         surfaceColours(*subject.model, middles));
 }
 
-// Returns the key that all parts of a search share.
+// Returns the key that all shards of a search have in common.
 QByteArray searchKey(const SearchSubject& subject, const SearchSettings& settings) {
     QByteArray text;
     QDataStream out(&text, QIODevice::WriteOnly);
@@ -201,7 +200,7 @@ public:
     }
     void add(double cost) { done_ += cost; }
     double done() const { return done_; }
-    // Leaves time out in which the search waited.
+    // Does not count the time in which the search waited.
     void leaveOut(std::chrono::duration<double> waited) {
         for (Mark& mark : marks_) {
             mark.at += std::chrono::duration_cast<Clock::duration>(waited);
@@ -266,7 +265,7 @@ public:
         result_.equator = body_.equator();
     }
 
-    // Dips part `number` of the first poses: every `count`-th one.
+    // Simulates the dips of shard `number`: every `count`-th one of the first poses.
     std::vector<Judged> part(int number, int count) {
         std::vector<Immersion> immersions;
         for (std::size_t at = std::size_t(number - 1); at < candidates_.chosen.size();
@@ -543,7 +542,7 @@ private:
         }
     }
 
-    // Adds, for each of the best entries, the best one with paths if it is better than straight
+    // For each of the best entries, adds the best entry with paths if it is better than straight
     // down.
     void tryPaths() {
         const std::size_t count = std::min(best_.size(), triedWithPaths);
@@ -799,7 +798,7 @@ std::vector<MeasureDifference> differences(const RankedPoses& poses, const Ranke
             PoseMeasures changed = others.measures;
             changed[measure] = poses.measures[measure];
             const double counts = std::abs(objective(changed, settings, equator) - whole);
-            found.push_back({counts, {measure, more, (more > 0) == isMoreBetter(measure)}});
+            found.push_back({counts, {measure, more, (more > 0) == isHigherBetter(measure)}});
         }
     }
     std::stable_sort(found.begin(), found.end(),

@@ -67,15 +67,15 @@ struct SearchState {
     const SearchResult& soFar;         // ranking of the dips done
 };
 // Called from the working thread between batches of dips. If it blocks, the search waits. Returns
-// how long it waited; this time does not count as time of the search.
+// how long it waited; the search does not count this time as its own.
 using SearchWatch = std::function<std::chrono::duration<double>(const SearchState&)>;
 
 // Runs the search on `module` in batches. Deterministic except for SearchState::secondsLeft: the
 // same subject, settings and module give bitwise equal results for any number of threads. `parts`
-// holds all parts of this search that were dipped elsewhere (SearchShard.h), or nothing. If
-// cancelled, returns the ranking so far; throws Cancelled if there is none. Throws Error if a
-// setting is out of range, a part belongs to another search, no pose paints anything, or the solver
-// fails.
+// holds all shards of this search, whose dips other processes simulated (SearchShard.h), or is
+// empty. If cancelled, returns the ranking so far; throws Cancelled if there is none. Throws Error
+// if a setting is out of range, a shard belongs to another search, no pose paints anything, or the
+// solver fails.
 SearchResult searchPoses(const SearchSubject& subject, const SearchSettings& settings,
                          const solver::SolverModule& module, const std::vector<SearchShard>& parts,
                          const SearchWatch& watch, const Progress& progress);

@@ -75,13 +75,13 @@ std::shared_ptr<const JudgedPose> read(QDataStream& in, const QString& where) {
 
 } // namespace
 
-QByteArray shardFile(const SearchShard& part) {
+QByteArray shardFile(const SearchShard& shard) {
     QByteArray body;
     QDataStream out(&body, QIODevice::WriteOnly);
     out.setVersion(QDataStream::Qt_6_0);
-    out << signature << partVersion << part.key << qint32(part.number) << qint32(part.count)
-        << qint32(part.poses.size());
-    for (const auto& pose : part.poses) {
+    out << signature << partVersion << shard.key << qint32(shard.number) << qint32(shard.count)
+        << qint32(shard.poses.size());
+    for (const auto& pose : shard.poses) {
         write(out, *pose);
     }
     return body;
@@ -95,25 +95,25 @@ SearchShard shardFromFile(const QByteArray& file, const QString& where) {
     in.setVersion(QDataStream::Qt_6_0);
     quint32 found = 0;
     qint32 version = 0, number = 0, count = 0, poses = 0;
-    SearchShard part;
+    SearchShard shard;
     in >> found >> version;
     if (found != signature || version != partVersion) {
         throw damaged(where);
     }
-    in >> part.key >> number >> count >> poses;
-    if (in.status() != QDataStream::Ok || part.key.size() > longestKey || number < 1 ||
+    in >> shard.key >> number >> count >> poses;
+    if (in.status() != QDataStream::Ok || shard.key.size() > longestKey || number < 1 ||
         number > count || count > mostParts || poses < 0 || poses > mostPoses) {
         throw damaged(where);
     }
-    part.number = number;
-    part.count = count;
+    shard.number = number;
+    shard.count = count;
     for (qint32 pose = 0; pose < poses; ++pose) {
-        part.poses.push_back(read(in, where));
+        shard.poses.push_back(read(in, where));
     }
     if (in.status() != QDataStream::Ok || !in.atEnd()) {
         throw damaged(where);
     }
-    return part;
+    return shard;
 }
 
 } // namespace dipwright

@@ -19,10 +19,10 @@ struct TexturedMesh;
 struct SearchSubject {
     QString name;
     // Two subjects have the same identity if their model, artwork, film, process, zones and solver
-    // are equal. The identity shows which parts belong to one search.
+    // are equal. The identity shows which shards belong to one search.
     QByteArray identity;
     std::shared_ptr<const TexturedMesh> model; // with its artwork; never null
-    bool isWhitePrinted = false;               // white places then need film as well
+    bool isWhitePrinted = false;               // then white places need film, too
     FilmSettings film;
     ProcessSettings process;
     int fieldResolution = 128;

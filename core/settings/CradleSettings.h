@@ -10,7 +10,7 @@ struct CradleSettings {
     Millimetres clearance{0.3}; // gap between cradle and body
     Millimetres wall{3};        // thinnest wall that holds the body
     Millimetres reach{15}; // height of the cradle below the body's top; more if the body would tip
-    Millimetres paintDistance{4}; // distance from surface that film reaches, and from earlier paint
+    Millimetres paintDistance{4}; // distance kept from this dip's film and from earlier paint
     bool onPaint = false;         // whether the cradle may touch earlier paint, through padding
     Millimetres padding{1.5};     // room left for the padding
     Millimetres plateThickness{5};

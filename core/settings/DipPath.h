@@ -1,7 +1,7 @@
 // How the part moves through the water in one dip, as in the project file's "immersions[i].path".
 // dip/BodyPath.h turns it into poses over time.
 //
-// The rotation of an immersion is the part's rotation at the end of the dip, and its offset the
+// The rotation of an immersion is the part's rotation at the end of the dip, and its offset is the
 // place of the part's centre at the beginning.
 #pragma once
 
@@ -21,10 +21,10 @@ enum class PathKind : std::uint8_t {
 
 struct DipPath {
     PathKind kind = PathKind::Straight;
-    // The direction over the water, from +X (0°, to the right) to +Z (90°, down the sheet): in
-    // which the part travels or rolls, or of the side that enters first.
+    // The direction on the water in which the part travels or rolls, or the side that enters first.
+    // 0°: +X, to the right; 90°: +Z, down the sheet.
     Degrees heading{0};
-    // Slanted: the angle between the way and the water. Tilt: the tilt at the beginning. Roll: the
+    // Slanted: the angle between the path and the water. Tilt: the tilt at the beginning. Roll: the
     // angle through which the part rolls.
     Degrees angle{45};
     // Tilt: depth of the lowest point at which the part is level; none: at the end of the dip.

@@ -40,7 +40,7 @@ struct FilmOnWater {
     Millimetres rulerError{0};
     Millimetres cardAbove{0};             // height of the card's print above the film
     std::optional<Millimetres> focalAs35; // 35 mm equivalent; none: as stored in the photos
-    // Distortion of a lens that was measured before. None: fitted for each photo.
+    // The lens's distortion, if it was measured before. None: it is fitted for each photo.
     std::optional<double> lensK1, lensK2;
     bool operator==(const FilmOnWater&) const = default;
 };

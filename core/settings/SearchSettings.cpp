@@ -89,7 +89,7 @@ QString measureText(Measure measure, double value) {
     }
 }
 
-bool isMoreBetter(Measure measure) {
+bool isHigherBetter(Measure measure) {
     return measure == Measure::Quality || measure == Measure::Coverage ||
            measure == Measure::Certain;
 }

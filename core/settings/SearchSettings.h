@@ -43,7 +43,7 @@ QString measureKey(Measure measure);  // "quality", "trapped_air": name on the c
 QString measureName(Measure measure); // name for the user: "Quality", "Trapped air"
 // Value with its unit, in the default locale: "93.1 %", "1.84", "≥ 16", "212 mm".
 QString measureText(Measure measure, double value);
-bool isMoreBetter(Measure measure);
+bool isHigherBetter(Measure measure);
 bool appliesToTwoDips(Measure measure); // applies to pairs only
 double mostLimit(Measure measure);      // a limit may be from 0 to this value
 QString zoneKey(std::size_t zone);      // "zone_a"

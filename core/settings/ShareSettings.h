@@ -20,7 +20,7 @@ enum class ShareMarkKind : std::uint8_t {
 // A round spot on the body, or the whole face at a place.
 struct ShareMark {
     ShareMarkKind kind = ShareMarkKind::Avoid;
-    std::array<Millimetres, 3> place{}; // the point of the model nearest to this; model coordinates
+    std::array<Millimetres, 3> place{}; // marks the model's point nearest to it; model coordinates
     Millimetres radius{5};              // along the surface; 0: the whole face
     bool operator==(const ShareMark&) const = default;
 };

@@ -27,6 +27,7 @@ struct VerdictSettings {
     Advice noPicture = Advice::CheckFirst;
     Advice changedModel = Advice::Print; // verdict on a model that was repaired or lacks something
     Advice guessedFilm = Advice::Print;  // verdict on a film whose swell was not measured
+    Advice expiredFilm = Advice::CheckFirst; // verdict on a film after the expiry date of its lot
     bool operator==(const VerdictSettings&) const = default;
 };
 inline constexpr double doNotPrintFactor = 5;

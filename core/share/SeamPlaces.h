@@ -1,4 +1,4 @@
-// Rates where a seam between two dips would be visible.
+// Rates how visible a seam between two dips would be at each place of the body.
 #pragma once
 
 #include "geometry/RefinedMesh.h"

@@ -16,7 +16,7 @@ namespace dipwright {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto signOfLife = std::chrono::milliseconds(200);
+constexpr auto heartbeatInterval = std::chrono::milliseconds(200);
 
 // Reads requests in parallel with the work. Ends the process when the client is gone.
 class Requests {
@@ -50,8 +50,8 @@ private:
     }
 
     // Ends this process. If the client is gone, it also ends everything that the module has
-    // started. If instead the module has closed the file, the client does that, and must see that
-    // this process was not killed.
+    // started. If instead the module has closed the file, this process only exits, so that the
+    // client sees that it was not killed. The client then ends the rest.
     [[noreturn]] static void leave(std::FILE* file) {
         if (std::feof(file) != 0) {
             endOwnGroup();
@@ -172,9 +172,9 @@ private:
             setups.push_back(takeSetup(reader));
             items.emplace_back().setup = setups.back().setup;
         }
-        lastSign_ = Clock::now();
+        lastHeartbeat_ = Clock::now();
         const auto isCancelled = [](void* self) {
-            static_cast<Server*>(self)->showLife();
+            static_cast<Server*>(self)->sendHeartbeat();
             return false; // the client cancels by ending this process
         };
         writer.put(std::uint8_t(module().runBatch(items, isCancelled, this)));
@@ -187,10 +187,10 @@ private:
         }
     }
     // Several threads of the module may call this.
-    void showLife() {
+    void sendHeartbeat() {
         const std::lock_guard lock(mutex_);
-        if (Clock::now() - lastSign_ >= signOfLife) {
-            lastSign_ = Clock::now();
+        if (Clock::now() - lastHeartbeat_ >= heartbeatInterval) {
+            lastHeartbeat_ = Clock::now();
             MessageWriter writer;
             writer.put(SolverAnswer::Working);
             send(writer);
@@ -206,7 +206,7 @@ private:
     std::vector<solver::PointState> states_;
     std::vector<std::uint8_t> marks_;
     std::mutex mutex_;
-    Clock::time_point lastSign_;
+    Clock::time_point lastHeartbeat_;
 };
 
 } // namespace

@@ -35,7 +35,7 @@ public:
         const Span span(*this);
         return call();
     }
-    void signOfLife() { set(SuspendAwareTimer()); }
+    void restart() { set(SuspendAwareTimer()); }
 
 private:
     struct Span {
@@ -94,16 +94,16 @@ private:
     mutable CallWatch watch_;
 };
 
-// A batch's CancelFunction, and the watch that each call of it restarts.
-struct Questions {
+// Wraps a batch's CancelFunction. Each call also restarts the watch.
+struct WatchedCancel {
     CallWatch& watch;
     solver::CancelFunction isCancelled;
     void* context;
 
     static bool ask(void* self) {
-        const auto& questions = *static_cast<Questions*>(self);
-        questions.watch.signOfLife();
-        return questions.isCancelled != nullptr && questions.isCancelled(questions.context);
+        const auto& cancel = *static_cast<WatchedCancel*>(self);
+        cancel.watch.restart();
+        return cancel.isCancelled != nullptr && cancel.isCancelled(cancel.context);
     }
 };
 
@@ -121,8 +121,8 @@ public:
     bool runBatch(std::span<solver::BatchItem> items, solver::CancelFunction isCancelled,
                   void* context) const override {
         CallWatch watch(modulePath_);
-        Questions questions{watch, isCancelled, context};
-        return watch.during([&] { return module_.runBatch(items, &Questions::ask, &questions); });
+        WatchedCancel cancel{watch, isCancelled, context};
+        return watch.during([&] { return module_.runBatch(items, &WatchedCancel::ask, &cancel); });
     }
     bool followsPaths() const override { return module_.followsPaths(); }
     std::optional<solver::Ceiling> measuredCeiling() const override {

@@ -2,7 +2,7 @@
 //
 // An even layer, such as a dye, follows Beer–Lambert: where the film's area has grown by J, the
 // printed density P shows as P/J. Printed dots stretch with the film and cover the same share of it
-// as before. They therefore show a higher density than P/J, which depends on P. So the law is
+// as before. Their density therefore exceeds P/J, and the excess depends on P. So the law is
 // P·J^−n, with one n per ink, or one n per tone if a step wedge was read.
 #pragma once
 

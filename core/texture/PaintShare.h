@@ -1,4 +1,4 @@
-// Tells which share of the colour one of two films gives at each place of the body.
+// Tells how much of the colour one of two films contributes at each place of the body.
 #pragma once
 
 #include "geometry/RefinedMesh.h"

@@ -55,7 +55,7 @@ public:
     // mm on the body.
     ReverseMap(const LaidFilm& laid, const SurfaceAppearance& appearance, float tolerance = 0.03f);
 
-    // Tells whether a texture seam runs through a painted triangle, by the body's topology.
+    // Returns whether a texture seam (edges of the body's mesh) crosses a painted film triangle.
     bool isSeam(std::uint32_t triangle) const { return seam_[triangle] != 0; }
     std::size_t seamCount() const;
 

@@ -43,7 +43,7 @@ using Axes = Eigen::Matrix<double, 6, 1>; // X, Y, Z in mm, A, B, C in degrees
 
 constexpr double still = 5e-4; // as written, an axis that moves less does not move
 
-// Returns the words of the axes in `chosen` that move or are not at 0.
+// Returns the G-code words of those axes in `chosen` that move or are not at 0.
 QStringList axisWords(const Axes& values, const Axes& ranges, std::initializer_list<int> chosen) {
     constexpr std::array<char16_t, 6> names{u'X', u'Y', u'Z', u'A', u'B', u'C'};
     QStringList words;
@@ -74,7 +74,8 @@ QString moves(DipMotion motion, bool inInverseTime) {
         most = most.cwiseMax(each);
     }
     const Axes ranges = most - least;
-    // Up first, then over the film, at the speed of the approach wherever the part is.
+    // Moves up first, then over the film, at the speed of the approach. So the part's position at
+    // the start does not matter.
     const QString approach = QStringLiteral(" F") + plain(60 * motion.approach.value()) + u'\n';
     QString result = inInverseTime ? QStringLiteral("G94\n") : QString();
     result += QStringLiteral("G1 ") + axisWords(values[0], ranges, {2}).join(u' ') + approach;
@@ -82,14 +83,14 @@ QString moves(DipMotion motion, bool inInverseTime) {
         !others.isEmpty()) {
         result += QStringLiteral("G1 ") + others.join(u' ') + approach;
     }
-    result += QStringLiteral("M0 ; film swollen, activator sprayed: go on\n");
+    result += QStringLiteral("M0 ; film swollen, activator sprayed: continue\n");
     result += inInverseTime ? QStringLiteral("G93\n") : QString();
     for (std::size_t pose = 1; pose < poses.size(); ++pose) {
         const double minutes = (poses[pose].time - poses[pose - 1].time).value() / 60;
         const Axes change = values[pose] - values[pose - 1];
         const double way = change.head<3>().norm(), turn = change.tail<3>().norm();
         if (pose + 1 == poses.size()) {
-            result += QStringLiteral("M0 ; film round the part cleared from the water: go on\n");
+            result += QStringLiteral("M0 ; film round the part cleared from the water: continue\n");
         }
         result += QStringLiteral("G1 ") +
                   axisWords(values[pose], ranges, {0, 1, 2, 3, 4, 5}).join(u' ') +
@@ -141,7 +142,8 @@ std::vector<MotionPoint> motionPoints(const DipMotion& motion) {
 }
 
 std::vector<MotionPose> motionPoses(const DipMotion& motion) {
-    // A part that waits sinks and rises slowly, so that each move is a move on any controller.
+    // A part that waits goes down and up slowly, because controllers use different units for a
+    // dwell.
     const double waiting = holdSpeed.value() * motion.hold.value() / 2;
     const MotionPose &first = motion.path.front(), &last = motion.path.back();
     const Eigen::Vector3d lift(0, 0, (motion.park - motion.start).value());

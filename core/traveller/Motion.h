@@ -13,12 +13,12 @@
 
 namespace dipwright {
 
-// A pose on the way of a part that does not go straight down. The frame is that of a machine: X to
-// the right, Y to the film's upper edge, Z up, from the film's centre on the water.
+// A pose of a part that does not go straight down. The frame is that of a machine: X to the right,
+// Y to the film's upper edge, Z up, from the film's centre on the water.
 struct MotionPose {
     Seconds time;                        // since the dip began
     Eigen::Vector3d place{0, 0, 0};      // of the part's pivot (dip/BodyPath.h), mm
-    Eigen::Quaterniond turn{1, 0, 0, 0}; // from the rotation at the end of the dip
+    Eigen::Quaterniond turn{1, 0, 0, 0}; // relative to the rotation at the end of the dip
 };
 
 // The motion of one dip. A height is the height of the body's lowest point above the water, in mm;

@@ -105,7 +105,7 @@ void paintPose(QPainter& painter, const QRectF& place, const QString& title,
     };
     for (const double level : {-dip.motion.start.value(), dip.waterAtEnd}) {
         if (level < 0 && !dip.motion.path.empty()) {
-            continue; // at the beginning the part has another rotation than in the picture
+            continue; // at the beginning the part's rotation differs from the picture's
         }
         const double y = heightOf(level);
         if (y > where.top() && y < where.bottom()) {
@@ -244,7 +244,7 @@ QString materialText(const Traveller& traveller) {
            u' ' + origin;
 }
 
-// Returns the pose on a path at a time, between its poses.
+// Returns the pose on a path at a given time, interpolated between the path's poses.
 MotionPose poseAt(const std::vector<MotionPose>& path, Seconds time) {
     const auto after = std::find_if(path.begin() + 1, path.end() - 1,
                                     [&](const MotionPose& pose) { return pose.time >= time; });
@@ -270,9 +270,9 @@ QString pathStep(const TravellerDip& dip, std::size_t number) {
                          plain(place.z()), plain(turn.x()), plain(turn.y()), plain(turn.z()));
     }
     return Text::tr("Dip the part along its path in %1 s (motion-%2.csv begins at the waiting "
-                    "height). Time, place of the part's middle (to the right; towards the upper "
-                    "edge; up) from the film's centre on the water, and turn about these axes from "
-                    "the rotation at the end: %3")
+                    "height). Each pose gives the time, the position of the part's centre relative "
+                    "to the film's centre on the water (to the right; towards the upper edge; up), "
+                    "and the turn about these axes relative to the rotation at the end: %3")
         .arg(plain(dip.motion.dipTime().value()))
         .arg(number + 1)
         .arg(keys.join(QStringLiteral(" · ")));

@@ -21,7 +21,7 @@ struct TravellerDip {
     PosePicture front, right; // the body over the film, with its cradle
     double waterAtEnd = 0;    // y of the water level at the end of the dip, pose frame, mm
     bool hasCradle = false;   // whether a cradle holds the body in this dip
-    QStringList cradleNotes;  // on the cradle, or why none is possible
+    QStringList cradleNotes;  // about the cradle, or why none is possible
     QStringList verdict;      // sentences: first the advice, then its reasons
     QImage sheet;             // film image at reduced size, ink side up
     BoundingBox body;         // bounding box, pose frame

@@ -294,7 +294,7 @@ Revolution insideOfTorus() {
         const double angle = std::atan2(inwards, tube - place.y());
         return Expected{tube * angle, insideTorusFilmRadius(circle, tube, angle)};
     };
-    return {Text::tr("Inner side of a torus, to 80° from its lowest circle"),
+    return {Text::tr("Inner side of a torus, up to 80° from its lowest circle"),
             torusMesh(circle, tube, 360, 720),
             tube * (1 - std::cos(radians(Degrees(80)))),
             0,
@@ -317,8 +317,8 @@ std::vector<Revolution> bodiesOfRevolution() {
     constexpr int rings = 360, segments = 720;
     std::vector<Revolution> bodies;
     const double angle = radians(Degrees(80)), rho = contactRadius / std::sin(angle);
-    bodies.push_back(solid(Text::tr("Sphere to 80°"), sphereMeridian(rho, angle),
-                           sphereMesh(rho, rings, segments), 3, false));
+    bodies.push_back(solid(Text::tr("Sphere, up to 80° from its lowest point"),
+                           sphereMeridian(rho, angle), sphereMesh(rho, rings, segments), 3, false));
     addGrowingFilms(bodies.back());
     for (const double along : {0.6, 1.4}) {
         bodies.push_back(
@@ -418,7 +418,7 @@ PhysicsResult compareFlatFace(const solver::SolverModule& module, const PhysicsO
 PhysicsResult compareCylinder(const solver::SolverModule& module, const FilmKind& film,
                               const PhysicsOptions& options, const Progress& progress) {
     PhysicsResult result;
-    result.body = Text::tr("Lying cylinder to 80°");
+    result.body = Text::tr("Horizontal cylinder, up to 80° from its lowest line");
     result.film = nameOf(film);
     result.inMillimetres = true;
     result.allowed = 0.1;

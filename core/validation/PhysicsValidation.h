@@ -18,7 +18,7 @@ namespace dipwright {
 // One comparison. For bodies of revolution, an error is the relative deviation of the film radius
 // from the closed form. For other bodies it is a distance in mm.
 struct PhysicsResult {
-    QString body;  // "Sphere to 80°"
+    QString body;  // "Cone of 30°"
     QString film;  // "elastic", "viscous, free, growing"
     int cells = 0; // film cells in the contact radius
     bool inMillimetres = false;
@@ -42,9 +42,10 @@ struct PhysicsOptions {
     std::function<bool(const QString& body, const QString& film, int cells)> isWanted;
 };
 
-// Compares spheres to 80°, spheroids, cones and the inside of a torus at every resolution, in
-// elastic and viscous film and some in growing film. Then compares a flat face, a horizontal
-// cylinder, film that only grows, and a body turned by 45°. Throws Error or Cancelled.
+// Compares spheres up to 80° from their lowest point, spheroids, cones and the inside of a torus at
+// every resolution, in elastic and viscous film and some in growing film. Then compares a flat
+// face, a horizontal cylinder, film that only grows, and a body turned by 45°. Throws Error or
+// Cancelled.
 std::vector<PhysicsResult> validatePhysics(const solver::SolverModule& module,
                                            const PhysicsOptions& options, const Progress& progress);
 

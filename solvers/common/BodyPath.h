@@ -38,7 +38,8 @@ DIPWRIGHT_HOST_DEVICE inline int poseAfter(const PathView& path, double travelle
     return first;
 }
 
-// Returns the share of the way from pose `after − 1` to pose `after`.
+// Returns which share (0 to 1) of the distance from pose `after − 1` to pose `after` has been
+// travelled.
 DIPWRIGHT_HOST_DEVICE inline double shareBetween(const PathView& path, int after,
                                                  double travelled) {
     const double begin = path.poses[after - 1].travelled, end = path.poses[after].travelled;
@@ -54,7 +55,7 @@ DIPWRIGHT_HOST_DEVICE inline double secondsOnPath(const PathView& path, double t
     return begin + detail::shareBetween(path, after, travelled) * (end - begin);
 }
 
-// Returns the frame of the body after it has travelled that far. The path must have poses.
+// Returns the frame of the body after it has travelled `travelled` mm. The path must have poses.
 // Interpolates the rotation as a quaternion at constant angular speed (Shoemake 1985).
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE BodyFrame<Real> frameOnPath(const PathView& path, double travelled) {

@@ -34,7 +34,8 @@ inline bool areLines(const std::vector<double>& places, int count, double length
     return isAscending && places.front() == -length / 2 && places.back() == length / 2;
 }
 
-// Returns whether the poses of a path follow each other, and end where the travel ends.
+// Returns whether the poses of a path are valid, are in ascending order, and end where the travel
+// ends.
 inline bool isPath(const solver::BodyPath& path, double travel) {
     constexpr std::size_t mostPoses = 10'000;
     const std::vector<solver::PathPose>& poses = path.poses;
@@ -93,7 +94,7 @@ inline void requireValid(const solver::DipSetup& setup) {
                 setup.motion.travel >= 0,
             "the body's speed must be positive, and its travel must not be negative");
     require(setup.path.isStraightDown() || detail::isPath(setup.path, setup.motion.travel),
-            "the poses of the body's path must follow each other in time and way");
+            "the poses of the body's path must be in ascending order of time and of travel");
     require(isPositive(settings.timeStep) && settings.iterations >= 1 &&
                 settings.iterations <= 1000,
             "the time step must be positive, with 1 to 1,000 iterations");

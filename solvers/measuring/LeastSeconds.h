@@ -7,8 +7,8 @@
 
 namespace dipwright::numerics {
 
-// Returns the seconds of the fastest of several attempts, because disturbances only make work
-// slower.
+// Returns the run time of the fastest of several attempts, in seconds. Disturbances can only make
+// the work slower.
 template <typename Work>
 double leastSeconds(const Work& work) {
     constexpr int attempts = 4;

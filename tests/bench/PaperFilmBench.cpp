@@ -15,7 +15,7 @@ namespace {
 
 struct Rate {
     double perSecond = 0;
-    // Steps per second of processor time, as if the film had a core for itself.
+    // Steps per second of processor time, as if the film had a core to itself.
     double perCoreSecond = 0;
 };
 

@@ -167,7 +167,7 @@ private slots:
         Dip dip(boxMesh({length, thickness, 40}));
         dip.layFilm(120, 30, spacing()); // narrower than the plate, so that it hangs over no edge
         const auto poseAt = [&](double share) {
-            // The side towards +X enters first and is level after 60 % of the way.
+            // The side towards +X enters first and is level after 60 % of the travel.
             const double angle = tilt * std::max(0.0, 1 - share / 0.6);
             const double below = length / 2 * std::sin(angle) + thickness / 2 * std::cos(angle);
             return Pose{turnAbout(-Eigen::Vector3d::UnitZ(), angle),
@@ -277,8 +277,8 @@ private slots:
         VERIFY_AT_MOST(along.rms(), 0.02);
     }
 
-    // A cone of 45° that turns while it sinks, in a viscous film held at a ring: docs/film-model.md
-    // derives the flow. The film is twisted against the cone.
+    // A cone of 45° that turns while it goes down, in a viscous film held at a ring:
+    // docs/film-model.md derives the flow. The film is twisted against the cone.
     void cone_turnedWhileItSinks_filmIsTwistedByTheClosedForm() {
         const double half = pi / 4, height = 30, ring = 90, twist = 40 * pi / 180;
         Dip dip(coneMesh(half, height, 240), 192);
@@ -336,7 +336,7 @@ private slots:
         around = std::sqrt(around / count);
         qInfo("%g points: %g mm around, %g mm along the radius, all turned by %g°", count, around,
               radial, mean * 180 / pi);
-        VERIFY_AT_MOST(around, 0.013); // 0.05 % of the way
+        VERIFY_AT_MOST(around, 0.013); // 0.05 % of the travel
         VERIFY_AT_MOST(radial, 0.013);
         VERIFY_AT_MOST(std::abs(mean), 0.01);
     }

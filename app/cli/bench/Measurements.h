@@ -61,7 +61,8 @@ public:
     const Body& body(const QString& name);
     // Returns the file of the sample turtle. Throws Error if the samples are not installed.
     static QString turtleFile();
-    // Returns the turtle's project, with an A4 film of 120 × 170 points. Throws Error likewise.
+    // Returns the turtle's project, with an A4 film of 120 × 170 points. Throws Error if the
+    // samples are not installed.
     static Project turtle();
 
 private:

@@ -218,7 +218,8 @@ std::vector<WindowActions::Entry> WindowActions::displayEntries() {
          "zones",
          "tolerance",
          tr("&Zones on the part"),
-         tr("Show the zones of the part and, after Dip ▸ Tolerances, where they keep their limits"),
+         tr("Show the zones of the part. After Dip ▸ Tolerances, also show where the zones stay "
+            "within their limits"),
          {},
          Kind::ToggledOff},
         {&A::filmOnBody,

@@ -1,5 +1,5 @@
 // Colours the body in the view as it comes out of the dips, on a worker thread. A new request
-// replaces the one that runs.
+// replaces the one that is running.
 #pragma once
 
 #include "results/Results.h"

@@ -23,7 +23,7 @@ SheetPreview sheetPreview(const Sheet& sheet); // throws Error as pageSize() doe
 struct Fineness {
     int level = 0;               // 0: the job itself
     int coarsest = 0;            // level of the first draft
-    std::optional<double> moves; // mm since the draft before, movesSince(); none: not known
+    std::optional<double> moves; // mm since the previous draft, movesSince(); none: not known
     bool isDraft() const { return level > 0; }
 };
 
@@ -45,7 +45,7 @@ public:
     struct Task {
         Project project;
         DipStage stage = DipStage::Job;
-        DipOutcome before;          // for NextDraft: the draft before
+        DipOutcome before;          // for NextDraft: the previous draft
         JobDrafts earlier;          // results to reuse
         std::size_t mostPoints = 0; // number of film points that are recorded, approximately
     };

@@ -67,7 +67,7 @@ void DipSession::projectChanged() {
     }
 }
 
-// Tells whether the draft on show is of the current project, so that the next draft can follow it.
+// Tells whether the shown draft belongs to the current project, so that the next draft can follow.
 bool DipSession::mayGoOn() const {
     return shown_.fineness.isDraft() && makeSameSheets(shown_.project, document_->project());
 }
@@ -81,7 +81,7 @@ void DipSession::run(std::size_t mostPoints, DipReach reach) {
         return;
     }
     if (running_ && !dip_.isCancelled() && makeSameSheets(started_, document_->project())) {
-        return; // what runs is wanted; `reach_` says how it goes on
+        return; // the running job is the wanted one; `reach_` decides what follows
     }
     if (jobs_.isBusy()) {
         wanted_ = true;
@@ -125,7 +125,7 @@ bool DipSession::record(std::size_t mostPoints) {
     mostPoints_ = mostPoints;
     started_ = document_->project();
     running_ = records_ = true;
-    start(canRefine() ? DipStage::Job : DipStage::Refinement); // as the results on show
+    start(canRefine() ? DipStage::Job : DipStage::Refinement); // the stage of the shown results
     emit started();
     return true;
 }
@@ -143,7 +143,7 @@ void DipSession::start(DipStage stage) {
         }));
 }
 
-// Starts what follows the draft on show.
+// Starts the stage that follows the shown draft.
 void DipSession::goOn() {
     if (wanted_) {
         running_ = false; // the next run starts when the jobs are idle
@@ -168,7 +168,7 @@ void DipSession::fail(const Fineness& fineness, bool cancelled, const std::excep
     if (!running_) {
         return; // it was cancelled already
     }
-    refines_ = refines_ && !failure;                    // it would fail again
+    refines_ = refines_ && !failure;                    // a repeated refinement would fail, too
     const bool isDraft = failure && fineness.isDraft(); // a coarse film may miss the body
     if (wanted_) {
         running_ = records_ = false; // the next run starts when the jobs are idle

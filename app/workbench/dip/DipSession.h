@@ -10,7 +10,7 @@ namespace dipwright {
 
 // How far a run goes.
 enum class DipReach {
-    FirstDraft, // only the coarsest draft: the user still changes the project
+    FirstDraft, // only the coarsest draft: the user is still changing the project
     AllDrafts,  // all drafts, then the job, then refined films
     JobOnly     // the job and refined films, without drafts
 };
@@ -32,7 +32,7 @@ public:
     // cache.
     bool canRecord() const;
     // Runs the dips of the results on show again, to record them. The results stay the same.
-    // Returns false if jobs run.
+    // Returns false if jobs are running.
     bool record(std::size_t mostPoints);
     // Sets the result that the first run can reuse.
     void setKept(std::shared_ptr<const JobResult> kept) { results_.add(0, std::move(kept)); }
@@ -51,8 +51,8 @@ public:
     const DipOutcome& outcome() const { return outcome_; }
     // The outcome on show: a draft, or outcome().
     const DipOutcome& shown() const { return shown_; }
-    // Which results on show were made from the current project; for a draft, from its coarser
-    // version.
+    // Which results on show fit the current project. A draft fits if it was computed from the
+    // current project with coarser settings.
     Freshness freshness() const;
     // Readout of the outcome on show, and recording of the last finished job, for the dip that is
     // shown; null if there is none.
@@ -65,11 +65,10 @@ public:
 
 signals:
     void started();
-    void shownChanged(); // another draft or outcome is on show
-    void finished();     // there is a new outcome, and it is on show
-    void
-    stopped(std::exception_ptr why); // null: cancelled, or a first draft was all that was asked
-    void dropped();                  // the outcome is gone, because the model was replaced
+    void shownChanged();                  // another draft or outcome is on show
+    void finished();                      // there is a new outcome, and it is on show
+    void stopped(std::exception_ptr why); // null: cancelled, or only a first draft was requested
+    void dropped();                       // the outcome is gone, because the model was replaced
     void immersionChanged(std::size_t immersion); // another dip is shown
 
 private:
@@ -91,13 +90,13 @@ private:
     DipRecordings recordings_;
     DipOutcome outcome_, shown_;
     JobDrafts results_;
-    Project started_; // the project that runs
+    Project started_; // the project of the current run
     DipStage stage_ = DipStage::Job;
     DipReach reach_ = DipReach::AllDrafts;
     CancelToken dip_; // cancels the running dip
     bool running_ = false;
     bool records_ = false; // runs only to record
-    // A refinement is due or running. A change that stops it leaves this set, so that it goes on
+    // A refinement is due or running. A change that stops it leaves this set, so that it continues
     // after an undo.
     bool refines_ = false;
     bool wanted_ = false; // run again when the current jobs have ended

@@ -64,8 +64,9 @@ public:
     // Throws ChangedFile if another program has written the file since version(). Throws Error if
     // the file cannot be written. After an exception, file and document are unchanged.
     void save();
-    // Saves to `path` and replaces an existing file. Throws Error, also if that file is open
-    // elsewhere. With the document's own path, overwrites even what another program has written.
+    // Saves to `path` and replaces an existing file. Throws Error if the file cannot be written or
+    // is open elsewhere. With the document's own path, overwrites even what another program has
+    // written.
     void saveAs(const QString& path);
 
     // Returns whether the user chose this file or allowed to read it. False for paths that came

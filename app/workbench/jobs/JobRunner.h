@@ -21,9 +21,9 @@ public:
 
     explicit JobRunner(QObject* parent = nullptr);
     // Cancels all jobs and waits for the worker thread. Finalizes no more jobs. If a job does not
-    // end within `longestEnd`, ends the whole program, because a hanging call cannot be ended
-    // alone. Unsaved work of other windows is kept (workbench/document/Recovery.h), and file writes
-    // are atomic.
+    // end within `longestEnd`, ends the whole program, because a call that hangs cannot be stopped
+    // on its own. Unsaved work of other windows is kept (workbench/document/Recovery.h), and file
+    // writes are atomic.
     ~JobRunner() override;
 
     CancelToken start(std::unique_ptr<Job> job); // the token cancels this job

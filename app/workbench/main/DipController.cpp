@@ -81,8 +81,8 @@ void DipController::record() {
     isLive_ = false;
     if (session_.record(playback_.mostPoints())) {
         playback_.playNext();
-        messages_.notice(tr("The saved results contain no recording of the dip. To play the dip, "
-                            "it is simulated again; the results stay the same."));
+        messages_.notice(tr("The saved results contain no recording of the dip. The dip is "
+                            "simulated again so that you can play it; the results stay the same."));
     } else {
         messages_.say(tr("The dip can be played when the running job has ended."));
     }

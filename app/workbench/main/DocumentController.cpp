@@ -199,7 +199,7 @@ void DocumentController::packJobs() {
     if (session_.document() && !session_.document()->path().isEmpty()) {
         dialog->add({session_.document()->path()});
     }
-    dialog->show(); // modeless: the user goes on working
+    dialog->show(); // modeless: the user can continue to work
 }
 
 void DocumentController::takeFiles(const QList<QUrl>& files) {

@@ -155,7 +155,7 @@ void ExportController::showNumericalError(const std::vector<DipNumericalError>& 
                                writeNumericalErrorMaps(numericalError, target);
                            });
             });
-    dialog->show(); // modeless: the user goes on working
+    dialog->show(); // modeless: the user can continue to work
 }
 
 } // namespace dipwright

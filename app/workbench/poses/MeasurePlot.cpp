@@ -22,7 +22,7 @@ constexpr double reach = 10; // pixels around a dot that count as the dot
 // The measure with the sign that makes larger values better.
 double goodness(const RankedPoses& poses, Measure measure) {
     const double value = poses.measures[measure];
-    return isMoreBetter(measure) ? value : -value;
+    return isHigherBetter(measure) ? value : -value;
 }
 
 } // namespace

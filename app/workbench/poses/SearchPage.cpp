@@ -85,9 +85,9 @@ QWidget* SearchPage::makeSettings() {
     form->addRow(tr("Seed"), seed_);
     paths_->setText(tr("Try tilted entries"));
     paths_->setToolTip(
-        tr("Also tries the best poses entered tilted and levelled while they sink, so "
-           "that air escapes and the film reaches further. Takes about twice as "
-           "long."));
+        tr("Also tries tilted entries of the best poses: the part enters the water tilted "
+           "and is levelled on the way down. So air can escape, and the film reaches "
+           "further. Takes about twice as long."));
     paths_->setObjectName(QStringLiteral("searchedPaths"));
     form->addRow(paths_);
     auto* more = new QToolButton;
@@ -288,7 +288,7 @@ ComparedState SearchPage::stateOf(const QString& title, const RankedPoses& poses
             state.figures.push_back(
                 {measureName(measure), poses.measures[measure],
                  [measure](double value) { return measureText(measure, value); },
-                 isMoreBetter(measure)});
+                 isHigherBetter(measure)});
         }
     }
     return state;

@@ -87,7 +87,7 @@ WeightFields::Row WeightFields::makeRow(Measure measure) {
         tr("How much this measure counts, compared with the others. 0: not at all."));
     row.weight->setObjectName(QStringLiteral("weight_") + measureKey(measure));
     row.isLimited->setObjectName(QStringLiteral("limited_") + measureKey(measure));
-    row.isLimited->setText(isMoreBetter(measure) ? QStringLiteral("≥") : QStringLiteral("≤"));
+    row.isLimited->setText(isHigherBetter(measure) ? QStringLiteral("≥") : QStringLiteral("≤"));
     row.isLimited->setAccessibleName(tr("Limit of %1").arg(measureName(measure)));
     row.isLimited->setToolTip(
         tr("Poses that violate this limit rank below all poses that keep it."));
@@ -126,7 +126,7 @@ void WeightFields::takeLimit(Measure measure) {
                                 : std::nullopt;
 }
 
-// Equal values keep the text being typed.
+// Changes nothing if the values are equal, so that text being typed is kept.
 void WeightFields::show(const PoseAims& aims) {
     if (aims == aims_) {
         return;

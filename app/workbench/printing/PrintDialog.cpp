@@ -117,19 +117,15 @@ void PrintDialog::warn(const QString& sentence) {
 
 void PrintDialog::printVerdict() {
     const JobResult& result = *outcome_.result;
-    QStringList lines;
-    if (adviceOf(result) != Advice::Print) {
-        lines << adviceText(adviceOf(result));
-    }
+    QStringList lines{adviceText(adviceOf(result))};
     for (const JobReason& reason : reasonsOf(result)) {
         if (reason.reason.advice > Advice::Print) {
             lines << QStringLiteral("• ") + reasonText(reason, result, millimetres);
         }
     }
-    if (const QString expiry = expiryWarning(result.project.profiles.film); !expiry.isEmpty()) {
-        lines << QStringLiteral("• ") + expiry;
+    if (adviceOf(result) != Advice::Print) {
+        notice_->say(withUnitsKept(lines.join(u'\n')));
     }
-    notice_->say(withUnitsKept(lines.join(u'\n')));
 }
 
 QWidget* PrintDialog::makeChoices() {
@@ -376,9 +372,13 @@ void PrintDialog::judge() {
     const int judgement = ++judgement_;
     jobs_.start(std::make_unique<ValueJob<Judgement>>(
         tr("Checking the printer"),
-        [sheets, request = request()](const Progress&) {
+        [sheets, request = request(),
+         expiry = expiryWarning(outcome_.result->project.profiles.film)](const Progress&) {
             const auto system = printSystem();
             Judgement found;
+            if (!expiry.isEmpty()) {
+                found.warnings.append(expiry);
+            }
             for (const PrintPlan& plan : planPrints(*system, sheets, request)) {
                 found.warnings.append(plan.warnings);
                 found.pages += plan.task.pages;

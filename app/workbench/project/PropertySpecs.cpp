@@ -268,15 +268,15 @@ PropertySection pathProperties(std::size_t number) {
          {.path = prefix + QStringLiteral("angle_deg"),
           .label = Text::tr("Angle"),
           .help =
-              Text::tr("Slanted: the angle between the way and the water. Tilt: how far the part "
+              Text::tr("Slanted: the angle between the path and the water. Tilt: how far the part "
                        "is tilted at the beginning. Roll: the angle through which it rolls."),
           .unit = Unit::Angle,
           .relevant = ifPath([](const DipPath& path) { return path.kind != PathKind::Straight; })},
          {.path = prefix + QStringLiteral("heading_deg"),
           .label = Text::tr("Heading"),
-          .help = Text::tr("The direction over the water in which the part travels or rolls, or of "
-                           "the side that enters first: 0° to the right (X), 90° down the sheet "
-                           "(Z). Also the direction in which the water flows."),
+          .help = Text::tr("The direction on the water in which the part travels or rolls, or the "
+                           "side that enters first. 0°: to the right (X), 90°: down the sheet "
+                           "(Z). The water flows in this direction, too."),
           .unit = Unit::Angle,
           .relevant = ifPath([](const DipPath& path) {
               return path.kind != PathKind::Straight || path.waterSpeed != MillimetresPerSecond(0);
@@ -315,9 +315,9 @@ PropertySection pathProperties(std::size_t number) {
           .whenPresent = 2},
          {.path = prefix + QStringLiteral("slow_mm"),
           .label = Text::tr("Slow distance"),
-          .help =
-              Text::tr("Length of the first and of the last part of the way down. The slow speed "
-                       "applies to both."),
+          .help = Text::tr(
+              "The slow speed applies to the first and the last part of the way down. This is "
+              "the length of each part."),
           .unit = Unit::Length,
           .relevant = ifPath([](const DipPath& path) { return path.slowSpeed.has_value(); })}}};
 }
@@ -618,6 +618,10 @@ PropertySection verdictProperties() {
         {.path = QStringLiteral("verdict.guessed_film"),
          .label = Text::tr("Film not measured"),
          .help = Text::tr("The verdict for a film whose swell was not measured."),
+         .words = advice},
+        {.path = QStringLiteral("verdict.expired_film"),
+         .label = Text::tr("Film expired"),
+         .help = Text::tr("The verdict for a film whose profile gives an expiry date in the past."),
          .words = advice}};
     return verdict;
 }

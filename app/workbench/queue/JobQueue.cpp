@@ -5,7 +5,6 @@
 #include "pipeline/DipCache.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/WriteResults.h"
-#include "project/Profiles.h"
 #include "project/ProjectStore.h"
 #include "workbench/jobs/Messages.h"
 
@@ -52,9 +51,6 @@ QString outcomeOf(const JobResult& result) {
         if (reason.reason.advice > Advice::Print) {
             sentences << reasonText(reason, result, millimetres);
         }
-    }
-    if (const QString expiry = expiryWarning(result.project.profiles.film); !expiry.isEmpty()) {
-        sentences << expiry;
     }
     return sentences.join(u'\n');
 }

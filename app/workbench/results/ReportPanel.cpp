@@ -103,7 +103,7 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
             table.row(markText(mark), shownArea(coverage.marked.of(mark), unit));
         }
     }
-    table.row(Text::tr("Film cells over the part"), shownLength(film.grid.leastSpacing(), unit));
+    table.row(Text::tr("Smallest film cell"), shownLength(film.grid.leastSpacing(), unit));
     table.row(Text::tr("Film points on the part"),
               Text::tr("%1 of %2")
                   .arg(locale.toString(qulonglong(adhered)),

@@ -27,16 +27,16 @@ QString differenceText(const StateFigure& first, const StateFigure& second) {
     }
     const double more = *second.value - *first.value;
     const QString number = (more > 0 ? QChar(u'+') : QChar(u'−')) + first.words(std::abs(more));
-    return (more > 0) == first.isMoreBetter ? Text::tr("%1 (better)").arg(number)
-                                            : Text::tr("%1 (worse)").arg(number);
+    return (more > 0) == first.isHigherBetter ? Text::tr("%1 (better)").arg(number)
+                                              : Text::tr("%1 (worse)").arg(number);
 }
 
 std::vector<StateFigure> stateFigures(const QJsonObject& measures, LengthUnit unit) {
-    const auto figure = [&](const QString& name, const char* key, bool isMoreBetter,
+    const auto figure = [&](const QString& name, const char* key, bool isHigherBetter,
                             const std::function<QString(double)>& words) {
         const QJsonValue value = measures.value(QLatin1String(key));
         return StateFigure{name, value.isDouble() ? std::optional(value.toDouble()) : std::nullopt,
-                           words, isMoreBetter};
+                           words, isHigherBetter};
     };
     return {figure(Text::tr("Total coverage"), "painted", true,
                    [](double share) {

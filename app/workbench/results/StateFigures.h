@@ -12,7 +12,7 @@ struct StateFigure {
     QString name;
     std::optional<double> value; // none: no result yet
     std::function<QString(double)> words;
-    bool isMoreBetter = true;
+    bool isHigherBetter = true;
 
     QString text() const;
 };

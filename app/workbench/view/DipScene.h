@@ -37,12 +37,12 @@ public:
     void showFrame(const std::shared_ptr<const DipRecording>& recording,
                    const RecordedFrame& frame);
     void showEnd(); // the end of the dip, with the whole film
-    // The world space that the body sweeps on its way down.
+    // The world space through which the body moves during the dip.
     const BoundingBox& bodyRoom() const { return bodyRoom_; }
     // Depth of the body's lowest point below the water at the shown moment, mm.
     double depth() const { return depthAt(descent_); }
-    // Returns the depth of the part's lowest point after it has descended, or travelled along its
-    // path, that far.
+    // Returns the depth of the part's lowest point after it has descended, or has travelled along
+    // its path, by `travelled` mm.
     double depthAt(double travelled) const;
 
     void setFilmLook(FilmLook look, const QImage& picture = {});

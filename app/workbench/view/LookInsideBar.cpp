@@ -120,7 +120,7 @@ double LookInsideBar::share() const {
     return double(section_->value()) / steps;
 }
 
-bool LookInsideBar::isAfter() const {
+bool LookInsideBar::isFarSideShown() const {
     return after_->isChecked();
 }
 

@@ -22,7 +22,7 @@ public:
 
     int axis() const;                   // world axis that the section plane is perpendicular to
     double share() const;               // position of the section plane along the axis, 0 … 1
-    bool isAfter() const;               // whether the side beyond the section plane is drawn
+    bool isFarSideShown() const;        // whether the side beyond the section plane is drawn
     void setShare(double share);        // also emits sectionChanged()
     void setPlace(const QString& text); // the position as text
     double filmOpacity() const;         // 0 … 1

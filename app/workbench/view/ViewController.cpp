@@ -108,7 +108,7 @@ void ViewController::showSection() {
     }
     SectionPlane plane;
     plane.axis = inside_.axis();
-    plane.after = inside_.isAfter();
+    plane.after = inside_.isFarSideShown();
     plane.place =
         double(room.min()[plane.axis]) + inside_.share() * double(room.sizes()[plane.axis]);
     plane.extent = room;

@@ -20,7 +20,7 @@ void makePlain(QObject* object) {
 }
 
 // Called for every object that a screen reader is told about, perhaps before it is polished.
-// Returns nothing, so that Qt goes on and asks its own factories.
+// Returns nothing, so that Qt then asks its own factories.
 QAccessibleInterface* makePlainBeforeItIsRead(const QString& /*className*/, QObject* object) {
     makePlain(object);
     return nullptr;

@@ -12,14 +12,15 @@ namespace dipwright {
 // small enough.
 std::optional<double> wantedCell(const Verdict& verdict, const DippedFilm& film);
 
-// Returns the smallest cell that the limits of work and of points allow, in mm. Points grow with
-// the square of the refinement; steps, which are given in cells, in proportion to it.
+// Returns the smallest cell that the limits of work and of points allow, in mm. If the cells shrink
+// by a factor, the number of points grows by its square. The number of steps grows by the factor
+// itself, because the length of a step is given in cells.
 double smallestCell(const DippedFilm& film, const FilmSettings& settings);
 
-// Returns the cell with which the dip is to be repeated, in mm; none if it stays as it is. This is
-// at most wantedCell(), and such that the work doubles a whole number of times, so that small
-// differences between solvers rarely lead to other cells. If the limits do not allow it, it is the
-// smallest such cell that they allow.
+// Returns the cell with which the dip is to be repeated, in mm; none if the film keeps its cell.
+// The cell is at most wantedCell(). With it, the work doubles a whole number of times, so that
+// small differences between solvers rarely change the cell. If the limits do not allow this cell,
+// returns the smallest one that they allow and for which the work doubles a whole number of times.
 std::optional<double> finerCell(const Verdict& verdict, const DippedFilm& film,
                                 const FilmSettings& settings);
 

@@ -228,8 +228,9 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"zone_exceeded", "tolerance.limits_mm"},
                                KindWords{"no_picture", "verdict.no_picture"},
                                KindWords{"changed_model", "verdict.changed_model"},
-                               KindWords{"guessed_film", "verdict.guessed_film"}};
-static_assert(kindWords.size() == std::size_t(Kind::GuessedFilm) + 1);
+                               KindWords{"guessed_film", "verdict.guessed_film"},
+                               KindWords{"expired_film", "verdict.expired_film"}};
+static_assert(kindWords.size() == std::size_t(Kind::ExpiredFilm) + 1);
 
 } // namespace
 

@@ -42,6 +42,7 @@ struct VerdictReason {
         NoPicture,    // the model has one plain colour
         ChangedModel, // `text`: what the import repaired, or what is missing
         GuessedFilm,  // the film's swell was not measured
+        ExpiredFilm,  // `text`: which film, and since when
     };
     Kind kind;
     Advice advice = Advice::Print; // the verdict if this is the only reason
@@ -73,7 +74,7 @@ struct Verdict {
 
 // The share of a zone's limit that the numerical error may use; the rest is for handling. On 95 %
 // of the zone's painted area the error must be within this share. It may exceed the whole limit on
-// at most the share mostFarOffArea.
+// at most the fraction mostFarOffArea of that area.
 inline constexpr double numericalShare = 1.0 / 3;
 inline double allowedError(Zone zone, const ToleranceSettings& tolerance) {
     return numericalShare * tolerance.limits[std::size_t(zone)].value();
@@ -109,8 +110,8 @@ Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* est
 class ReasonList {
 public:
     void add(VerdictReason reason);
-    // Adds a reason if the share exceeds its limit. The advice is to check first; above
-    // doNotPrintFactor times the limit, it is not to print.
+    // Adds a reason if the share exceeds its limit. The advice is CheckFirst, or DoNotPrint if the
+    // share exceeds doNotPrintFactor times the limit.
     void addShare(VerdictReason::Kind kind, double share, double limit,
                   std::optional<Zone> zone = {});
     bool isEmpty() const { return reasons_.empty(); }

@@ -51,7 +51,7 @@ bool endsLine(char byte) {
     return byte == '\n' || byte == '\r' || byte == '\f' || byte == '\0';
 }
 
-// Keywords that assimp knows only with these capitals, though some programs write others.
+// Keywords that assimp recognises only with these capitals. Some programs write others.
 constexpr const char* knownWords[] = {"newmtl", "map_Kd", "Kd"};
 
 QByteArray inKnownCase(QByteArrayView word) {

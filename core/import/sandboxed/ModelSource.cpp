@@ -30,7 +30,7 @@ QImage ModelSource::readPicture(const QString& name, QStringList& warnings) cons
 }
 
 void ModelSource::throwDamaged(const QString& reason) const {
-    throw Error(Text::tr("The model cannot be read: %1; save it anew, or as %2")
+    throw Error(Text::tr("The model cannot be read: %1; save it again, or as %2")
                     .arg(reason, anyModelFormat()),
                 path);
 }

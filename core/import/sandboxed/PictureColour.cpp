@@ -274,7 +274,7 @@ float chromaOf(quint16 number, int bits, bool isIcc) {
 }
 
 struct JpegErrors {
-    jpeg_error_mgr manager; // must be first, as libjpeg only knows this part
+    jpeg_error_mgr manager; // must be first, because libjpeg accesses only this part
     std::jmp_buf back;
 };
 

@@ -13,13 +13,13 @@ namespace dipwright {
 // - texture coordinates per corner (texcoord)
 // - pictures named by "comment TextureFile" and chosen per face by texnumber
 // Lines may end with CR, LF or both. A byte order mark before the file is skipped. Refuses a second
-// list of vertices and corners that are not integers. Refuses data after the last row: in ASCII
-// anything but white space, in binary as many bytes as further faces would need. Throws Error.
+// list of vertices, and corners that are not integers. Refuses data after the last row: in ASCII
+// anything but white space, in binary what could be further rows of faces. Throws Error.
 //
-// assimp 5.2.5 is not used, because it keeps one texture coordinate per vertex. At a seam of the
-// texture, which scans store per corner (texcoord), the last face overwrites the others. Of several
-// pictures it keeps only the last name, without the choice per face. It also never returns from
-// most files that end within their header. ImportModelTest has files of all three kinds.
+// assimp 5.2.5 is not used, because it keeps one texture coordinate per vertex. Scans store the
+// coordinates per corner (texcoord), so at a texture seam the last face overwrites the others. If
+// there are several pictures, assimp keeps only the last name, without the choice per face. It also
+// hangs on most files that end within their header. ImportModelTest has files of all three kinds.
 TexturedMesh readPly(const ModelSource& source, QStringList& warnings,
                      const CancelToken& cancelToken);
 

@@ -52,7 +52,7 @@ void checkFile(const QString& path) {
         throw Error(Text::tr("The model file cannot be read; check its permissions"), path);
     }
     if (file.size() == 0) {
-        throw Error(Text::tr("The model file is empty; save it anew"), path);
+        throw Error(Text::tr("The model file is empty; save it again"), path);
     }
 }
 
@@ -71,7 +71,7 @@ void checkPositions(const TriangleMesh& mesh, const QString& path) {
     if (bad > 0) {
         throw Error(
             Text::tr("%1 corners of the model's triangles are not numbers (NaN or infinite); "
-                     "repair the model and save it anew")
+                     "repair the model and save it again")
                 .arg(bad),
             path);
     }
@@ -115,7 +115,7 @@ ModelRepairs repair(TexturedMesh& model, const QString& path,
 
 [[noreturn]] void throwTooFar(const QString& path) {
     throw Error(
-        Text::tr("The model lies too far from its origin; move it to the origin and save it anew"),
+        Text::tr("The model lies too far from its origin; move it to the origin and save it again"),
         path);
 }
 

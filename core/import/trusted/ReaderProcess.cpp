@@ -61,8 +61,8 @@ public:
     void start(const ReaderJob& job) {
         const QString program = readerProgram();
         if (program.isEmpty()) {
-            throw Error(Text::tr("The program that reads models and pictures is missing; install "
-                                 "Dipwright anew"),
+            throw Error(Text::tr("The program that reads models and pictures is missing; "
+                                 "reinstall Dipwright"),
                         QStringLiteral("dipwright-reader"));
         }
         process_.setProcessEnvironment(bareEnvironment());
@@ -140,7 +140,7 @@ public:
 
     [[noreturn]] void throwInvalidData() const {
         throw Error(Text::tr("The file was not read, because the file reader returned invalid data "
-                             "for it; save it anew"),
+                             "for it; save it again"),
                     where_);
     }
 
@@ -227,7 +227,7 @@ private:
         }
         if (hasEnded) {
             throw Error(Text::tr("The file was not read, because it made the file reader crash; "
-                                 "save it anew (a model as %1, a picture as PNG)")
+                                 "save it again (a model as %1, a picture as PNG)")
                             .arg(anyModelFormat()),
                         where_);
         }

@@ -16,7 +16,7 @@ inline constexpr int mostFilms = 99;
 // The film that takes the pieces.
 struct PackingFilm {
     // Size in mm. For a roll: its width, and the greatest length that may be used; the roll is cut
-    // off after the last piece. The largest image of a sheet limits the length as well.
+    // off after the last piece. The largest image of a sheet limits the length, too.
     QSizeF size{210, 297};
     bool isRoll = false;
     Millimetres spacing{3};               // between two pieces

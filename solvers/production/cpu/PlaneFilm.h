@@ -87,7 +87,7 @@ private:
     float areaOf(const Crossing& triangle) const;
     RowOfStates<const float*> statesOf(int row) const;
     numerics::StressState<float> stateOf(const Crossing& triangle) const;
-    // Returns the begin and the end in crossing_ of the triangles in a row of cells.
+    // Returns the range of crossing_ that holds the triangles of a row of cells: begin and end.
     std::pair<std::size_t, std::size_t> crossingInRow(int row) const;
     numerics::Matrix2<float> inverseShape(std::size_t cell, bool second) const;
     void setInverseShape(std::size_t cell, bool second, const numerics::Matrix2<float>& shape);

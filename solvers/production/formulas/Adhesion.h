@@ -25,7 +25,8 @@ struct ContactBody {
     // fully; past `steepestHeld`, not at all.
     Real firmlyHeld{}, steepestHeld{};
 
-    // Returns the body's frame after it has descended, or travelled along its path, that far.
+    // Returns the body's frame after it has descended, or has travelled along its path, by
+    // `travelled` mm.
     DIPWRIGHT_HOST_DEVICE BodyFrame<Real> frameAt(double travelled) const {
         return path.count == 0 ? bodyFrame<Real>(motion, travelled)
                                : frameOnPath<Real>(path, travelled);

@@ -159,11 +159,11 @@ inline constexpr double leastAgreement = 0.5;
 } // namespace detail
 
 // Returns where an adhered corner at the world point `corner` lies after unfolding about the
-// contact line. First finds the line's point nearest to the corner, along the line's own normal
-// there. From that point, the result lies towards the body by the distance along the surface. So
-// the film there pulls all its triangles in the same direction. With the triangle's normal (`line`)
-// instead, a corner would move sideways whenever that normal changes. Directly above a tip, all
-// directions are equally short; there the triangle's normal is used.
+// contact line. First finds the line's point that is nearest to the corner; the line's normal there
+// passes through the corner. From that point, the result lies towards the body, at the distance
+// along the surface. So all triangles that share the corner unfold it in the same direction. The
+// triangle's normal (`line`) would move the corner sideways whenever that normal changes. Directly
+// above a tip, the line is equally near in all directions; there the triangle's normal is used.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline Unfolded<Real>
 unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,

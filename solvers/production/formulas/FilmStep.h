@@ -3,14 +3,14 @@
 //
 // The film is a plane problem: each point has a place in the water plane. The equilibrium moves the
 // free points, and adhered points are held. For triangles that cross the contact line, the body's
-// surface is unfolded about the line with its adhered points (ContactPath.h).
+// surface, with its adhered points, is unfolded about this line (ContactPath.h).
 //
 // A step lowers the body until the contact line has travelled a fraction of a cell along the
 // surface. Then the film finds its equilibrium. Each point that touched the surface during the step
-// adheres where and when it touched. Where the body turns up, its grip fades, and film takes part
-// in a smaller share of the unfolding motion (LaidCorners). Where the body turns up too far, it
-// releases the film. The edge of released film then stays at its place on the water. Torn film is
-// also held at its place on the water, because it is soft and does not spring back.
+// adheres where and when it touched. Where the body turns up, its grip fades, and the film follows
+// only a share of the unfolding motion (LaidCorners). Where the body turns up too far, it releases
+// the film. The edge of released film then stays at its place on the water. Torn film is also held
+// at its place on the water, because it is soft and does not spring back.
 #pragma once
 
 #include "production/formulas/Equilibrium.h"
@@ -36,8 +36,8 @@ DIPWRIGHT_TEAM inline bool isFree(const Film& film, int point) {
     return film.pointState(point) == solver::PointState::Free;
 }
 
-// Returns the smallest distance from the body to all points that are not next to film on the body,
-// or `most` if no point is nearer.
+// Returns the smallest distance between the body and any point that is not next to adhered film, or
+// `most` if no point is nearer.
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double nearestClearance(Film& film, double most) {
     using Real = typename Film::Real;
@@ -109,7 +109,7 @@ DIPWRIGHT_TEAM inline void findCorners(const Film& film, const TriangleCorners& 
     }
 }
 
-// Returns how far the body at a triangle's held corners sinks, or rises, per mm that it travels.
+// Returns how far the body goes down or up at a triangle's held corners, per mm that it travels.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline double sinking(const CrossingCorner<Real> (&corners)[3],
                                             const BodyFrame<Real>& frame,
@@ -259,7 +259,8 @@ DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline EquilibriumResult settle(Film& film, typename Film::Real drag) {
     // The rounding error of a triangle's gradient grows with the triangle's edge. At first contact,
-    // this error may be the only force. Without this limit, nearly all points would then be held.
+    // this error may be the only force. Without longestEdge as a lower bound, nearly all points
+    // would then be held.
     const double farthest = std::fmax(farthestFromRest(film), film.model().longestEdge);
     EquilibriumResult found = findEquilibrium(film, drag, farthest);
     for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {

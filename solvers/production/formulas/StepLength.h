@@ -21,12 +21,12 @@ DIPWRIGHT_HOST_DEVICE inline double contactIncrement(double travel, double steep
     return travel * (steepness > leastSteepness ? steepness : leastSteepness);
 }
 
-// On a path, the body's sinking is tested over this way, mm.
+// On a path, the body's vertical motion is measured over this length of travel, mm.
 inline constexpr double sinkingTestedOver = 0.1;
 
-// On a path, the contact line travels by the body's vertical motion over the steepness. Returns the
-// steepness of a face on which it would travel as far in a straight dip, if the body sinks or rises
-// by `sinking` mm per mm of its way; at most that of a vertical face.
+// On a path, the body goes down or up by `sinking` mm per mm that it travels. The contact line then
+// advances by this vertical motion divided by the steepness. Returns the steepness at which it
+// would advance equally far in a straight dip; at most 1, a vertical face.
 DIPWRIGHT_HOST_DEVICE inline double steepnessOnPath(double steepness, double sinking) {
     const double least = steepness > leastSteepness ? steepness : leastSteepness;
     return least < sinking ? least / sinking : 1;

@@ -299,7 +299,7 @@ void PrintTest::print_printerScalesByDefault_bypassesQueue() {
     QVERIFY2(plan.warnings.join(' ').contains("bypasses the queue"),
              qPrintable(plan.warnings.join(' ')));
     QCOMPARE(followJob(*system_, system_->submit(plan.task), {}), JobState::Printed);
-    QCOMPARE(cups_->told("filling", "print-scaling"), QByteArray("none"));
+    QCOMPARE(cups_->receivedAttribute("filling", "print-scaling"), QByteArray("none"));
     const QStringList papers = cups_->received("filling");
     QCOMPARE(papers.size(), 1);
     verifySquares(papers.back(), true, 17);

@@ -257,7 +257,8 @@ QStringList PrivateCups::received(const QString& printer) const {
     return paths;
 }
 
-QByteArray PrivateCups::told(const QString& printer, const QByteArray& attribute) const {
+QByteArray PrivateCups::receivedAttribute(const QString& printer,
+                                          const QByteArray& attribute) const {
     QFile file(QDir(devices_.at(printer).folder).filePath("told"));
     file.open(QIODevice::ReadOnly);
     const QByteArray name = "IPP_" + attribute.toUpper().replace('-', '_') + "=";

@@ -50,7 +50,7 @@ public:
     QStringList received(const QString& printer) const;
     // Returns an attribute ("print-scaling") of the last job that a printer received; empty if the
     // job has no such attribute.
-    QByteArray told(const QString& printer, const QByteArray& attribute) const;
+    QByteArray receivedAttribute(const QString& printer, const QByteArray& attribute) const;
 
 private:
     struct Device {

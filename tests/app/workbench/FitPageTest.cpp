@@ -54,7 +54,7 @@ private slots:
         InspectionWindow::drop(*window_->page<PartPage>(), photos);
         QTRY_COMPARE_WITH_TIMEOUT(window_->project().inspection.photos.size(), std::size_t(3),
                                   patience());
-        // Places of the body's surface with an error, as a user clicks them.
+        // Places on the body's surface, with errors as in a user's clicks.
         const FitPairs pairs = part.pairs(cameras, 0, 16, 0.7, 1);
         window_->window().document()->edit(QStringLiteral("pairs"), {}, [&](Project& project) {
             for (const PlacePair& pair : pairs.body) {

@@ -169,7 +169,7 @@ private slots:
         QCOMPARE(built().parts.size(), std::size_t(1));
     }
 
-    // The film is too coarse for the fit to converge. The page says so instead of a result.
+    // The film is too coarse for the fit to converge. The page says so instead of showing a result.
     void fitPage_fitDoesNotConverge_saysWhy() {
         WindowDriver& driver = window_->driver();
         auto* fit = driver.find<QPushButton>("fitFilm");

@@ -142,7 +142,7 @@ private slots:
         QVERIFY(document().isFresh() && session().canRefine() && banner().isVisible());
         driver.trigger("run"); // starts when the cancelled job has ended
         QTRY_VERIFY_WITH_TIMEOUT(session().isRefining(), patience());
-        // A change stops it; after an undo it goes on.
+        // A change stops it; after an undo it continues.
         document().edit({}, {}, [](Project& project) { project.sheet.bleed = Millimetres(4); });
         QTRY_VERIFY_WITH_TIMEOUT(!session().isRefining(), patience());
         document().undoStack().undo();

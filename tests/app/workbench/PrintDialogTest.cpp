@@ -5,7 +5,6 @@
 #include "ChessSheet.h"
 #include "PaperMeasure.h"
 #include "PrivateCups.h"
-#include "workbench/widgets/NoticeBar.h"
 
 #include <QCheckBox>
 #include <QLabel>
@@ -88,16 +87,6 @@ private slots:
                 }
             }
         }
-    }
-
-    void printDialog_expiredFilm_isNoticed() {
-        DipOutcome outcome = twoSheets();
-        auto result = std::make_shared<JobResult>(*outcome.result);
-        result->project.profiles.film.emplace().expiry = QStringLiteral("2001-03-31");
-        outcome.result = result;
-        PrintDialog dialog(outcome, 0, QStringLiteral("turtle.dipw"));
-        const auto* notice = dialog.findChild<NoticeBar*>();
-        QVERIFY2(notice->text().contains(QStringLiteral("2001-03-31")), qPrintable(notice->text()));
     }
 };
 

@@ -392,7 +392,7 @@ private slots:
         QVERIFY(asked.wait(patience()));
         QCOMPARE(asked.count(), 1); // one run for both changes
         setWidth(document, 185);
-        live.begin(); // the run that was asked for
+        live.begin(); // the requested run
         live.setWanted(false);
         setWidth(document, 170);
         QVERIFY(!asked.wait(800));

@@ -49,7 +49,8 @@ public:
     bool run();
 
     void drop(const QString& path) const; // drops a file on the window
-    // Drags with the left button between two places of the widget, in shares (0 to 1) of its size.
+    // Drags with the left button between two places of the widget, as fractions (0 to 1) of its
+    // size.
     static void drag(QWidget& widget, QPointF from, QPointF to);
 
     QAction* action(const char* name) const;

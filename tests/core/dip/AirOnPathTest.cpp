@@ -31,7 +31,7 @@ double insideArea() {
     return 2 * pi * inner * inner * (1 - std::cos(slope));
 }
 
-// Enters tilted and is level at this depth.
+// Returns a bowl that enters tilted by `degrees` and is level at the depth `levelDepth`, in mm.
 PosedBody tiltedBowl(double degrees, double levelDepth, double depth) {
     Immersion immersion;
     immersion.path.kind = PathKind::Tilt;
@@ -48,8 +48,8 @@ class AirOnPathTest : public QObject {
     Q_OBJECT
 
 private slots:
-    // Still tilted when all of it is under water. The hollow has a way out that only rises if the
-    // tilt exceeds the slope at the rim, 35°.
+    // The bowl is still tilted when all of it is under water. The hollow has a way out that rises
+    // all the way only if the tilt exceeds the slope at the rim, 35°.
     void posedBody_shallowBowlTilted_keepsAirUpToTheSlopeAtItsRim() {
         const double level =
             trappedAir(posedBody(shallowBowl(), Immersion(), ProcessSettings())).area;

@@ -28,7 +28,7 @@ TexturedMesh boxWithPicture(const Eigen::Vector3d& size, const QImage& picture);
 // left and right edges meet on the meridian of +Z.
 TexturedMesh globe(double radius, int rings, int segments, const QImage& picture);
 // Returns a sphere of two charts: its halves x < 0 and x > 0, projected along X. The charts lie in
-// the left and the right half of `picture`. Of the picture's width, a fifth is free between the
+// the left and the right half of `picture`. A fifth of the picture's width is free between the
 // charts, and a tenth on the outer side of each.
 TexturedMesh halvedBall(double radius, int rings, int segments, const QImage& picture);
 

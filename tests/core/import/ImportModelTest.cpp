@@ -610,7 +610,7 @@ void ImportModelTest::repair_insideOutBodyWithOpenSeam_isFlipped() {
     QVERIFY(std::abs(joined.volume - whole) < 1);
     QCOMPARE(joined.repairs.size(), 2);
 
-    sphere.triangles.resize(sphere.triangles.size() - 60); // a hole as well
+    sphere.triangles.resize(sphere.triangles.size() - 60); // a hole, too
     const auto open = import(write(QStringLiteral("hole.stl"), stl(sphere))).report;
     QVERIFY(!open.closed);
     QVERIFY(open.volume > 0.9 * whole);

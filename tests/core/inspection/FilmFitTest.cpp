@@ -166,11 +166,11 @@ private slots:
             }
         }
         for (std::size_t i = 0; i < held.size(); ++i) {
-            qInfo("%s: held in %.1f %%", qPrintable(fitQuantityKey(unknowns[i].quantity)),
-                  100.0 * held[i] / photos);
+            qInfo("%s: the interval holds the true value in %.1f %%",
+                  qPrintable(fitQuantityKey(unknowns[i].quantity)), 100.0 * held[i] / photos);
         }
         const double share = std::accumulate(held.begin(), held.end(), 0) / (6.0 * photos);
-        qInfo("together in %.1f %%", 100 * share);
+        qInfo("all quantities together: in %.1f %%", 100 * share);
         QVERIFY(share > 0.93 && share < 0.97);
     }
 

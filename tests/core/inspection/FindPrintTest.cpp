@@ -173,7 +173,7 @@ private slots:
             square += off.squaredNorm() / count;
             farthest = std::max(farthest, off.norm());
         }
-        qInfo("%d of %d corners; error mean %.4f, %.4f, rms %.4f, at most %.3f px; the fitted  "
+        qInfo("%d of %d corners; error mean %.4f, %.4f, rms %.4f, at most %.3f px; the fitted "
               "camera leaves R = %.4f px",
               int(count), print.expected[0], mean.x(), mean.y(), std::sqrt(square), farthest,
               print.view.figures.meanPixels);

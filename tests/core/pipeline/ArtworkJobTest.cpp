@@ -237,7 +237,7 @@ private slots:
         const double quality = inked.measures[Measure::Quality];
         QVERIFY2(quality > 0.95,
                  qPrintable(QStringLiteral("quality %1, expected > 0.95").arg(quality)));
-        project.sheet.white = WhiteLayer::Last; // white round the spot uses film as well
+        project.sheet.white = WhiteLayer::Last; // white round the spot uses film, too
         QVERIFY(best().measures[Measure::Quality] < quality - 0.1);
     }
 

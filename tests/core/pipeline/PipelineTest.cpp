@@ -327,22 +327,32 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(runJob(job_, registry, options, nullptr, {}), Error);
     }
 
-    void runJob_expiredFilm_isReported() {
+    void runJob_expiredFilm_checkFirst() {
         Project job = job_;
         FilmProfile film;
         film.name = QStringLiteral("Blue box");
         film.lot = QStringLiteral("B-17");
         film.expiry = QStringLiteral("2001-03-31");
         job.profiles.film = film;
-        const JobResult result = runJob(job, *registry_, {}, &first_, {});
-        QCOMPARE(result.notes.size(), 1);
-        QVERIFY2(result.notes.front().contains("Blue box, lot B-17, expired on 2001-03-31"),
-                 qPrintable(result.notes.front()));
-        QVERIFY(validateJob(job, *registry_).contains(result.notes.front()));
+        const auto expiryReason = [&]() -> std::optional<VerdictReason> {
+            const JobResult result = runJob(job, *registry_, {}, &first_, {});
+            for (const VerdictReason& reason : result.verdict.reasons) {
+                if (reason.kind == VerdictReason::Kind::ExpiredFilm) {
+                    return reason;
+                }
+            }
+            return std::nullopt;
+        };
+        const std::optional<VerdictReason> reason = expiryReason();
+        QVERIFY(reason);
+        QCOMPARE(reason->advice, Advice::CheckFirst);
+        QVERIFY2(reason->text.contains("Blue box, lot B-17, expired on 2001-03-31"),
+                 qPrintable(reason->text));
+        QVERIFY(validateJob(job, *registry_).contains(reason->text));
         job.profiles.film->expiry = QStringLiteral("9999-12-31");
-        QVERIFY(runJob(job, *registry_, {}, &first_, {}).notes.isEmpty());
+        QVERIFY(!expiryReason());
         job.profiles.film->expiry.clear();
-        QVERIFY(runJob(job, *registry_, {}, &first_, {}).notes.isEmpty());
+        QVERIFY(!expiryReason());
     }
 
     void runJob_tooSmallFilm_doNotPrint() {

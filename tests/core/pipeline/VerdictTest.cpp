@@ -1,4 +1,5 @@
-// Tests the verdicts of a run, compared with the full check, with one body for each verdict.
+// Tests the verdicts of a run, with one body for each verdict. Verdicts on the numerical error are
+// compared with the full check.
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include "pipeline/JobVerdict.h"

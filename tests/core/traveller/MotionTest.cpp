@@ -129,9 +129,9 @@ private slots:
                               "M0", "G1 Z50.000 F240.000", "M2"}));
     }
 
-    // Some controllers take a dwell in ms, others in s. The hold therefore consists of moves that
-    // take the same time.
-    void filledTemplate_hold_lastsAsLongOnEveryController() {
+    // Some controllers take a dwell in ms, others in s. The hold therefore consists of moves, which
+    // take the same time on every controller.
+    void filledTemplate_hold_lastsEquallyLongOnEveryController() {
         const MotionTemplate shipped = standardMotionTemplate({});
         const QString code =
             QString::fromUtf8(filledTemplate(motion(), shipped.text, shipped.where));
@@ -185,7 +185,7 @@ private slots:
         }
     }
 
-    // A part that only turns about the vertical while it sinks needs two axes.
+    // A part that only turns about the vertical while it goes down needs two axes.
     void filledTemplate_turnAboutTheVertical_movesTwoAxes() {
         DipMotion moved = motion();
         for (int i = 0; i <= 4; ++i) {

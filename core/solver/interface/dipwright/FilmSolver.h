@@ -124,8 +124,9 @@ struct BodyMotion {
 
 // One pose on a path.
 struct PathPose {
-    // Way along the path, mm. Between two poses no point of the body moves farther than the way
-    // grows, so that `travelled` bounds the body's motion as the descent does in a straight dip.
+    // Distance travelled along the path, mm. Between two poses no point of the body moves farther
+    // than this distance grows. So `travelled` limits the body's motion, as the descent does in a
+    // straight dip.
     double travelled = 0;
     double seconds = 0;                         // since the dip began
     std::array<double, 4> rotation{1, 0, 0, 0}; // from the body to the world; w, x, y, z; length 1
@@ -188,7 +189,7 @@ struct Settings {
 struct DipSetup {
     FilmGrid film;
     FieldView field;
-    // If there is a path, only `travel` is used, and is the way along the whole path.
+    // If there is a path, only `travel` is used; it is the length of the whole path.
     BodyMotion motion;
     Settings settings;
     std::vector<std::uint8_t> pinned;

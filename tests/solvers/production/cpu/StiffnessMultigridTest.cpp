@@ -199,7 +199,7 @@ void StiffnessMultigridTest::cycle_isSymmetric() {
             1e-4 * std::sqrt(dot(a, film.cycle(a)) * dot(b, film.cycle(b))));
 }
 
-// The grid has a point in its middle, so that the diagonals of its cells are mirrored as well.
+// The grid has a point in its middle, so that the diagonals of its cells are mirrored, too.
 void StiffnessMultigridTest::cycle_mirroredForces_giveMirroredFilm() {
     Film film(33, 25);
     film.prepare();
