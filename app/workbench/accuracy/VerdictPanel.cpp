@@ -52,7 +52,7 @@ QString placeHtml(const PlaceToCheck& place, std::size_t number, LengthUnit unit
         place, [unit](double length) { return shownLength(length, unit); },
         [unit](double area) { return shownArea(area, unit); });
     return QStringLiteral("<li><a href='%1'>%2</a></li>")
-        .arg(QString::number(number), words.toHtmlEscaped());
+        .arg(QString::number(number), withUnitsKept(words).toHtmlEscaped());
 }
 
 // Returns the reason's sentence, with a link to the setting that holds its limit, if there is one.
