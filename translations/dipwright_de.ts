@@ -763,7 +763,7 @@
     </message>
     <message>
         <source>As built</source>
-        <translation>Wie gebaut</translation>
+        <translation>Gefertigt</translation>
     </message>
     <message>
         <source>File ▸ Job queue</source>
@@ -2581,10 +2581,6 @@
         <translation>Der Name dieses Tauchvorgangs. Er wird in der Auftragszeile seines Blatts gedruckt.</translation>
     </message>
     <message>
-        <source>Rotation of the part about X, then Y, then Z before the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
-        <translation>Drehung des Teils um X, dann Y, dann Z vor dem Tauchvorgang. Sie können auch die Ringe in der Ansicht ziehen; mit Umschalt in Schritten von 15°.</translation>
-    </message>
-    <message>
         <source>Where the part meets the film, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
         <translation>Wo das Teil den Film trifft, von der Mitte des Films aus gemessen: X nach rechts, Z das Blatt hinab.</translation>
     </message>
@@ -2814,7 +2810,7 @@
     </message>
     <message>
         <source>Width, on the part, of the band along the seam that both dips paint. The dips fade into each other there. The band is wider where the registration error would show.</source>
-        <translation>Breite, auf dem Teil gemessen, des Streifens längs der Naht, den beide Tauchvorgänge bemalen. Die Tauchvorgänge gehen dort ineinander über. Der Streifen ist breiter, wo der Passfehler sichtbar würde.</translation>
+        <translation>Breite, auf dem Teil gemessen, des Streifens längs der Naht, den beide Tauchvorgänge bemalen. Die Tauchvorgänge gehen dort ineinander über. Der Streifen ist breiter, wo der Passerfehler sichtbar würde.</translation>
     </message>
     <message>
         <source>Contact with paint</source>
@@ -2970,7 +2966,7 @@
     </message>
     <message>
         <source>Turn</source>
-        <translation>Drehung</translation>
+        <translation>Drehung beim Absenken</translation>
     </message>
     <message>
         <source>Turn about the vertical while the part goes down, counterclockwise seen from above.</source>
@@ -2986,15 +2982,11 @@
     </message>
     <message>
         <source>Slow speed</source>
-        <translation>Langsam mit</translation>
+        <translation>Langsame Geschwindigkeit</translation>
     </message>
     <message>
         <source>Speed at the first contact with the water and at the end of the dip.</source>
         <translation>Geschwindigkeit beim ersten Kontakt mit dem Wasser und am Ende des Tauchvorgangs.</translation>
-    </message>
-    <message>
-        <source>As the dip</source>
-        <translation>Wie der Tauchvorgang</translation>
     </message>
     <message>
         <source>Slanted: the angle between the path and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
@@ -3019,6 +3011,18 @@
     <message>
         <source>The verdict for a film whose profile gives an expiry date in the past.</source>
         <translation>Das Urteil für einen Film, dessen Profil ein vergangenes Ablaufdatum nennt.</translation>
+    </message>
+    <message>
+        <source>Gauss–Seidel</source>
+        <translation>Gauß–Seidel</translation>
+    </message>
+    <message>
+        <source>Same as the dip</source>
+        <translation>Wie beim Tauchen</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about X, then Y, then Z. If the part tilts, rolls or turns on its path: its rotation at the end of the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
+        <translation>Drehung des Teils um X, dann Y, dann Z. Wenn das Teil auf seinem Weg kippt, rollt oder sich dreht: seine Drehung am Ende des Tauchvorgangs. Sie können auch die Ringe in der Ansicht ziehen; mit Umschalt in Schritten von 15°.</translation>
     </message>
 </context>
 <context>
@@ -4296,7 +4300,7 @@
     </message>
     <message>
         <source>As built</source>
-        <translation>Wie gebaut</translation>
+        <translation>Gefertigt</translation>
     </message>
     <message>
         <source>Measuring the error on the sheet</source>
@@ -5006,10 +5010,6 @@
         <translation>Quellung längs X</translation>
     </message>
     <message>
-        <source>Swell along Y</source>
-        <translation>Quellung längs Y</translation>
-    </message>
-    <message>
         <source>Relaxation</source>
         <translation>Relaxation</translation>
     </message>
@@ -5136,6 +5136,10 @@
     <message>
         <source>A film can be fitted to straight dips only</source>
         <translation>Ein Film lässt sich nur an gerade Tauchvorgänge anpassen</translation>
+    </message>
+    <message>
+        <source>Swell along Z</source>
+        <translation>Quellung längs Z</translation>
     </message>
 </context>
 <context>
@@ -5310,7 +5314,7 @@
     </message>
     <message>
         <source>Card height above film</source>
-        <translation>Höhe der Karte über dem Film</translation>
+        <translation>Karte über dem Film</translation>
     </message>
 </context>
 <context>
@@ -5337,10 +5341,6 @@
     <message>
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
-    </message>
-    <message>
-        <source>Swell when the dip begins: along X %1, along Y %2</source>
-        <translation>Quellung zu Beginn des Tauchvorgangs: längs X %1, längs Y %2</translation>
     </message>
     <message>
         <source>Unevenness: 95 % of the film lies within %1 mm of where an evenly swollen film would lie</source>
@@ -5426,6 +5426,10 @@
         <source>The card&apos;s corners lie %1 px from their places on a flat card; lay the card flat, and correct or clear the values for lens distortion, focal length and card height</source>
         <translation>Die Ecken der Karte liegen %1 px neben ihren Plätzen auf einer ebenen Karte; legen Sie die Karte eben hin, und berichtigen oder löschen Sie die Werte für Verzeichnung, Brennweite und Höhe der Karte</translation>
     </message>
+    <message>
+        <source>Swell when the dip begins: along X %1, along Z %2</source>
+        <translation>Quellung zu Beginn des Tauchvorgangs: längs X %1, längs Z %2</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmWatchController</name>
@@ -5447,7 +5451,7 @@
     </message>
     <message>
         <source>Film on the water</source>
-        <translation>Film auf dem Wasser</translation>
+        <translation>Film auf Wasser</translation>
     </message>
     <message>
         <source>The photo %1 has changed since it was added.</source>
@@ -5543,10 +5547,6 @@
         <translation>Passt Lage, Quellung und Relaxation an, soweit die Fotos sie bestimmen.</translation>
     </message>
     <message>
-        <source>Before the fit</source>
-        <translation>Vor der Anpassung</translation>
-    </message>
-    <message>
         <source>Fitted</source>
         <translation>Angepasst</translation>
     </message>
@@ -5565,6 +5565,10 @@
     <message>
         <source>No pair is a place on the part itself, such as a corner or a hole. Without such pairs, a shift or rotation of the whole image looks the same as a movement of the camera.</source>
         <translation>Kein Paar ist eine Stelle auf dem Teil selbst, etwa eine Ecke oder ein Loch. Ohne solche Paare sieht eine Verschiebung oder Drehung des ganzen Bilds genauso aus wie eine Bewegung der Kamera.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
     </message>
 </context>
 <context>
@@ -6077,11 +6081,11 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     </message>
     <message>
         <source>As built</source>
-        <translation>Wie gebaut</translation>
+        <translation>Gefertigt</translation>
     </message>
     <message>
         <source>Film on the water</source>
-        <translation>Film auf dem Wasser</translation>
+        <translation>Film auf Wasser</translation>
     </message>
     <message>
         <source>Choose dipped image</source>
@@ -7904,7 +7908,7 @@ Unterschiede</translation>
     </message>
     <message>
         <source>%1 mm² of the part will be visibly too pale: the stretched film needs more ink there than full ink, the ink limit and the total area coverage allow</source>
-        <translation>%1 mm² des Teils werden sichtbar zu blass: Der gedehnte Film braucht dort mehr Farbe, als Vollton, Farbgrenze und Gesamtfarbauftrag zulassen</translation>
+        <translation>%1 mm² des Teils werden sichtbar zu blass: Der gedehnte Film braucht dort mehr Farbe, als Vollton, Tintenlimit und Gesamtfarbauftrag zulassen</translation>
     </message>
     <message>
         <source>This print could not be added to the print history: %1</source>
@@ -8449,6 +8453,10 @@ Ergebnisse: %2</translation>
     <message>
         <source>Add projects. They run one after the other, each in its last saved version. The results are written to the results folder.</source>
         <translation>Fügen Sie Projekte hinzu. Sie laufen nacheinander, jedes in der zuletzt gespeicherten Fassung. Die Ergebnisse werden in den Ergebnisordner geschrieben.</translation>
+    </message>
+    <message>
+        <source>Result of the selected project</source>
+        <translation>Ergebnis des gewählten Projekts</translation>
     </message>
 </context>
 <context>

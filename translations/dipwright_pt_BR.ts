@@ -2581,10 +2581,6 @@
         <translation>O nome desta imersão. É impresso na linha de trabalho da folha.</translation>
     </message>
     <message>
-        <source>Rotation of the part about X, then Y, then Z before the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
-        <translation>Rotação da peça em X, depois Y, depois Z antes da imersão. Também é possível arrastar os anéis na vista; segure Shift para passos de 15°.</translation>
-    </message>
-    <message>
         <source>Where the part meets the film, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
         <translation>Onde a peça encontra a película, a partir do centro da película: X para a direita, Z para baixo na folha.</translation>
     </message>
@@ -2993,10 +2989,6 @@
         <translation>Velocidade no primeiro contato com a água e no fim da imersão.</translation>
     </message>
     <message>
-        <source>As the dip</source>
-        <translation>Como a imersão</translation>
-    </message>
-    <message>
         <source>Slanted: the angle between the path and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
         <translation>Inclinado: o ângulo entre o percurso e a água. Tombar: quanto a peça está tombada no início. Rolar: o ângulo que ela rola.</translation>
     </message>
@@ -3019,6 +3011,18 @@
     <message>
         <source>The verdict for a film whose profile gives an expiry date in the past.</source>
         <translation>O veredito para uma película cujo perfil indica uma data de validade já passada.</translation>
+    </message>
+    <message>
+        <source>Gauss–Seidel</source>
+        <translation>Gauss–Seidel</translation>
+    </message>
+    <message>
+        <source>Same as the dip</source>
+        <translation>Igual à da imersão</translation>
+    </message>
+    <message>
+        <source>Rotation of the part about X, then Y, then Z. If the part tilts, rolls or turns on its path: its rotation at the end of the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
+        <translation>Rotação da peça em X, depois Y, depois Z. Se a peça tomba, rola ou gira no percurso: sua rotação no fim da imersão. Também é possível arrastar os anéis na vista; segure Shift para passos de 15°.</translation>
     </message>
 </context>
 <context>
@@ -5006,10 +5010,6 @@
         <translation>Inchamento ao longo de X</translation>
     </message>
     <message>
-        <source>Swell along Y</source>
-        <translation>Inchamento ao longo de Y</translation>
-    </message>
-    <message>
         <source>Relaxation</source>
         <translation>Relaxação</translation>
     </message>
@@ -5136,6 +5136,10 @@
     <message>
         <source>A film can be fitted to straight dips only</source>
         <translation>Só é possível ajustar uma película a imersões retas</translation>
+    </message>
+    <message>
+        <source>Swell along Z</source>
+        <translation>Inchamento ao longo de Z</translation>
     </message>
 </context>
 <context>
@@ -5310,7 +5314,7 @@
     </message>
     <message>
         <source>Card height above film</source>
-        <translation>Altura do cartão acima da película</translation>
+        <translation>Cartão acima da película</translation>
     </message>
 </context>
 <context>
@@ -5337,10 +5341,6 @@
     <message>
         <source>%1 ± %2</source>
         <translation>%1 ± %2</translation>
-    </message>
-    <message>
-        <source>Swell when the dip begins: along X %1, along Y %2</source>
-        <translation>Inchamento no início da imersão: ao longo de X %1, ao longo de Y %2</translation>
     </message>
     <message>
         <source>Unevenness: 95 % of the film lies within %1 mm of where an evenly swollen film would lie</source>
@@ -5425,6 +5425,10 @@
     <message>
         <source>The card&apos;s corners lie %1 px from their places on a flat card; lay the card flat, and correct or clear the values for lens distortion, focal length and card height</source>
         <translation>Os cantos do cartão estão a %1 px de seus lugares num cartão plano; deite o cartão plano, e corrija ou apague os valores da distorção da lente, da distância focal e da altura do cartão</translation>
+    </message>
+    <message>
+        <source>Swell when the dip begins: along X %1, along Z %2</source>
+        <translation>Inchamento no início da imersão: ao longo de X %1, ao longo de Z %2</translation>
     </message>
 </context>
 <context>
@@ -5543,10 +5547,6 @@
         <translation>Ajusta posição, inchamento e relaxação, até onde as fotos os determinam.</translation>
     </message>
     <message>
-        <source>Before the fit</source>
-        <translation>Antes do ajuste</translation>
-    </message>
-    <message>
         <source>Fitted</source>
         <translation>Ajustado</translation>
     </message>
@@ -5565,6 +5565,10 @@
     <message>
         <source>No pair is a place on the part itself, such as a corner or a hole. Without such pairs, a shift or rotation of the whole image looks the same as a movement of the camera.</source>
         <translation>Nenhum par é um lugar da própria peça, como um canto ou um furo. Sem esses pares, um deslocamento ou giro de toda a imagem parece igual a um movimento da câmera.</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Antes</translation>
     </message>
 </context>
 <context>
@@ -7904,7 +7908,7 @@ diferenças</translation>
     </message>
     <message>
         <source>%1 mm² of the part will be visibly too pale: the stretched film needs more ink there than full ink, the ink limit and the total area coverage allow</source>
-        <translation>%1 mm² da peça ficarão visivelmente pálidos demais: ali a película estirada precisa de mais tinta do que permitem a tinta cheia, o limite de tinta e a carga total de tinta</translation>
+        <translation>%1 mm² da peça ficarão visivelmente claros demais: ali a película esticada precisa de mais tinta do que permitem a tinta cheia, o limite de tinta e a carga total de tinta</translation>
     </message>
     <message>
         <source>This print could not be added to the print history: %1</source>
@@ -8449,6 +8453,10 @@ Resultados: %2</translation>
     <message>
         <source>Add projects. They run one after the other, each in its last saved version. The results are written to the results folder.</source>
         <translation>Adicione projetos. Eles são executados um após o outro, cada um na última versão salva. Os resultados são gravados na pasta dos resultados.</translation>
+    </message>
+    <message>
+        <source>Result of the selected project</source>
+        <translation>Resultado do projeto selecionado</translation>
     </message>
 </context>
 <context>

@@ -233,7 +233,7 @@ FilmProfile withMeasurement(FilmProfile profile, const FilmWatch& watch, const W
 }
 
 QStringList watchSentences(const FilmWatch& watch) {
-    QStringList sentences{Text::tr("Swell when the dip begins: along X %1, along Y %2")
+    QStringList sentences{Text::tr("Swell when the dip begins: along X %1, along Z %2")
                               .arg(swellText(watch.growth.swellX), swellText(watch.growth.swellY))};
     sentences << growthSentences(watch);
     double uneven = 0;

@@ -51,7 +51,7 @@ const Described& described(FitQuantity quantity) {
          "",
          {0.5, 5, 2, 0.01}},
         {"swell_y",
-         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Swell along Y"),
+         QT_TRANSLATE_NOOP("dipwright::FilmFit", "Swell along Z"),
          "",
          {0.5, 5, 2, 0.01}},
         {"relaxation",

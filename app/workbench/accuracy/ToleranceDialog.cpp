@@ -28,7 +28,7 @@ QString number(double value, int decimals) {
 }
 
 QLabel* sentences(const QStringList& lines) {
-    auto* label = new QLabel(lines.join(QLatin1Char('\n')));
+    auto* label = new QLabel(withUnitsKept(lines.join(QLatin1Char('\n'))));
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     return label;
@@ -37,9 +37,11 @@ QLabel* sentences(const QStringList& lines) {
 // Only millimetres are converted to `unit`. Angles and shares are the same in all units.
 QString toleranceText(const Contribution& contribution, LengthUnit unit) {
     const QString sign = contributorUnit(contribution.contributor);
-    return sign == QLatin1String("mm")
-               ? offBy(contribution.tolerance, unit)
-               : QStringLiteral("±%1 %2").arg(QLocale().toString(contribution.tolerance), sign);
+    if (sign == QLatin1String("mm")) {
+        return offBy(contribution.tolerance, unit);
+    }
+    const QString space = sign == QStringLiteral("°") ? QString() : QStringLiteral(" ");
+    return QStringLiteral("±%1%2%3").arg(QLocale().toString(contribution.tolerance), space, sign);
 }
 
 QStringList cells(const Contribution& contribution, LengthUnit unit) {
@@ -90,6 +92,8 @@ QTableWidget* table(const DipTolerances& tolerances, LengthUnit unit) {
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setSelectionMode(QAbstractItemView::ContiguousSelection);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table->horizontalHeader()->setSectionResizeMode(int(columns.size()) - 1,
+                                                    QHeaderView::ResizeToContents);
     table->setMinimumHeight(table->horizontalHeader()->sizeHint().height() +
                             std::min(mostRows, table->rowCount()) *
                                 table->verticalHeader()->defaultSectionSize());

@@ -6,7 +6,6 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QRegularExpression>
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -43,11 +42,9 @@ QString colourOf(Advice advice) {
     return QStringLiteral("#808080");
 }
 
-// Keeps each number and its unit on one line.
-QString paragraph(QString text) {
-    static const QRegularExpression betweenNumberAndUnit(QStringLiteral("(?<=\\d) (?=[%mi])"));
-    text.replace(betweenNumberAndUnit, QString(QChar::Nbsp));
-    return QStringLiteral("<p style='margin:4px 0'>%1</p>").arg(text.toHtmlEscaped());
+QString paragraph(const QString& text) {
+    return QStringLiteral("<p style='margin:4px 0'>%1</p>")
+        .arg(withUnitsKept(text).toHtmlEscaped());
 }
 
 QString placeHtml(const PlaceToCheck& place, std::size_t number, LengthUnit unit) {
@@ -55,7 +52,7 @@ QString placeHtml(const PlaceToCheck& place, std::size_t number, LengthUnit unit
         place, [unit](double length) { return shownLength(length, unit); },
         [unit](double area) { return shownArea(area, unit); });
     return QStringLiteral("<li><a href='%1'>%2</a></li>")
-        .arg(QString::number(number), words.toHtmlEscaped());
+        .arg(QString::number(number), withUnitsKept(words).toHtmlEscaped());
 }
 
 // Returns the reason's sentence, with a link to the setting that holds its limit, if there is one.

@@ -132,7 +132,7 @@ NumberBox* FilmPage::box(const char* name, double minimum, double maximum, doubl
     box->setSingleStep(step);
     box->setSuffix(suffix);
     box->setSpecialValueText(nothing);
-    box->setMinimumWidth(60);
+    box->setMinimumWidth(88);        // “100.25 mm”
     box->setKeyboardTracking(false); // a typed number is one change
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, box] { change(box->objectName()); });
     return box;

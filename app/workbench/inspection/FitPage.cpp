@@ -133,8 +133,7 @@ void FitPage::showQuantities() {
     }
     const auto& found = fitted_->fit.quantities;
     quantities_->setColumnCount(4);
-    quantities_->setHorizontalHeaderLabels(
-        {{}, tr("Before the fit"), tr("Fitted"), tr("95 % interval")});
+    quantities_->setHorizontalHeaderLabels({{}, tr("Before"), tr("Fitted"), tr("95 % interval")});
     quantities_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     quantities_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     quantities_->setRowCount(int(found.size()));

@@ -7,6 +7,7 @@
 #include "workbench/widgets/NoticeBar.h"
 #include "workbench/widgets/PicturePanel.h"
 #include "workbench/widgets/PictureView.h"
+#include "workbench/widgets/Units.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -119,11 +120,11 @@ void PrintDialog::printVerdict() {
     QStringList lines{adviceText(adviceOf(result))};
     for (const JobReason& reason : reasonsOf(result)) {
         if (reason.reason.advice > Advice::Print) {
-            lines << reasonText(reason, result, millimetres);
+            lines << QStringLiteral("• ") + reasonText(reason, result, millimetres);
         }
     }
     if (adviceOf(result) != Advice::Print) {
-        notice_->say(lines.join(u'\n'));
+        notice_->say(withUnitsKept(lines.join(u'\n')));
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include "workbench/widgets/Icons.h"
 #include "workbench/widgets/NumberBox.h"
-#include "workbench/widgets/PlainTexts.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
@@ -297,7 +296,7 @@ void PropertyField::adopt(QWidget* editor, const QString& name, const QString& r
     editor->setObjectName(spec_.path);
     editor->setWhatsThis(spec_.help);
     const QString shownRange = range.isEmpty() ? QString() : QLatin1Char('\n') + range;
-    editor->setToolTip(inLines(spec_.help) + shownRange);
+    editor->setToolTip(spec_.help + shownRange);
     editor->installEventFilter(this);
     if (!focusProxy()) {
         setFocusProxy(editor);

@@ -150,6 +150,7 @@ QWidget* PropertyPanel::addHeading(QFormLayout& form, const QString& text) {
     QFont font = heading->font();
     font.setBold(true);
     heading->setFont(font);
+    heading->setWordWrap(true);
     heading->setContentsMargins(0, form.rowCount() > 0 ? 8 : 0, 0, 0);
     form.addRow(heading);
     return heading;

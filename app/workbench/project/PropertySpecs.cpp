@@ -234,7 +234,7 @@ std::vector<PropertySection> processProperties() {
          .help = Text::tr("Jacobi corrects all points at once and averages the corrections. "
                           "Gauss–Seidel corrects one point after the other."),
          .words = {{QStringLiteral("jacobi"), QStringLiteral("Jacobi")},
-                   {QStringLiteral("gauss-seidel"), QStringLiteral("Gauss–Seidel")}},
+                   {QStringLiteral("gauss-seidel"), Text::tr("Gauss–Seidel")}},
          .relevant = isPaperModel},
         {.path = QStringLiteral("process.self_contact"),
          .label = Text::tr("Self-contact"),
@@ -311,7 +311,7 @@ PropertySection pathProperties(std::size_t number) {
           .label = Text::tr("Slow speed"),
           .help = Text::tr("Speed at the first contact with the water and at the end of the dip."),
           .unit = Unit::Speed,
-          .absent = Text::tr("As the dip"),
+          .absent = Text::tr("Same as the dip"),
           .whenPresent = 2},
          {.path = prefix + QStringLiteral("slow_mm"),
           .label = Text::tr("Slow distance"),
@@ -333,8 +333,10 @@ std::vector<PropertySection> immersionProperties(std::size_t number) {
            .help = Text::tr("The name of this dip. It is printed in the job line of its sheet.")},
           {.path = prefix + QStringLiteral("rotation_deg"),
            .label = Text::tr("Rotation"),
-           .help = Text::tr("Rotation of the part about X, then Y, then Z before the dip. You can "
-                            "also drag the rings in the view; hold Shift for steps of 15°."),
+           .help =
+               Text::tr("Rotation of the part about X, then Y, then Z. If the part tilts, rolls "
+                        "or turns on its path: its rotation at the end of the dip. You can "
+                        "also drag the rings in the view; hold Shift for steps of 15°."),
            .unit = Unit::Angle,
            .parts = {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")}},
           {.path = prefix + QStringLiteral("offset_mm"),

@@ -46,13 +46,13 @@ private:
 QString outcomeOf(const JobResult& result) {
     const QString painted =
         JobQueue::tr("Coverage %1 %").arg(QLocale().toString(100 * result.coverageTotal, 'f', 1));
-    QStringList words{adviceText(adviceOf(result)), painted};
+    QStringList sentences{adviceText(adviceOf(result)) + u'.', painted + u'.'};
     for (const JobReason& reason : reasonsOf(result)) {
         if (reason.reason.advice > Advice::Print) {
-            words << reasonText(reason, result, millimetres);
+            sentences << reasonText(reason, result, millimetres);
         }
     }
-    return words.join(QStringLiteral(". "));
+    return sentences.join(u'\n');
 }
 
 } // namespace

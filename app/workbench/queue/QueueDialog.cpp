@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
@@ -23,6 +24,8 @@ namespace dipwright {
 namespace {
 
 enum Column { Name, State, Outcome, Took, Columns };
+
+constexpr int detailsHeight = 110; // pixels
 
 QString stateText(const QueuedProject& project) {
     switch (project.state) {
@@ -54,8 +57,8 @@ bool hasEnded(const QueuedProject& project) {
 } // namespace
 
 QueueDialog::QueueDialog(JobQueue& queue, QWidget* parent)
-    : QDialog(parent), queue_(queue), table_(new QTableWidget(0, Columns)), folder_(new QLineEdit),
-      sum_(new QLabel) {
+    : QDialog(parent), queue_(queue), table_(new QTableWidget(0, Columns)),
+      details_(new QPlainTextEdit), folder_(new QLineEdit), sum_(new QLabel) {
     setObjectName(QStringLiteral("jobQueue"));
     setWindowTitle(tr("Job queue"));
     table_->setAccessibleName(tr("Projects in the queue"));
@@ -67,6 +70,11 @@ QueueDialog::QueueDialog(JobQueue& queue, QWidget* parent)
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
     table_->setWordWrap(false);
+    details_->setObjectName(QStringLiteral("queueDetails"));
+    details_->setAccessibleName(tr("Result of the selected project"));
+    details_->setReadOnly(true);
+    details_->setTabChangesFocus(true);
+    details_->setFixedHeight(detailsHeight);
     sum_->setObjectName(QStringLiteral("queueSum"));
     sum_->setWordWrap(true);
 
@@ -98,9 +106,10 @@ QueueDialog::QueueDialog(JobQueue& queue, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(makeFolderRow());
     layout->addWidget(table_, 1);
+    layout->addWidget(details_);
     layout->addWidget(sum_);
     layout->addWidget(buttons);
-    resize(860, 460);
+    resize(860, 500);
     refresh();
 }
 
@@ -170,7 +179,7 @@ void QueueDialog::refresh() {
                 table_->setItem(row, column, item);
             }
             const QString& text = texts[std::size_t(column)];
-            item->setText(text);
+            item->setText(QString(text).replace(u'\n', u' '));
             item->setToolTip(column == Name ? tr("%1\nResults: %2")
                                                   .arg(QDir::toNativeSeparators(project.project),
                                                        QDir::toNativeSeparators(project.folder))
@@ -192,7 +201,13 @@ void QueueDialog::showChosen() {
     }));
     cancelAll_->setEnabled(ended < std::ptrdiff_t(projects.size()));
     remove_->setEnabled(ended > 0);
-    open_->setEnabled(rows.size() == 1 && rows.front() < projects.size());
+    const bool isOne = rows.size() == 1 && rows.front() < projects.size();
+    open_->setEnabled(isOne);
+    const QString details = isOne ? projects[rows.front()].text : QString();
+    if (details != details_->toPlainText()) { // keeps the place that the user reads
+        details_->setPlainText(details);
+    }
+    details_->setVisible(!details.isEmpty());
     if (projects.empty()) {
         sum_->setText(tr("Add projects. They run one after the other, each in its last saved "
                          "version. The results are written to the results folder."));

@@ -8,6 +8,7 @@
 
 class QLabel;
 class QLineEdit;
+class QPlainTextEdit;
 class QPushButton;
 class QTableWidget;
 
@@ -39,6 +40,7 @@ private:
 
     JobQueue& queue_;
     QTableWidget* table_;
+    QPlainTextEdit* details_; // the whole result of the selected project
     QLineEdit* folder_;
     QLabel* sum_;
     QPushButton *cancel_, *cancelAll_, *open_, *remove_;

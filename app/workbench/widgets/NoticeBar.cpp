@@ -4,15 +4,31 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace dipwright {
 
-NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), text_(new QLabel) {
+namespace {
+
+constexpr int mostHeight = 180; // of the text, pixels; longer text scrolls
+
+} // namespace
+
+NoticeBar::NoticeBar(QWidget* parent)
+    : QFrame(parent), text_(new QLabel), scroll_(new QScrollArea) {
     setObjectName(QStringLiteral("notice"));
     setAutoFillBackground(true);
     text_->setWordWrap(true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setWidgetResizable(true);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setWidget(text_);
+    scroll_->viewport()->setAutoFillBackground(false);
+    text_->setAutoFillBackground(false);
     auto* sign = new QLabel;
     sign->setPixmap(icon(QStringLiteral("warning")).pixmap(18, 18));
     auto* close = new QToolButton;
@@ -23,14 +39,28 @@ NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), text_(new QLabel) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->addWidget(sign);
-    layout->addWidget(text_, 1);
+    layout->addWidget(scroll_, 1);
     layout->addWidget(close);
     hide();
 }
 
 void NoticeBar::say(const QString& text) {
     text_->setText(text);
+    fitText();
     setVisible(!text.isEmpty());
+}
+
+void NoticeBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fitText();
+}
+
+// Makes the area as tall as its text.
+void NoticeBar::fitText() {
+    const int words = std::max(0, text_->heightForWidth(scroll_->width())); // -1 without text
+    scroll_->setVerticalScrollBarPolicy(words > mostHeight ? Qt::ScrollBarAlwaysOn
+                                                           : Qt::ScrollBarAlwaysOff);
+    scroll_->setFixedHeight(std::min(words, mostHeight));
 }
 
 QString NoticeBar::text() const {

@@ -4,6 +4,7 @@
 #include <QFrame>
 
 class QLabel;
+class QScrollArea;
 
 namespace dipwright {
 
@@ -17,8 +18,14 @@ public:
     void dismiss() { hide(); }
     QString text() const;
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    void fitText();
+
     QLabel* text_;
+    QScrollArea* scroll_;
 };
 
 } // namespace dipwright

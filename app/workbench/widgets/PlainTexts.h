@@ -17,7 +17,8 @@ namespace dipwright {
 // moment, Qt reads no file that rich text names.
 //
 // A label with intended rich text sets QLabel::setTextFormat(Qt::RichText) and escapes foreign
-// text. Tooltips cannot do that; inLines() breaks their lines.
+// text. Tooltips cannot do that. Qt shows plain ones in one line, up to the width of the screen, so
+// this object breaks the lines of the tooltips of widgets, items and header sections.
 class PlainTexts : public QObject {
 public:
     explicit PlainTexts(QApplication& application);
@@ -27,7 +28,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-// Breaks the text of a long tooltip into readable lines.
+// Breaks the text of a long tooltip into readable lines. Keeps the line breaks that it has.
 QString inLines(const QString& text);
 
 } // namespace dipwright

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 
 namespace dipwright {
 
@@ -115,6 +116,11 @@ QString shownPlace(const Eigen::Vector3f& place, LengthUnit length) {
 
 QString shownLength(double millimetres, LengthUnit length, int moreDecimals) {
     return shownNumber(millimetres, Unit::Length, length, moreDecimals);
+}
+
+QString withUnitsKept(QString text) {
+    static const QRegularExpression betweenNumberAndUnit(QStringLiteral("(?<=\\d) (?=[%mi])"));
+    return text.replace(betweenNumberAndUnit, QString(QChar::Nbsp));
 }
 
 } // namespace dipwright

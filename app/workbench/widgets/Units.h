@@ -20,5 +20,7 @@ QString shownArea(double squareMillimetres, LengthUnit length);
 // A place in model coordinates, in mm: "1.2, 3.4, 5.6 mm".
 QString shownPlace(const Eigen::Vector3f& place, LengthUnit length);
 QString shownNumber(double value, Unit unit, LengthUnit length, int moreDecimals = 0);
+// Returns the text with each number and its unit kept on one line.
+QString withUnitsKept(QString text);
 
 } // namespace dipwright

@@ -118,7 +118,9 @@ void paintTile(QPainter& painter, const Sheet& sheet, const TileSettings& settin
             .arg(grid.rows)
             .arg(index % grid.columns + 1)
             .arg(grid.columns);
-    SheetInk(painter, false).text({inner.left() + 6, inner.bottom() + labelDepth - 1}, 2.2, label);
+    const double besideCutLine = settings.overlap / 2 + 2;
+    SheetInk(painter, false)
+        .text({inner.left() + besideCutLine, inner.bottom() + labelDepth - 1}, 2.2, label);
     painter.restore();
 }
 

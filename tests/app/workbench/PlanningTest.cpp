@@ -28,6 +28,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QTableWidget>
@@ -442,6 +443,12 @@ private slots:
         const auto* table = dialog->findChild<QTableWidget*>();
         QCOMPARE(table->rowCount(), 3);
         QCOMPARE(table->item(1, 1)->text(), QStringLiteral("Failed"));
+        const auto* details = dialog->findChild<QPlainTextEdit*>(QStringLiteral("queueDetails"));
+        QVERIFY(!details->isVisible()); // no project is selected
+        dialog->findChild<QTableWidget*>()->selectRow(0);
+        QVERIFY(details->isVisible());
+        QCOMPARE(details->toPlainText(), queue.projects()[0].text);
+        QVERIFY(!details->toPlainText().contains(QStringLiteral("..")));
         const auto* notice = window_->findChild<NoticeBar*>();
         QVERIFY2(notice->text().contains(QStringLiteral("failed: 1")), qPrintable(notice->text()));
         dialog->findChild<QPushButton*>(QStringLiteral("removeEnded"))->click();

@@ -7,12 +7,14 @@
 #include "disk/FileLock.h"
 #include "project/ProjectStore.h"
 #include "workbench/widgets/NoticeBar.h"
+#include "workbench/widgets/PlainTexts.h"
 
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QHeaderView>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -20,6 +22,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScreen>
+#include <QTableWidget>
 #include <QTimer>
 #include <QToolTip>
 
@@ -93,6 +96,7 @@ private slots:
     void outsideQuestion_cancelOrReadFiles_isFollowed();
     void messages_htmlInName_isShownAsText();
     void toolTips_htmlInName_isShownAsText();
+    void toolTips_longText_isShownInLines();
     void screenReader_htmlInName_isReadAsText();
 
 private:
@@ -293,6 +297,33 @@ void QuestionsTest::toolTips_htmlInName_isShownAsText() {
     restOn(*list.viewport(), list.visualItemRect(item).center());
     QVERIFY(QTest::qWaitFor([item] { return isShownAsText(item->toolTip()); }, patience()));
     QToolTip::hideText();
+}
+
+void QuestionsTest::toolTips_longText_isShownInLines() {
+    const QString text = QStringLiteral("A tooltip of many words is read in lines. ").repeated(4);
+    QTableWidget table(1, 1);
+    table.setItem(0, 0, new QTableWidgetItem(QStringLiteral("item")));
+    table.setHorizontalHeaderItem(0, new QTableWidgetItem(QStringLiteral("section")));
+    table.item(0, 0)->setToolTip(text + QStringLiteral("Item.\nLast line."));
+    table.horizontalHeaderItem(0)->setToolTip(text + QStringLiteral("Section."));
+    table.setToolTip(text + QStringLiteral("Table."));
+    table.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&table));
+    const auto isShownInLines = [](const QString& tip) {
+        return QTest::qWaitFor([&] { return isShownAsText(inLines(tip)); }, patience());
+    };
+    QWidget& items = *table.viewport();
+    restOn(items, table.visualItemRect(table.item(0, 0)).center());
+    QVERIFY(isShownInLines(table.item(0, 0)->toolTip()));
+    restOn(items, items.rect().bottomRight() - QPoint(5, 5));
+    QVERIFY(isShownInLines(table.toolTip()));
+    restOn(*table.horizontalHeader()->viewport(), QPoint(10, 10));
+    QVERIFY(isShownInLines(table.horizontalHeaderItem(0)->toolTip()));
+    QToolTip::hideText();
+    for (const QString& line : inLines(table.item(0, 0)->toolTip()).split(u'\n')) {
+        QVERIFY(!line.isEmpty() && line.size() <= 70);
+    }
+    QCOMPARE(inLines(inLines(text)), inLines(text));
 }
 
 void QuestionsTest::screenReader_htmlInName_isReadAsText() {
