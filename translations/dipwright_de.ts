@@ -1263,10 +1263,6 @@
         <translation>Das Modell hat keine Textur; gedruckt werden die Farben seiner Materialien</translation>
     </message>
     <message>
-        <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
-        <translation>Das Teil ragt über den Rand des Beckens „%1“ hinaus; verschieben oder drehen Sie das Teil</translation>
-    </message>
-    <message>
         <source>The part reaches past the film&apos;s edge; move or turn the part, or %1</source>
         <translation>Das Teil ragt über den Rand des Films hinaus; verschieben oder drehen Sie das Teil, oder %1</translation>
     </message>
@@ -1784,6 +1780,42 @@
     <message>
         <source>Time from spraying the activator to the dip.</source>
         <translation>Zeit vom Aufsprühen des Aktivators bis zum Tauchvorgang.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Water depth</source>
+        <translation>Wassertiefe</translation>
+    </message>
+    <message>
+        <source>Distance from the water surface to the tank&apos;s floor. The verdict warns if the part would go deeper.</source>
+        <translation>Abstand von der Wasseroberfläche zum Boden des Beckens. Das Urteil warnt, wenn das Teil tiefer käme.</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>How far the machine can move the centre of a part sideways from the middle of the tank.</source>
+        <translation>Wie weit die Maschine die Mitte eines Teils von der Mitte des Beckens zur Seite bewegen kann.</translation>
+    </message>
+    <message>
+        <source>Fastest motion</source>
+        <translation>Schnellste Bewegung</translation>
+    </message>
+    <message>
+        <source>The highest speed at which the machine moves a part.</source>
+        <translation>Die höchste Geschwindigkeit, mit der die Maschine ein Teil bewegt.</translation>
+    </message>
+    <message>
+        <source>Fastest turn</source>
+        <translation>Schnellste Drehung</translation>
+    </message>
+    <message>
+        <source>The highest speed at which the machine turns a part.</source>
+        <translation>Die höchste Geschwindigkeit, mit der die Maschine ein Teil dreht.</translation>
     </message>
 </context>
 <context>
@@ -2541,10 +2573,6 @@
         <translation>Seitenlänge der Zellen, auf denen die Halterung berechnet wird. Kleinere Zellen geben eine glattere Oberfläche, brauchen länger und machen größere Dateien.</translation>
     </message>
     <message>
-        <source>How fast the part moves down into the water.</source>
-        <translation>Wie schnell sich das Teil nach unten ins Wasser bewegt.</translation>
-    </message>
-    <message>
         <source>How far the lowest point of the part goes below the waterline. “Whole part” dips until the part is fully under water.</source>
         <translation>Wie weit der tiefste Punkt des Teils unter die Wasserlinie kommt. „Ganzes Teil“ taucht, bis das Teil ganz unter Wasser ist.</translation>
     </message>
@@ -2579,10 +2607,6 @@
     <message>
         <source>The name of this dip. It is printed in the job line of its sheet.</source>
         <translation>Der Name dieses Tauchvorgangs. Er wird in der Auftragszeile seines Blatts gedruckt.</translation>
-    </message>
-    <message>
-        <source>Where the part meets the film, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
-        <translation>Wo das Teil den Film trifft, von der Mitte des Films aus gemessen: X nach rechts, Z das Blatt hinab.</translation>
     </message>
     <message>
         <source>Split the part between the dips</source>
@@ -2913,10 +2937,6 @@
         <translation>Weg</translation>
     </message>
     <message>
-        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film. The rotation above is the part&apos;s rotation at the end of the dip.</source>
-        <translation>Wie sich das Teil ins Wasser bewegt. Schräg: nach unten und zur Seite. Kippen: Eine Seite taucht zuerst ein, und das Teil wird beim Absenken waagerecht gestellt. Rollen: bis zur Tauchtiefe nach unten, dann seitlich über den Film gerollt. Die Drehung oben ist die Drehung des Teils am Ende des Tauchvorgangs.</translation>
-    </message>
-    <message>
         <source>Straight down</source>
         <translation>Gerade nach unten</translation>
     </message>
@@ -2943,10 +2963,6 @@
     <message>
         <source>Level at</source>
         <translation>Waagerecht bei</translation>
-    </message>
-    <message>
-        <source>Depth of the part&apos;s lowest point at which the part is level.</source>
-        <translation>Tiefe des tiefsten Punkts des Teils, bei der das Teil waagerecht ist.</translation>
     </message>
     <message>
         <source>The end of the dip</source>
@@ -2977,20 +2993,8 @@
         <translation>Fließgeschwindigkeit</translation>
     </message>
     <message>
-        <source>Speed at which water and film flow through the tank, in the direction of the heading.</source>
-        <translation>Geschwindigkeit, mit der Wasser und Film durch das Becken fließen, in der angegebenen Richtung.</translation>
-    </message>
-    <message>
         <source>Slow speed</source>
         <translation>Langsame Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Speed at the first contact with the water and at the end of the dip.</source>
-        <translation>Geschwindigkeit beim ersten Kontakt mit dem Wasser und am Ende des Tauchvorgangs.</translation>
-    </message>
-    <message>
-        <source>Slanted: the angle between the path and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
-        <translation>Schräg: der Winkel zwischen Weg und Wasser. Kippen: wie weit das Teil am Anfang gekippt ist. Rollen: der Winkel, um den es rollt.</translation>
     </message>
     <message>
         <source>The direction on the water in which the part travels or rolls, or the side that enters first. 0°: to the right (X), 90°: down the sheet (Z). The water flows in this direction, too.</source>
@@ -3023,6 +3027,34 @@
     <message>
         <source>Rotation of the part about X, then Y, then Z. If the part tilts, rolls or turns on its path: its rotation at the end of the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
         <translation>Drehung des Teils um X, dann Y, dann Z. Wenn das Teil auf seinem Weg kippt, rollt oder sich dreht: seine Drehung am Ende des Tauchvorgangs. Sie können auch die Ringe in der Ansicht ziehen; mit Umschalt in Schritten von 15°.</translation>
+    </message>
+    <message>
+        <source>How fast the part moves down into the water. On a slanted path the machine moves faster, because the part also travels sideways.</source>
+        <translation>Wie schnell sich das Teil ins Wasser senkt. Auf einem schrägen Weg fährt die Maschine schneller, weil sich das Teil auch zur Seite bewegt.</translation>
+    </message>
+    <message>
+        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film; set a depth (Dipping &gt; Depth) at which the part is not yet under water. The rotation above is the part&apos;s rotation at the end of the dip.</source>
+        <translation>Wie sich das Teil ins Wasser bewegt. Schräg: nach unten und zur Seite. Kippen: Eine Seite taucht zuerst ein, und das Teil wird beim Absenken gerade gestellt. Rollen: bis zur Tauchtiefe nach unten, dann zur Seite über den Film gerollt; dafür eine Tiefe einstellen (Tauchen &gt; Tiefe), bei der das Teil noch nicht unter Wasser ist. Die Drehung oben ist die Drehung des Teils am Ende des Tauchvorgangs.</translation>
+    </message>
+    <message>
+        <source>Slanted: the angle between the path and the water, 10° to 170°. Tilt: how far the part is tilted when the dip begins, at most 85°. Roll: the angle through which it rolls. Slanted above 90°, or a negative tilt or roll, is against the heading.</source>
+        <translation>Schräg: der Winkel zwischen Weg und Wasser, 10° bis 170°. Kippen: wie weit das Teil am Anfang gekippt ist, höchstens 85°. Rollen: der Winkel, um den es rollt. Schräg über 90° sowie negatives Kippen oder Rollen gehen gegen die Richtung.</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point from which on the part has its final rotation.</source>
+        <translation>Tiefe des tiefsten Punkts, ab der das Teil seine endgültige Drehung hat.</translation>
+    </message>
+    <message>
+        <source>Speed at which water and film flow through the tank, in the direction of the heading. A negative speed flows against the heading.</source>
+        <translation>Geschwindigkeit, mit der Wasser und Film durch das Becken fließen, in der angegebenen Richtung. Eine negative Geschwindigkeit fließt gegen die Richtung.</translation>
+    </message>
+    <message>
+        <source>Speed on the first and the last part of the way down. If the part then rolls, it rolls at the speed of the dip.</source>
+        <translation>Geschwindigkeit auf dem ersten und dem letzten Teil des Wegs nach unten. Rollt das Teil danach, rollt es mit der Tauchgeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Where the centre of the part is when the dip begins, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
+        <translation>Wo die Mitte des Teils am Anfang des Tauchvorgangs ist, gemessen von der Mitte des Films: X nach rechts, Z auf dem Blatt nach unten.</translation>
     </message>
 </context>
 <context>
@@ -3379,6 +3411,29 @@
     </message>
 </context>
 <context>
+    <name>TankFit</name>
+    <message>
+        <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
+        <translation>Das Teil ragt über den Rand des Beckens „%1“ hinaus; das Teil verschieben oder drehen</translation>
+    </message>
+    <message>
+        <source>The part goes %1 mm under water, but the water in the tank “%2” is only %3 mm deep; reduce the depth of the dip, or turn the part</source>
+        <translation>Das Teil kommt %1 mm unter Wasser, aber das Wasser im Becken „%2“ ist nur %3 mm tief; weniger tief tauchen oder das Teil drehen</translation>
+    </message>
+    <message>
+        <source>The centre of the part moves %1 mm sideways from the middle of the tank “%2”, but its machine reaches only %3 mm; move the part or change its path</source>
+        <translation>Die Mitte des Teils bewegt sich %1 mm von der Mitte des Beckens „%2“ zur Seite, aber seine Maschine reicht nur %3 mm weit; das Teil verschieben oder den Weg ändern</translation>
+    </message>
+    <message>
+        <source>The part moves at up to %1 mm/s, but the machine of the tank “%2” reaches only %3 mm/s; reduce the speed of the dip</source>
+        <translation>Das Teil bewegt sich mit bis zu %1 mm/s, aber die Maschine des Beckens „%2“ schafft nur %3 mm/s; langsamer tauchen</translation>
+    </message>
+    <message>
+        <source>The part turns at up to %1 °/s, but the machine of the tank “%2” reaches only %3 °/s; reduce the speed of the dip</source>
+        <translation>Das Teil dreht sich mit bis zu %1 °/s, aber die Maschine des Beckens „%2“ schafft nur %3 °/s; langsamer tauchen</translation>
+    </message>
+</context>
+<context>
     <name>Tolerance</name>
     <message>
         <source>Swell</source>
@@ -3693,6 +3748,10 @@
     <message>
         <source> million</source>
         <translation> Mio.</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
     </message>
 </context>
 <context>

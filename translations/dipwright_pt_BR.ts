@@ -102,7 +102,7 @@
     </message>
     <message>
         <source>The part can enter tilted by at most 85°</source>
-        <translation>A peça pode entrar inclinada em 85° no máximo</translation>
+        <translation>A peça pode entrar tombada em 85° no máximo</translation>
     </message>
     <message>
         <source>slow at the beginning and the end</source>
@@ -114,7 +114,7 @@
     </message>
     <message>
         <source>slanted by %1°, heading %2°</source>
-        <translation>inclinada a %1°, direção %2°</translation>
+        <translation>tombada a %1°, direção %2°</translation>
     </message>
     <message>
         <source>tilted by %1°, heading %2°</source>
@@ -1263,10 +1263,6 @@
         <translation>O modelo não tem textura; são impressas as cores dos seus materiais</translation>
     </message>
     <message>
-        <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
-        <translation>A peça ultrapassa a borda do tanque “%1”; mova ou gire a peça</translation>
-    </message>
-    <message>
         <source>The part reaches past the film&apos;s edge; move or turn the part, or %1</source>
         <translation>A peça ultrapassa a borda da película; mova ou gire a peça, ou %1</translation>
     </message>
@@ -1784,6 +1780,42 @@
     <message>
         <source>Time from spraying the activator to the dip.</source>
         <translation>Tempo desde que o ativador é borrifado até a imersão.</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>Water depth</source>
+        <translation>Profundidade da água</translation>
+    </message>
+    <message>
+        <source>Distance from the water surface to the tank&apos;s floor. The verdict warns if the part would go deeper.</source>
+        <translation>Distância da superfície da água ao fundo do tanque. O veredito avisa se a peça descesse mais.</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source>How far the machine can move the centre of a part sideways from the middle of the tank.</source>
+        <translation>Até que distância do meio do tanque a máquina pode mover o centro de uma peça para o lado.</translation>
+    </message>
+    <message>
+        <source>Fastest motion</source>
+        <translation>Movimento mais rápido</translation>
+    </message>
+    <message>
+        <source>The highest speed at which the machine moves a part.</source>
+        <translation>A maior velocidade com que a máquina move uma peça.</translation>
+    </message>
+    <message>
+        <source>Fastest turn</source>
+        <translation>Giro mais rápido</translation>
+    </message>
+    <message>
+        <source>The highest speed at which the machine turns a part.</source>
+        <translation>A maior velocidade com que a máquina gira uma peça.</translation>
     </message>
 </context>
 <context>
@@ -2541,10 +2573,6 @@
         <translation>Lado das células em que o berço é calculado. Células menores dão uma superfície mais lisa, demoram mais e geram arquivos maiores.</translation>
     </message>
     <message>
-        <source>How fast the part moves down into the water.</source>
-        <translation>Com que velocidade a peça desce na água.</translation>
-    </message>
-    <message>
         <source>How far the lowest point of the part goes below the waterline. “Whole part” dips until the part is fully under water.</source>
         <translation>Quanto o ponto mais baixo da peça desce abaixo da linha d&apos;água. “Peça inteira” mergulha até a peça ficar toda submersa.</translation>
     </message>
@@ -2579,10 +2607,6 @@
     <message>
         <source>The name of this dip. It is printed in the job line of its sheet.</source>
         <translation>O nome desta imersão. É impresso na linha de trabalho da folha.</translation>
-    </message>
-    <message>
-        <source>Where the part meets the film, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
-        <translation>Onde a peça encontra a película, a partir do centro da película: X para a direita, Z para baixo na folha.</translation>
     </message>
     <message>
         <source>Split the part between the dips</source>
@@ -2913,10 +2937,6 @@
         <translation>Percurso</translation>
     </message>
     <message>
-        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film. The rotation above is the part&apos;s rotation at the end of the dip.</source>
-        <translation>Como a peça entra na água. Inclinado: para baixo e para o lado. Tombar: um lado entra primeiro e a peça é nivelada enquanto desce. Rolar: desce até a profundidade da imersão e depois rola de lado sobre a película. A rotação acima é a rotação da peça no fim da imersão.</translation>
-    </message>
-    <message>
         <source>Straight down</source>
         <translation>Reto para baixo</translation>
     </message>
@@ -2943,10 +2963,6 @@
     <message>
         <source>Level at</source>
         <translation>Nivelada em</translation>
-    </message>
-    <message>
-        <source>Depth of the part&apos;s lowest point at which the part is level.</source>
-        <translation>Profundidade do ponto mais baixo da peça em que ela está nivelada.</translation>
     </message>
     <message>
         <source>The end of the dip</source>
@@ -2977,20 +2993,8 @@
         <translation>Velocidade da água</translation>
     </message>
     <message>
-        <source>Speed at which water and film flow through the tank, in the direction of the heading.</source>
-        <translation>Velocidade com que a água e a película correm pelo tanque, na direção indicada.</translation>
-    </message>
-    <message>
         <source>Slow speed</source>
         <translation>Velocidade lenta</translation>
-    </message>
-    <message>
-        <source>Speed at the first contact with the water and at the end of the dip.</source>
-        <translation>Velocidade no primeiro contato com a água e no fim da imersão.</translation>
-    </message>
-    <message>
-        <source>Slanted: the angle between the path and the water. Tilt: how far the part is tilted at the beginning. Roll: the angle through which it rolls.</source>
-        <translation>Inclinado: o ângulo entre o percurso e a água. Tombar: quanto a peça está tombada no início. Rolar: o ângulo que ela rola.</translation>
     </message>
     <message>
         <source>The direction on the water in which the part travels or rolls, or the side that enters first. 0°: to the right (X), 90°: down the sheet (Z). The water flows in this direction, too.</source>
@@ -3023,6 +3027,34 @@
     <message>
         <source>Rotation of the part about X, then Y, then Z. If the part tilts, rolls or turns on its path: its rotation at the end of the dip. You can also drag the rings in the view; hold Shift for steps of 15°.</source>
         <translation>Rotação da peça em X, depois Y, depois Z. Se a peça tomba, rola ou gira no percurso: sua rotação no fim da imersão. Também é possível arrastar os anéis na vista; segure Shift para passos de 15°.</translation>
+    </message>
+    <message>
+        <source>How fast the part moves down into the water. On a slanted path the machine moves faster, because the part also travels sideways.</source>
+        <translation>Com que velocidade a peça desce na água. Em um percurso inclinado a máquina se move mais depressa, porque a peça também vai para o lado.</translation>
+    </message>
+    <message>
+        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film; set a depth (Dipping &gt; Depth) at which the part is not yet under water. The rotation above is the part&apos;s rotation at the end of the dip.</source>
+        <translation>Como a peça se move para dentro da água. Inclinado: para baixo e para o lado. Tombar: um lado entra primeiro, e a peça é nivelada enquanto desce. Rolar: desce até a profundidade da imersão e depois rola de lado sobre a película; defina uma profundidade (Imersão &gt; Profundidade) em que a peça ainda não está toda debaixo d&apos;água. A rotação acima é a rotação da peça no fim da imersão.</translation>
+    </message>
+    <message>
+        <source>Slanted: the angle between the path and the water, 10° to 170°. Tilt: how far the part is tilted when the dip begins, at most 85°. Roll: the angle through which it rolls. Slanted above 90°, or a negative tilt or roll, is against the heading.</source>
+        <translation>Inclinado: o ângulo entre o percurso e a água, de 10° a 170°. Tombar: quanto a peça está tombada quando a imersão começa, no máximo 85°. Rolar: o ângulo em que ela rola. Inclinado acima de 90°, ou um tombamento ou rolamento negativo, vai contra a direção.</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point from which on the part has its final rotation.</source>
+        <translation>Profundidade do ponto mais baixo a partir da qual a peça tem sua rotação final.</translation>
+    </message>
+    <message>
+        <source>Speed at which water and film flow through the tank, in the direction of the heading. A negative speed flows against the heading.</source>
+        <translation>Velocidade com que a água e a película correm pelo tanque, no sentido da direção. Uma velocidade negativa corre contra a direção.</translation>
+    </message>
+    <message>
+        <source>Speed on the first and the last part of the way down. If the part then rolls, it rolls at the speed of the dip.</source>
+        <translation>Velocidade na primeira e na última parte da descida. Se a peça depois rola, ela rola na velocidade da imersão.</translation>
+    </message>
+    <message>
+        <source>Where the centre of the part is when the dip begins, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
+        <translation>Onde está o centro da peça quando a imersão começa, medido do centro da película: X para a direita, Z para baixo na folha.</translation>
     </message>
 </context>
 <context>
@@ -3379,6 +3411,29 @@
     </message>
 </context>
 <context>
+    <name>TankFit</name>
+    <message>
+        <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
+        <translation>A peça ultrapassa a borda do tanque “%1”; mova ou gire a peça</translation>
+    </message>
+    <message>
+        <source>The part goes %1 mm under water, but the water in the tank “%2” is only %3 mm deep; reduce the depth of the dip, or turn the part</source>
+        <translation>A peça desce %1 mm na água, mas a água do tanque “%2” tem só %3 mm de profundidade; reduza a profundidade da imersão ou gire a peça</translation>
+    </message>
+    <message>
+        <source>The centre of the part moves %1 mm sideways from the middle of the tank “%2”, but its machine reaches only %3 mm; move the part or change its path</source>
+        <translation>O centro da peça se move %1 mm para o lado a partir do meio do tanque “%2”, mas a máquina alcança só %3 mm; mova a peça ou mude o percurso</translation>
+    </message>
+    <message>
+        <source>The part moves at up to %1 mm/s, but the machine of the tank “%2” reaches only %3 mm/s; reduce the speed of the dip</source>
+        <translation>A peça se move a até %1 mm/s, mas a máquina do tanque “%2” chega só a %3 mm/s; reduza a velocidade da imersão</translation>
+    </message>
+    <message>
+        <source>The part turns at up to %1 °/s, but the machine of the tank “%2” reaches only %3 °/s; reduce the speed of the dip</source>
+        <translation>A peça gira a até %1 °/s, mas a máquina do tanque “%2” chega só a %3 °/s; reduza a velocidade da imersão</translation>
+    </message>
+</context>
+<context>
     <name>Tolerance</name>
     <message>
         <source>Swell</source>
@@ -3693,6 +3748,10 @@
     <message>
         <source> million</source>
         <translation> milhões</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
     </message>
 </context>
 <context>

@@ -193,7 +193,8 @@ std::vector<PropertySection> processProperties() {
     motion.specs = {
         {.path = QStringLiteral("process.dip_speed_mm_s"),
          .label = Text::tr("Speed"),
-         .help = Text::tr("How fast the part moves down into the water."),
+         .help = Text::tr("How fast the part moves down into the water. On a slanted path the "
+                          "machine moves faster, because the part also travels sideways."),
          .unit = Unit::Speed},
         {.path = QStringLiteral("process.depth_mm"),
          .label = Text::tr("Depth"),
@@ -259,7 +260,8 @@ PropertySection pathProperties(std::size_t number) {
           .help =
               Text::tr("How the part moves into the water. Slanted: down and sideways. Tilt: "
                        "one side enters first, and the part is levelled while it goes down. "
-                       "Roll: down to the depth of the dip, then rolled sideways over the film. "
+                       "Roll: down to the depth of the dip, then rolled sideways over the film; "
+                       "set a depth (Dipping > Depth) at which the part is not yet under water. "
                        "The rotation above is the part's rotation at the end of the dip."),
           .words = {{QStringLiteral("straight"), Text::tr("Straight down")},
                     {QStringLiteral("slanted"), Text::tr("Slanted")},
@@ -268,8 +270,10 @@ PropertySection pathProperties(std::size_t number) {
          {.path = prefix + QStringLiteral("angle_deg"),
           .label = Text::tr("Angle"),
           .help =
-              Text::tr("Slanted: the angle between the path and the water. Tilt: how far the part "
-                       "is tilted at the beginning. Roll: the angle through which it rolls."),
+              Text::tr("Slanted: the angle between the path and the water, 10° to 170°. Tilt: how "
+                       "far the part is tilted when the dip begins, at most 85°. Roll: the angle "
+                       "through which it rolls. Slanted above 90°, or a negative tilt or roll, is "
+                       "against the heading."),
           .unit = Unit::Angle,
           .relevant = ifPath([](const DipPath& path) { return path.kind != PathKind::Straight; })},
          {.path = prefix + QStringLiteral("heading_deg"),
@@ -283,7 +287,8 @@ PropertySection pathProperties(std::size_t number) {
           })},
          {.path = prefix + QStringLiteral("level_depth_mm"),
           .label = Text::tr("Level at"),
-          .help = Text::tr("Depth of the part's lowest point at which the part is level."),
+          .help = Text::tr("Depth of the part's lowest point from which on the part has its final "
+                           "rotation."),
           .unit = Unit::Length,
           .absent = Text::tr("The end of the dip"),
           .whenPresent = 20,
@@ -305,11 +310,12 @@ PropertySection pathProperties(std::size_t number) {
          {.path = prefix + QStringLiteral("water_speed_mm_s"),
           .label = Text::tr("Water speed"),
           .help = Text::tr("Speed at which water and film flow through the tank, in the direction "
-                           "of the heading."),
+                           "of the heading. A negative speed flows against the heading."),
           .unit = Unit::Speed},
          {.path = prefix + QStringLiteral("slow_speed_mm_s"),
           .label = Text::tr("Slow speed"),
-          .help = Text::tr("Speed at the first contact with the water and at the end of the dip."),
+          .help = Text::tr("Speed on the first and the last part of the way down. If the part then "
+                           "rolls, it rolls at the speed of the dip."),
           .unit = Unit::Speed,
           .absent = Text::tr("Same as the dip"),
           .whenPresent = 2},
@@ -341,8 +347,9 @@ std::vector<PropertySection> immersionProperties(std::size_t number) {
            .parts = {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")}},
           {.path = prefix + QStringLiteral("offset_mm"),
            .label = Text::tr("Offset"),
-           .help = Text::tr("Where the part meets the film, measured from the film's centre: X to "
-                            "the right, Z down the sheet."),
+           .help =
+               Text::tr("Where the centre of the part is when the dip begins, measured from the "
+                        "film's centre: X to the right, Z down the sheet."),
            .unit = Unit::Length,
            .parts = {QStringLiteral("X"), QStringLiteral("Z")}}}},
         pathProperties(number)};

@@ -214,8 +214,12 @@ private slots:
     void verdictReason_everyKind_hasTextAndUniqueKey() {
         QStringList keys;
         for (int kind = 0; kind <= int(VerdictReason::Kind::ExpiredFilm); ++kind) {
-            const VerdictReason reason{
-                VerdictReason::Kind(kind), Advice::Print, 0.1, 0.05, QStringLiteral("the cause"), 1};
+            const VerdictReason reason{VerdictReason::Kind(kind),
+                                       Advice::Print,
+                                       0.1,
+                                       0.05,
+                                       QStringLiteral("the cause"),
+                                       1};
             QVERIFY2(reasonText(reason, millimetres).size() > 8,
                      qPrintable(QStringLiteral("reason %1 has no text").arg(kind)));
             keys << reasonKey(reason.kind);
