@@ -19,38 +19,30 @@ int cellsAlong(const solver::FilmGrid& grid) {
     return std::max(grid.columns, grid.rows) - 1;
 }
 
-// Returns the films of all dips.
-std::vector<solver::FilmGrid> filmsOf(const Project& project, const ProofStage* stage) {
+// Returns the fewest cells along the longer edge among the films of all dips.
+int cellsOf(const Project& project, const ProofStage* stage) {
     if (!isGraded(project.film)) {
-        return {filmGrid(project.film)};
+        return cellsAlong(filmGrid(project.film));
     }
     const TriangleMesh& mesh = project.model->mesh;
     const auto own = stage ? nullptr : std::make_unique<SurfaceQuery>(mesh);
-    std::vector<solver::FilmGrid> films;
+    int fewest = maximumFilmGrid;
     for (const Immersion& immersion : project.immersions) {
         const Underside underside =
             undersideOf(mesh, stage ? queryOf(*stage) : *own, immersion, project.process);
-        films.push_back(filmUnderBody(project.film, underside, immersion.offset));
+        fewest =
+            std::min(fewest, cellsAlong(filmUnderBody(project.film, underside, immersion.offset)));
     }
-    return films;
+    return fewest;
 }
 
-// Returns the levels of a job on a GPU, whose films have at most `points` points.
-DraftLevels levelsOnGpu(std::size_t points) {
-    DraftLevels levels{0, 0};
-    for (; points > mostDraftPoints; points /= 4) {
-        ++levels.coarsest;
-    }
-    return levels.coarsest > 0 ? levels : DraftLevels{1, 1};
-}
-
-// Returns `project` with the cells and the resolution of the draft `level`.
-Project draftProject(Project project, int level, const DraftLevels& levels) {
-    const double scale = level > levels.ownFilm ? std::ldexp(1.0, level) : 1;
+// Returns `project` with the cells and the resolution of the draft `level`, of `coarsest` levels.
+Project draftProject(Project project, int level, int coarsest) {
+    const double scale = std::ldexp(1.0, level);
     project.film.refinement /= scale;
     project.process.timeStep = Seconds(scale * project.process.timeStep.value());
     project.sheet.resolution = DotsPerInch(std::min(
-        project.sheet.resolution.value(), std::ldexp(coarsestResolution, levels.coarsest - level)));
+        project.sheet.resolution.value(), std::ldexp(coarsestResolution, coarsest - level)));
     return project;
 }
 
@@ -91,28 +83,20 @@ std::shared_ptr<const JobResult> JobDrafts::reusable(const Project& project, int
     return result;
 }
 
-DraftLevels draftLevels(const Project& project, const SolverRegistry& registry,
-                        const JobDrafts& earlier) {
+int coarsestDraft(const Project& project, const JobDrafts& earlier) {
     const std::shared_ptr<const JobResult> known = earlier.reusable(project, 0);
     const bool fits = known && known->project.model == project.model;
-    int fewestCells = maximumFilmGrid;
-    std::size_t mostPoints = 0;
-    for (const solver::FilmGrid& film :
-         filmsOf(project, fits ? known->proofStage.get() : nullptr)) {
-        fewestCells = std::min(fewestCells, cellsAlong(film));
-        mostPoints = std::max(mostPoints, film.pointCount());
+    int level = 0;
+    for (int cells = cellsOf(project, fits ? known->proofStage.get() : nullptr) / 2;
+         cells >= fewestDraftCells; cells /= 2) {
+        ++level;
     }
-    DraftLevels levels;
-    for (int cells = fewestCells / 2; cells >= fewestDraftCells; cells /= 2) {
-        ++levels.coarsest;
-    }
-    const bool isOnGpu = registry.info(project.process.solver).deviceKind == QLatin1String("gpu");
-    return isOnGpu && levels.coarsest > 0 ? levelsOnGpu(mostPoints) : levels;
+    return level;
 }
 
-JobResult runLevel(const Project& project, int level, const DraftLevels& levels,
-                   const SolverRegistry& registry, const JobDrafts& earlier,
-                   const Progress& progress, decltype(JobOptions::observer) observer) {
+JobResult runLevel(const Project& project, int level, int coarsest, const SolverRegistry& registry,
+                   const JobDrafts& earlier, const Progress& progress,
+                   decltype(JobOptions::observer) observer) {
     const std::shared_ptr<const JobResult> previous = earlier.reusable(project, level);
     JobOptions options;
     if (level <= 0) {
@@ -121,8 +105,8 @@ JobResult runLevel(const Project& project, int level, const DraftLevels& levels,
         return runJob(project, registry, options, previous.get(), progress);
     }
     options.estimatesNumericalError = false;
-    options.draftPictures = std::min(1.0, std::ldexp(coarsestPictures, levels.coarsest - level));
-    return runJob(draftProject(project, level, levels), registry, options, previous.get(),
+    options.draftPictures = std::min(1.0, std::ldexp(coarsestPictures, coarsest - level));
+    return runJob(draftProject(project, level, coarsest), registry, options, previous.get(),
                   progress);
 }
 
@@ -135,10 +119,6 @@ std::optional<double> movesSince(const JobResult& coarser, const JobResult& resu
     std::optional<double> most;
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
         const LaidFilm& laid = *result.immersions[number].laid;
-        if (laid.film().grid.pointCount() ==
-            coarser.immersions[number].laid->film().grid.pointCount()) {
-            continue;
-        }
         const SheetChange change = sheetChange(
             sheetMoves(laid, *coarser.immersions[number].laid, comparedPlaces(laid.body().mesh)));
         if (change.painted > 0) {

@@ -1,9 +1,8 @@
 // Computes drafts of a job: the same steps with a coarser film and smaller pictures, fast enough to
 // follow the user's hand.
 //
-// Level n has film cells 2ⁿ times as long as the project's. On a GPU, level 1 has the project's own
-// film if this has few enough points. Level 0 is the job itself (runJob()), but without refined
-// films. Refined films (FilmRefinement.h) follow as the level `refinedLevel`.
+// Level n has film cells 2ⁿ times as long as the project's. Level 0 is the job itself (runJob()),
+// but without refined films. Refined films (FilmRefinement.h) follow as the level `refinedLevel`.
 #pragma once
 
 #include "base/Progress.h"
@@ -16,9 +15,6 @@ namespace dipwright {
 
 // The coarsest draft has at least this many cells along the longer edge of each film.
 inline constexpr int fewestDraftCells = 20;
-// On a GPU, the films of the coarsest draft have at most this many points. A film of this size is
-// dipped in about a tenth of a second (docs/speed.md), which is less than the rest of a draft.
-inline constexpr std::size_t mostDraftPoints = 30'000;
 
 inline constexpr int refinedLevel = -1;
 
@@ -39,29 +35,23 @@ private:
     int newest_ = 0;
 };
 
-struct DraftLevels {
-    int coarsest = 0; // level of the first draft; 0: no drafts
-    int ownFilm = 0;  // highest level with the project's own film
-};
-// Returns the levels of the drafts of `project`. There are none if its film is coarse already. The
-// project must have a model. If `earlier` contains the prepared model, it is used. Throws Error if
-// the project's solver is not available.
-DraftLevels draftLevels(const Project& project, const SolverRegistry& registry,
-                        const JobDrafts& earlier);
+// Returns the level of the coarsest draft of `project`; 0 if its film is coarse already. The
+// project must have a model. If `earlier` contains the prepared model, it is used.
+int coarsestDraft(const Project& project, const JobDrafts& earlier);
 
-// Runs the job at `level`, one of `levels`. Reuses results of `earlier`. A draft estimates no
-// numerical error and no read-back error. `observer` (JobOptions.h) receives the dips of other
-// levels. Throws like runJob().
-JobResult runLevel(const Project& project, int level, const DraftLevels& levels,
-                   const SolverRegistry& registry, const JobDrafts& earlier,
-                   const Progress& progress, decltype(JobOptions::observer) observer = {});
+// Runs the job at `level`; `coarsest` is the coarsest level. Reuses results of `earlier`. A draft
+// estimates no numerical error and no read-back error. `observer` (JobOptions.h) receives the dips
+// of other levels. Throws like runJob().
+JobResult runLevel(const Project& project, int level, int coarsest, const SolverRegistry& registry,
+                   const JobDrafts& earlier, const Progress& progress,
+                   decltype(JobOptions::observer) observer = {});
 
 // Whether the level refinedLevel has something to do after `result` of level 0.
 bool canBeRefined(const JobResult& result);
 
 // Returns how far 95 % of the sheets' points move from the draft `coarser` to `result`, whose cells
 // are half as long, in mm; the largest of all dips. For an error of first order, this is the error
-// of `result`. None if the films paint no common place, or have the same cells.
+// of `result`. None if the films paint no common place.
 std::optional<double> movesSince(const JobResult& coarser, const JobResult& result);
 
 } // namespace dipwright

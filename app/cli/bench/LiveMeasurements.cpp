@@ -27,28 +27,28 @@ public:
         rotation[1] = Degrees(rotation[1].value() + degrees);
     }
     void draft() {
-        levels_ = draftLevels(project_, solver_.registry, results_);
-        run(levels_.coarsest);
+        coarsest_ = coarsestDraft(project_, results_);
+        run(coarsest_);
     }
     // Runs all further drafts, then the job, but without refined films.
     void finish() {
-        for (int level = levels_.coarsest; level-- > 0;) {
+        for (int level = coarsest_; level-- > 0;) {
             run(level);
         }
     }
 
 private:
     void run(int level) {
-        results_.add(
-            level, std::make_shared<JobResult>(runLevel(project_, level, levels_, solver_.registry,
-                                                        results_, progress_.silent())));
+        results_.add(level, std::make_shared<JobResult>(runLevel(project_, level, coarsest_,
+                                                                 solver_.registry, results_,
+                                                                 progress_.silent())));
     }
 
     Project project_;
     const BenchSolver& solver_;
     const Progress& progress_;
     JobDrafts results_;
-    DraftLevels levels_;
+    int coarsest_ = 0;
 };
 
 LiveRow measure(const QString& model, const BenchSolver& solver, TurnedJob& job) {

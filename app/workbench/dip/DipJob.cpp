@@ -58,17 +58,17 @@ void DipJob::process(const Progress& progress) {
     outcome_.project = task_.project;
     Fineness& fineness = outcome_.fineness;
     if (task_.stage == DipStage::FirstDraft) {
-        fineness.levels = draftLevels(task_.project, registry_, task_.earlier);
-        fineness.level = fineness.levels.coarsest;
+        fineness.coarsest = coarsestDraft(task_.project, task_.earlier);
+        fineness.level = fineness.coarsest;
     } else if (task_.stage == DipStage::NextDraft) {
-        fineness.levels = task_.before.fineness.levels;
+        fineness.coarsest = task_.before.fineness.coarsest;
         fineness.level = task_.before.fineness.level - 1;
     } else if (task_.stage == DipStage::Refinement) {
         fineness.level = refinedLevel;
     }
     recordings_.resize(task_.project.immersions.size());
     const auto result = std::make_shared<const JobResult>(runLevel(
-        task_.project, fineness.level, fineness.levels, registry_, task_.earlier,
+        task_.project, fineness.level, fineness.coarsest, registry_, task_.earlier,
         progress.part(0, dipDone),
         [this](std::size_t immersion, const FilmFrame& frame) { record(immersion, frame); }));
     for (std::size_t number = 0; number < recordings_.size(); ++number) {

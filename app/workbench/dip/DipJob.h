@@ -21,8 +21,8 @@ SheetPreview sheetPreview(const Sheet& sheet); // throws Error as pageSize() doe
 
 // How fine a result is (pipeline/JobDraft.h).
 struct Fineness {
-    int level = 0; // 0: the job itself
-    DraftLevels levels;
+    int level = 0;               // 0: the job itself
+    int coarsest = 0;            // level of the first draft
     std::optional<double> moves; // mm since the previous draft, movesSince(); none: not known
     bool isDraft() const { return level > 0; }
 };

@@ -28,15 +28,6 @@ Project sphereOn(int points) {
     return project;
 }
 
-// Copies the CPU's plugin to `folder`, so that its metadata says that it computes on a GPU.
-void copyAsGpu(const SolverInfo& plugin, const QString& folder) {
-    const QFileInfo module(plugin.modulePath), metadata(plugin.metadataPath);
-    QVERIFY(QFile::copy(module.filePath(), folder + u'/' + module.fileName()));
-    QFile in(metadata.filePath()), out(folder + u'/' + metadata.fileName());
-    QVERIFY(in.open(QIODevice::ReadOnly) && out.open(QIODevice::WriteOnly));
-    out.write(in.readAll().replace("\"device\": \"cpu\"", "\"device\": \"gpu\""));
-}
-
 } // namespace
 
 class JobDraftTest : public QObject {
@@ -45,7 +36,7 @@ class JobDraftTest : public QObject {
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
 
-    void draftLevels_evenFilms_keepsEnoughCells_data() {
+    void coarsestDraft_evenFilms_keepsEnoughCells_data() {
         QTest::addColumn<int>("points");
         QTest::addColumn<int>("level");
         QTest::newRow("too coarse for drafts") << 40 << 0;
@@ -53,27 +44,27 @@ private slots:
         QTest::newRow("two drafts") << 81 << 2;
         QTest::newRow("three drafts") << 300 << 3;
     }
-    void draftLevels_evenFilms_keepsEnoughCells() {
+    void coarsestDraft_evenFilms_keepsEnoughCells() {
         QFETCH(int, points);
         QFETCH(int, level);
-        QCOMPARE(draftLevels(sphereOn(points), registry_, {}).coarsest, level);
+        QCOMPARE(coarsestDraft(sphereOn(points), {}), level);
     }
 
-    void draftLevels_gradedFilm_countsItsCells() {
+    void coarsestDraft_gradedFilm_countsItsCells() {
         Project project = sphereOn(60);
         project.film.resolution = FilmResolution::Automatic;
-        const int level = draftLevels(project, registry_, {}).coarsest;
+        const int level = coarsestDraft(project, {});
         QVERIFY(level >= 1);
         project.film.refinement = 2;
-        QCOMPARE(draftLevels(project, registry_, {}).coarsest, level + 1);
+        QCOMPARE(coarsestDraft(project, {}), level + 1);
     }
 
     void runJob_afterDrafts_isTheSame() {
         const Project project = sphereOn(61);
         const JobResult alone = runJob(project, registry_, {}, nullptr, {});
         JobDrafts drafts;
-        drafts.add(1, std::make_shared<JobResult>(runLevel(project, 1, {1, 0}, registry_, {}, {})));
-        const JobResult after = runLevel(project, 0, {1, 0}, registry_, drafts, {});
+        drafts.add(1, std::make_shared<JobResult>(runLevel(project, 1, 1, registry_, {}, {})));
+        const JobResult after = runLevel(project, 0, 1, registry_, drafts, {});
         for (std::size_t dip = 0; dip < 2; ++dip) {
             QCOMPARE(after.immersions[dip].sheet.job.hash, alone.immersions[dip].sheet.job.hash);
             QCOMPARE(after.immersions[dip].sheet.image, alone.immersions[dip].sheet.image);
@@ -84,11 +75,10 @@ private slots:
 
     void runDraft_sphere_isNearTheJob() {
         const Project project = sphereOn(121);
-        const auto coarse =
-            std::make_shared<JobResult>(runLevel(project, 2, {2, 0}, registry_, {}, {}));
+        const auto coarse = std::make_shared<JobResult>(runLevel(project, 2, 2, registry_, {}, {}));
         JobDrafts drafts;
         drafts.add(2, coarse);
-        const JobResult fine = runLevel(project, 1, {2, 0}, registry_, drafts, {});
+        const JobResult fine = runLevel(project, 1, 2, registry_, drafts, {});
         QVERIFY(coarse->proof.width() < fine.proof.width());
         QVERIFY(!coarse->immersions[0].readBack && !coarse->immersions[0].numericalError);
         QVERIFY2(std::abs(coarse->coverageTotal - fine.coverageTotal) < 0.05,
@@ -97,40 +87,18 @@ private slots:
         QVERIFY(moves && *moves > 0.01 && *moves < 3);
     }
 
-    void draftLevels_onGpu_draftHasTheProjectsFilm() {
-        const QTemporaryDir folder;
-        copyAsGpu(registry_.info(QStringLiteral("pbd-cpu")), folder.path());
-        const SolverRegistry gpu({folder.path()}, {folder.path()});
-        QCOMPARE(gpu.info(QStringLiteral("auto")).deviceKind, QStringLiteral("gpu"));
-        const Project project = sphereOn(61);
-        const DraftLevels levels = draftLevels(project, gpu, {});
-        QCOMPARE(levels.coarsest, 1);
-        QCOMPARE(levels.ownFilm, 1);
-        JobDrafts drafts;
-        const auto draft =
-            std::make_shared<JobResult>(runLevel(project, 1, levels, gpu, drafts, {}));
-        drafts.add(1, draft);
-        const JobResult job = runLevel(project, 0, levels, gpu, drafts, {});
-        QVERIFY(draft->immersions[0].laid == job.immersions[0].laid);
-        QVERIFY(draft->proof.width() < job.proof.width());
-        QVERIFY(!movesSince(*draft, job));
-        // A film with too many points is coarser in drafts.
-        QCOMPARE(draftLevels(sphereOn(300), gpu, {}).coarsest, 1);
-        QCOMPARE(draftLevels(sphereOn(300), gpu, {}).ownFilm, 0);
-    }
-
     void reusable_oneDipTurned_keepsTheOther() {
         Project project = sphereOn(61);
         JobDrafts drafts;
         const auto job = std::make_shared<JobResult>(runJob(project, registry_, {}, nullptr, {}));
         drafts.add(0, job);
         const auto before =
-            std::make_shared<JobResult>(runLevel(project, 1, {1, 0}, registry_, drafts, {}));
+            std::make_shared<JobResult>(runLevel(project, 1, 1, registry_, drafts, {}));
         QVERIFY(before->immersions[0].body == job->immersions[0].body);
         QVERIFY(before->field == job->field && before->proofStage == job->proofStage);
         drafts.add(1, before);
         project.immersions[0].rotation[0] = Degrees(30);
-        const JobResult turned = runLevel(project, 1, {1, 0}, registry_, drafts, {});
+        const JobResult turned = runLevel(project, 1, 1, registry_, drafts, {});
         QVERIFY(turned.immersions[0].laid != before->immersions[0].laid);
         QVERIFY(turned.immersions[1].laid == before->immersions[1].laid);
     }
