@@ -74,9 +74,12 @@ def started_programs():
 
 
 def named_in(program, names):
-    words = {word for pattern in TEXTS for text in pattern.findall(program)
-             for word in text.replace(b"\0", b"").split(b"/")}
-    return [name for name in names if name.encode() in words]
+    """Names at the end of a text; the linker may keep a text only as the end of a longer one."""
+    wanted = {name.encode(): name for name in names}
+    lengths = {len(name) for name in wanted}
+    ends = {word[-length:] for pattern in TEXTS for text in pattern.findall(program)
+            for word in text.replace(b"\0", b"").rstrip(b".").split(b"/") for length in lengths}
+    return [wanted[name] for name in wanted if name in ends]
 
 
 def keys():

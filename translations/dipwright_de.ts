@@ -1790,10 +1790,6 @@
         <translation>Wassertiefe</translation>
     </message>
     <message>
-        <source>Distance from the water surface to the tank&apos;s floor. The verdict warns if the part would go deeper.</source>
-        <translation>Abstand von der Wasseroberfläche zum Boden des Beckens. Das Urteil warnt, wenn das Teil tiefer käme.</translation>
-    </message>
-    <message>
         <source>Reach</source>
         <translation>Reichweite</translation>
     </message>
@@ -1816,6 +1812,10 @@
     <message>
         <source>The highest speed at which the machine turns a part.</source>
         <translation>Die höchste Geschwindigkeit, mit der die Maschine ein Teil dreht.</translation>
+    </message>
+    <message>
+        <source>Distance from the water surface to the tank&apos;s floor. The verdict on a dip that goes deeper is “Do not print”.</source>
+        <translation>Abstand von der Wasseroberfläche zum Boden des Beckens. Das Urteil über einen tieferen Tauchvorgang ist „Nicht drucken“.</translation>
     </message>
 </context>
 <context>
@@ -3041,10 +3041,6 @@
         <translation>Schräg: der Winkel zwischen Weg und Wasser, 10° bis 170°. Kippen: wie weit das Teil am Anfang gekippt ist, höchstens 85°. Rollen: der Winkel, um den es rollt. Schräg über 90° sowie negatives Kippen oder Rollen gehen gegen die Richtung.</translation>
     </message>
     <message>
-        <source>Depth of the part&apos;s lowest point from which on the part has its final rotation.</source>
-        <translation>Tiefe des tiefsten Punkts, ab der das Teil seine endgültige Drehung hat.</translation>
-    </message>
-    <message>
         <source>Speed at which water and film flow through the tank, in the direction of the heading. A negative speed flows against the heading.</source>
         <translation>Geschwindigkeit, mit der Wasser und Film durch das Becken fließen, in der angegebenen Richtung. Eine negative Geschwindigkeit fließt gegen die Richtung.</translation>
     </message>
@@ -3055,6 +3051,10 @@
     <message>
         <source>Where the centre of the part is when the dip begins, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
         <translation>Wo die Mitte des Teils am Anfang des Tauchvorgangs ist, gemessen von der Mitte des Films: X nach rechts, Z auf dem Blatt nach unten.</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point at which the part is no longer tilted.</source>
+        <translation>Tiefe des tiefsten Punkts, in der das Teil nicht mehr gekippt ist.</translation>
     </message>
 </context>
 <context>
@@ -3429,8 +3429,8 @@
         <translation>Das Teil bewegt sich mit bis zu %1 mm/s, aber die Maschine des Beckens „%2“ schafft nur %3 mm/s; langsamer tauchen</translation>
     </message>
     <message>
-        <source>The part turns at up to %1 °/s, but the machine of the tank “%2” reaches only %3 °/s; reduce the speed of the dip</source>
-        <translation>Das Teil dreht sich mit bis zu %1 °/s, aber die Maschine des Beckens „%2“ schafft nur %3 °/s; langsamer tauchen</translation>
+        <source>The part turns at up to %1°/s, but the machine of the tank “%2” reaches only %3°/s; use a slower dip or a smaller turn</source>
+        <translation>Das Teil dreht sich mit bis zu %1°/s, aber die Maschine des Beckens „%2“ schafft nur %3°/s; langsamer tauchen oder weniger drehen</translation>
     </message>
 </context>
 <context>

@@ -1790,10 +1790,6 @@
         <translation>Profundidade da água</translation>
     </message>
     <message>
-        <source>Distance from the water surface to the tank&apos;s floor. The verdict warns if the part would go deeper.</source>
-        <translation>Distância da superfície da água ao fundo do tanque. O veredito avisa se a peça descesse mais.</translation>
-    </message>
-    <message>
         <source>Reach</source>
         <translation>Alcance</translation>
     </message>
@@ -1816,6 +1812,10 @@
     <message>
         <source>The highest speed at which the machine turns a part.</source>
         <translation>A maior velocidade com que a máquina gira uma peça.</translation>
+    </message>
+    <message>
+        <source>Distance from the water surface to the tank&apos;s floor. The verdict on a dip that goes deeper is “Do not print”.</source>
+        <translation>Distância da superfície da água ao fundo do tanque. O veredito de uma imersão mais funda é “Não imprimir”.</translation>
     </message>
 </context>
 <context>
@@ -3041,10 +3041,6 @@
         <translation>Inclinado: o ângulo entre o percurso e a água, de 10° a 170°. Tombar: quanto a peça está tombada quando a imersão começa, no máximo 85°. Rolar: o ângulo em que ela rola. Inclinado acima de 90°, ou um tombamento ou rolamento negativo, vai contra a direção.</translation>
     </message>
     <message>
-        <source>Depth of the part&apos;s lowest point from which on the part has its final rotation.</source>
-        <translation>Profundidade do ponto mais baixo a partir da qual a peça tem sua rotação final.</translation>
-    </message>
-    <message>
         <source>Speed at which water and film flow through the tank, in the direction of the heading. A negative speed flows against the heading.</source>
         <translation>Velocidade com que a água e a película correm pelo tanque, no sentido da direção. Uma velocidade negativa corre contra a direção.</translation>
     </message>
@@ -3055,6 +3051,10 @@
     <message>
         <source>Where the centre of the part is when the dip begins, measured from the film&apos;s centre: X to the right, Z down the sheet.</source>
         <translation>Onde está o centro da peça quando a imersão começa, medido do centro da película: X para a direita, Z para baixo na folha.</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point at which the part is no longer tilted.</source>
+        <translation>Profundidade do ponto mais baixo em que a peça já não está tombada.</translation>
     </message>
 </context>
 <context>
@@ -3429,8 +3429,8 @@
         <translation>A peça se move a até %1 mm/s, mas a máquina do tanque “%2” chega só a %3 mm/s; reduza a velocidade da imersão</translation>
     </message>
     <message>
-        <source>The part turns at up to %1 °/s, but the machine of the tank “%2” reaches only %3 °/s; reduce the speed of the dip</source>
-        <translation>A peça gira a até %1 °/s, mas a máquina do tanque “%2” chega só a %3 °/s; reduza a velocidade da imersão</translation>
+        <source>The part turns at up to %1°/s, but the machine of the tank “%2” reaches only %3°/s; use a slower dip or a smaller turn</source>
+        <translation>A peça gira a até %1°/s, mas a máquina do tanque “%2” chega só a %3°/s; use uma imersão mais lenta ou um giro menor</translation>
     </message>
 </context>
 <context>

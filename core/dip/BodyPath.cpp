@@ -402,11 +402,14 @@ std::vector<PathMoment> momentsOf(const solver::BodyPath& path, double most) {
     return moments;
 }
 
+double shadowStep(const TriangleMesh& posed) {
+    return std::max(double(boundingBox(posed).diagonal().norm()) / 12, 0.5);
+}
+
 Eigen::AlignedBox2d shadowOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
                                  ShadowOf part) {
-    const double step = std::max(double(boundingBox(posed).diagonal().norm()) / 12, 0.5);
     Eigen::AlignedBox2d shadow;
-    for (const PathMoment& moment : momentsOf(path, step)) {
+    for (const PathMoment& moment : momentsOf(path, shadowStep(posed))) {
         for (const Eigen::Vector3f& place : posed.positions) {
             const Eigen::Vector3d at = moment.poseToWorld * place.cast<double>();
             if (part == ShadowOf::Whole || at.y() <= 0) {

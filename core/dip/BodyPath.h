@@ -38,6 +38,8 @@ solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
 solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& modelToPose,
                              const Immersion& immersion);
 
+// Returns how far a body travels at most, mm, between two moments at which its shadow is computed.
+double shadowStep(const TriangleMesh& posed);
 // The part of a body whose shadow is computed.
 enum class ShadowOf : std::uint8_t { Whole, UnderWater };
 // Returns the bounding box, in x and z from the offset, of the body on its path, or of the places

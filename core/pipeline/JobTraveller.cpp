@@ -67,6 +67,9 @@ DipMotion jobMotion(const JobResult& result, std::size_t immersion) {
     motion.depth = Millimetres(dipDepth(process, *dip.body));
     motion.speed = process.dipSpeed;
     motion.path = machinePath(dip);
+    if (const auto& tank = result.project.profiles.tank; tank && tank->speed) {
+        motion.approach = std::min(motion.approach, *tank->speed);
+    }
     return motion;
 }
 

@@ -66,18 +66,6 @@ void addHandlingReasons(ReasonList& found, const JobTolerances& tolerances) {
     }
 }
 
-// Adds a reason for each dip that exceeds a limit of the tank or its machine.
-void addTankReasons(ReasonList& found, const JobResult& result) {
-    for (const ImmersionResult& dip : result.immersions) {
-        const QStringList faults = tankFaults(result.project, dip.immersion);
-        if (!faults.isEmpty()) {
-            const QString text = faults.join(QStringLiteral(". "));
-            found.add({Kind::Tank, Advice::DoNotPrint, 0, 0,
-                       Text::tr("%1: %2").arg(dip.immersion.name, text)});
-        }
-    }
-}
-
 double unreached(const JobResult& result) {
     return result.share ? result.share->areas.none / result.share->areas.total()
                         : 1 - result.coverageTotal;
@@ -124,7 +112,9 @@ std::shared_ptr<const ZonedBody> markedZones(const Project& project) {
 
 Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones) {
     return verdict({*dip.laid, *dip.coverage, dip.numericalError.get(),
-                    dip.inkShortfall.value_or(dip.texture->shortfallArea), zones},
+                    dip.inkShortfall.value_or(dip.texture->shortfallArea), zones,
+                    tankFaults(project, dip.immersion, dip.body->mesh, dip.body->path)
+                        .join(QStringLiteral(". "))},
                    project.tolerance, project.verdict);
 }
 
@@ -143,7 +133,6 @@ Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
     if (result.tolerances) {
         addHandlingReasons(found, *result.tolerances);
     }
-    addTankReasons(found, result);
     addOriginReasons(found, result);
     return std::move(found).verdict();
 }

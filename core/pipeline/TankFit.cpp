@@ -1,7 +1,6 @@
 #include "pipeline/TankFit.h"
 
 #include "dip/Pose.h"
-#include "model/TexturedMesh.h"
 #include "project/Project.h"
 
 #include <QCoreApplication>
@@ -50,13 +49,13 @@ Demand straightDemand(const TriangleMesh& posed, const Immersion& immersion,
 
 // The machine moves in the frame of the tank, in which the film flows with the water.
 Demand demandOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
-                    const Immersion& immersion) {
+                    const Immersion& immersion, const ProcessSettings& process) {
     const auto driftAt = [&](double seconds) -> Eigen::Vector3d {
         return offsetOf(immersion) + seconds * waterVelocity(immersion.path);
     };
     Demand demand;
-    const double step = boundingBox(posed).diagonal().norm() / 12;
-    for (const PathMoment& moment : momentsOf(path, std::max(double(step), 0.5))) {
+    demand.speed = process.dipSpeed.value(); // of lifting the part out
+    for (const PathMoment& moment : momentsOf(path, shadowStep(posed))) {
         const Eigen::Vector3d drift = driftAt(secondsOnPath(path, moment.travelled));
         for (const Eigen::Vector3f& position : posed.positions) {
             cover(demand, moment.poseToWorld * position.cast<double>() + drift);
@@ -86,16 +85,15 @@ QString number(double value) {
 
 } // namespace
 
-QStringList tankFaults(const Project& project, const Immersion& immersion) {
+QStringList tankFaults(const Project& project, const Immersion& immersion,
+                       const TriangleMesh& posed, const solver::BodyPath& path) {
     if (!project.profiles.tank) {
         return {};
     }
     const TankProfile& tank = *project.profiles.tank;
-    const TriangleMesh& mesh = project.model->mesh;
-    const TriangleMesh posed = transformed(mesh, poseTransform(mesh, immersion));
-    const solver::BodyPath path = bodyPath(posed, immersion, project.process);
-    const Demand demand = path.isStraightDown() ? straightDemand(posed, immersion, project.process)
-                                                : demandOnPath(path, posed, immersion);
+    const Demand demand = path.isStraightDown()
+                              ? straightDemand(posed, immersion, project.process)
+                              : demandOnPath(path, posed, immersion, project.process);
     QStringList faults;
     const Eigen::Vector2d half(tank.width.value() / 2, tank.length.value() / 2);
     if (!Eigen::AlignedBox2d(-half, half).contains(demand.outline)) {
@@ -126,8 +124,8 @@ QStringList tankFaults(const Project& project, const Immersion& immersion) {
     }
     if (exceeds(demand.turnSpeed, tank.turnSpeed)) {
         faults << Text::tr(
-                      "The part turns at up to %1 °/s, but the machine of the tank “%2” reaches "
-                      "only %3 °/s; reduce the speed of the dip")
+                      "The part turns at up to %1°/s, but the machine of the tank “%2” reaches "
+                      "only %3°/s; use a slower dip or a smaller turn")
                       .arg(number(demand.turnSpeed), tank.name, number(tank.turnSpeed->value()));
     }
     return faults;

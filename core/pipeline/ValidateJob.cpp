@@ -26,21 +26,30 @@ struct Text {
 
 constexpr double cellsAcrossBody = 10; // fewer cells resolve the body's shape poorly
 
+// The body in its pose frame, and its path there.
+struct PosedShape {
+    TriangleMesh mesh;
+    solver::BodyPath path;
+};
+
+// Throws Error if the path cannot be travelled.
+PosedShape posedShape(const TexturedMesh& model, const Immersion& immersion,
+                      const ProcessSettings& process) {
+    PosedShape shape{transformed(model.mesh, poseTransform(model.mesh, immersion)), {}};
+    shape.path = bodyPath(shape.mesh, immersion, process);
+    return shape;
+}
+
 // Returns the body's extent on the water in this immersion, as a box in x and z. On a path, the box
-// contains the body at all times. Throws Error if the path cannot be travelled.
-Eigen::AlignedBox2d footprint(const TexturedMesh& model, const Immersion& immersion,
-                              const ProcessSettings& process) {
-    const Eigen::Isometry3d pose = poseTransform(model.mesh, immersion);
+// contains the body at all times.
+Eigen::AlignedBox2d footprint(const PosedShape& shape, const Immersion& immersion) {
     const Eigen::Vector2d offset(immersion.offset[0].value(), immersion.offset[1].value());
-    if (!immersion.path.isStraightDown()) {
-        const TriangleMesh posed = transformed(model.mesh, pose);
-        return shadowOnPath(bodyPath(posed, immersion, process), posed, ShadowOf::Whole)
-            .translated(offset);
+    if (!shape.path.isStraightDown()) {
+        return shadowOnPath(shape.path, shape.mesh, ShadowOf::Whole).translated(offset);
     }
     Eigen::AlignedBox2d box;
-    for (const Eigen::Vector3f& position : model.mesh.positions) {
-        const Eigen::Vector3d posed = pose * position.cast<double>();
-        box.extend(Eigen::Vector2d(posed.x(), posed.z()) + offset);
+    for (const Eigen::Vector3f& position : shape.mesh.positions) {
+        box.extend(Eigen::Vector2d(position.x(), position.z()) + offset);
     }
     return box;
 }
@@ -66,7 +75,8 @@ void checkImmersion(const Project& project, const Immersion& immersion, const Su
                     QStringList& warnings) {
     const TriangleMesh& mesh = project.model->mesh;
     const Underside underside = undersideOf(mesh, query, immersion, project.process);
-    const Eigen::AlignedBox2d body = footprint(*project.model, immersion, project.process);
+    const Eigen::AlignedBox2d body =
+        footprint(posedShape(*project.model, immersion, project.process), immersion);
     if (!filmOutline(project.film).intersects(body)) {
         throw Error(beside(), immersion.name);
     }
@@ -139,24 +149,23 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
 }
 
 QString misplacement(const Project& project, const Immersion& immersion) {
-    Eigen::AlignedBox2d body;
     try {
-        body = footprint(*project.model, immersion, project.process);
+        const PosedShape shape = posedShape(*project.model, immersion, project.process);
+        const Eigen::AlignedBox2d body = footprint(shape, immersion);
+        const Eigen::AlignedBox2d film = filmOutline(project.film);
+        if (!film.intersects(body)) {
+            return beside();
+        }
+        QStringList faults = tankFaults(project, immersion, shape.mesh, shape.path);
+        if (!film.contains(body)) {
+            faults.prepend(
+                Text::tr("The part reaches past the film's edge; move or turn the part, or %1")
+                    .arg(adviceOnFilm(body, project.film)));
+        }
+        return faults.join(QStringLiteral(". "));
     } catch (const Error& error) {
         return error.message();
     }
-    if (const QStringList faults = tankFaults(project, immersion); !faults.isEmpty()) {
-        return faults.join(QStringLiteral(". "));
-    }
-    const Eigen::AlignedBox2d film = filmOutline(project.film);
-    if (!film.intersects(body)) {
-        return beside();
-    }
-    if (!film.contains(body)) {
-        return Text::tr("The part reaches past the film's edge; move or turn the part, or %1")
-            .arg(adviceOnFilm(body, project.film));
-    }
-    return {};
 }
 
 } // namespace dipwright

@@ -35,6 +35,14 @@ struct Judgement {
     int pages = 0;
 };
 
+// Whether the verdict on a job already says that its film has expired.
+bool isKnownAsExpired(const JobResult& result) {
+    const std::vector<JobReason> reasons = reasonsOf(result);
+    return std::any_of(reasons.begin(), reasons.end(), [](const JobReason& reason) {
+        return reason.reason.kind == VerdictReason::Kind::ExpiredFilm;
+    });
+}
+
 } // namespace
 
 PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
@@ -373,7 +381,9 @@ void PrintDialog::judge() {
     jobs_.start(std::make_unique<ValueJob<Judgement>>(
         tr("Checking the printer"),
         [sheets, request = request(),
-         expiry = expiryWarning(outcome_.result->project.profiles.film)](const Progress&) {
+         expiry = isKnownAsExpired(*outcome_.result)
+                      ? QString()
+                      : expiryWarning(outcome_.result->project.profiles.film)](const Progress&) {
             const auto system = printSystem();
             Judgement found;
             if (!expiry.isEmpty()) {

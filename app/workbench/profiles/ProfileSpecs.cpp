@@ -228,37 +228,38 @@ std::vector<PropertySection> tankSections() {
          .unit = Unit::Length,
          .parts = {Text::tr("X"), Text::tr("Y")}});
     const QString absent = Text::tr("Not given");
-    return {tank,
-            {Text::tr("Limits"),
-             {{.path = QStringLiteral("water_depth_mm"),
-               .label = Text::tr("Water depth"),
-               .help = Text::tr("Distance from the water surface to the tank's floor. The verdict "
-                                "warns if the part would go deeper."),
-               .unit = Unit::Length,
-               .absent = absent,
-               .whenPresent = 300},
-              {.path = QStringLiteral("reach_mm"),
-               .label = Text::tr("Reach"),
-               .help = Text::tr("How far the machine can move the centre of a part sideways from "
-                                "the middle of the tank."),
-               .unit = Unit::Length,
-               .absent = absent,
-               .whenPresent = 100},
-              {.path = QStringLiteral("speed_mm_s"),
-               .label = Text::tr("Fastest motion"),
-               .help = Text::tr("The highest speed at which the machine moves a part."),
-               .unit = Unit::Speed,
-               .absent = absent,
-               .whenPresent = 50},
-              {.path = QStringLiteral("turn_speed_deg_s"),
-               .label = Text::tr("Fastest turn"),
-               .help = Text::tr("The highest speed at which the machine turns a part."),
-               .unit = Unit::AngularSpeed,
-               .absent = absent,
-               .whenPresent = 30}}},
-            {Text::tr("Barriers"),
-             sides("barriers", Text::tr("Whether a barrier in the tank holds this side of the "
-                                        "film."))}};
+    return {
+        tank,
+        {Text::tr("Limits"),
+         {{.path = QStringLiteral("water_depth_mm"),
+           .label = Text::tr("Water depth"),
+           .help = Text::tr("Distance from the water surface to the tank's floor. The verdict on "
+                            "a dip that goes deeper is “Do not print”."),
+           .unit = Unit::Length,
+           .absent = absent,
+           .whenPresent = 300},
+          {.path = QStringLiteral("reach_mm"),
+           .label = Text::tr("Reach"),
+           .help = Text::tr("How far the machine can move the centre of a part sideways from "
+                            "the middle of the tank."),
+           .unit = Unit::Length,
+           .absent = absent,
+           .whenPresent = 100},
+          {.path = QStringLiteral("speed_mm_s"),
+           .label = Text::tr("Fastest motion"),
+           .help = Text::tr("The highest speed at which the machine moves a part."),
+           .unit = Unit::Speed,
+           .absent = absent,
+           .whenPresent = 50},
+          {.path = QStringLiteral("turn_speed_deg_s"),
+           .label = Text::tr("Fastest turn"),
+           .help = Text::tr("The highest speed at which the machine turns a part."),
+           .unit = Unit::AngularSpeed,
+           .absent = absent,
+           .whenPresent = 30}}},
+        {Text::tr("Barriers"),
+         sides("barriers", Text::tr("Whether a barrier in the tank holds this side of the "
+                                    "film."))}};
 }
 
 } // namespace

@@ -287,8 +287,8 @@ PropertySection pathProperties(std::size_t number) {
           })},
          {.path = prefix + QStringLiteral("level_depth_mm"),
           .label = Text::tr("Level at"),
-          .help = Text::tr("Depth of the part's lowest point from which on the part has its final "
-                           "rotation."),
+          .help = Text::tr("Depth of the part's lowest point at which the part is no longer "
+                           "tilted."),
           .unit = Unit::Length,
           .absent = Text::tr("The end of the dip"),
           .whenPresent = 20,

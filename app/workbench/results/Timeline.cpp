@@ -1,6 +1,7 @@
 #include "workbench/results/Timeline.h"
 
 #include "workbench/widgets/Icons.h"
+#include "workbench/widgets/PlainTexts.h"
 
 #include <QHBoxLayout>
 #include <QHelpEvent>
@@ -39,7 +40,7 @@ constexpr int markReach = 4;  // pixels to each side of a mark that count as the
 // A slider with a tick at each notable moment; its tooltip describes the moment.
 class MarkedSlider : public QSlider {
 public:
-    MarkedSlider() : QSlider(Qt::Horizontal) {}
+    MarkedSlider() : QSlider(Qt::Horizontal) { setProperty(hasOwnToolTips, true); }
 
     void setMarks(const std::vector<TimelineMark>& marks) {
         marks_ = marks;

@@ -58,7 +58,7 @@ bool PlainTexts::eventFilter(QObject* watched, QEvent* event) {
         makePlain(watched);
     }
     auto* widget = qobject_cast<QWidget*>(watched);
-    if (event->type() == QEvent::ToolTip && widget) {
+    if (event->type() == QEvent::ToolTip && widget && !widget->property(hasOwnToolTips).toBool()) {
         const auto& help = static_cast<QHelpEvent&>(*event);
         if (const QString text = toolTipAt(*widget, help.pos()); !text.isEmpty()) {
             QToolTip::showText(help.globalPos(), inLines(text), widget);

@@ -28,6 +28,10 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
+// The dynamic property of a widget that shows other tooltips than its toolTip(). PlainTexts leaves
+// these to the widget.
+inline constexpr const char* hasOwnToolTips = "hasOwnToolTips";
+
 // Breaks the text of a long tooltip into readable lines. Keeps the line breaks that it has.
 QString inLines(const QString& text);
 

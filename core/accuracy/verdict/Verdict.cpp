@@ -171,6 +171,9 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
     const PlacesToCheck uncertain =
         addNumericalReasons(found, dip.laid, dip.numericalError, dip.zones, tolerance);
     addPaintReasons(found, dip, limits);
+    if (!dip.tankFaults.isEmpty()) {
+        found.add({Kind::Tank, Advice::DoNotPrint, 0, 0, dip.tankFaults});
+    }
     Verdict judged = std::move(found).verdict();
     judged.places = uncertain.places;
     judged.areaToCheck = uncertain.area;
@@ -222,6 +225,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"pale", "verdict.pale"},
                                KindWords{"damaged", "verdict.damaged"},
                                KindWords{"film_edge", "verdict.edge_mm"},
+                               KindWords{"tank", ""},
                                KindWords{"unreached", "verdict.unreached"},
                                KindWords{"narrow", "verdict.narrow"},
                                KindWords{"zone_bare", "verdict.zone_bare"},
@@ -229,7 +233,6 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"no_picture", "verdict.no_picture"},
                                KindWords{"changed_model", "verdict.changed_model"},
                                KindWords{"guessed_film", "verdict.guessed_film"},
-                               KindWords{"tank", ""},
                                KindWords{"expired_film", "verdict.expired_film"}};
 static_assert(kindWords.size() == std::size_t(Kind::ExpiredFilm) + 1);
 

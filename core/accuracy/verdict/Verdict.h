@@ -33,6 +33,7 @@ struct VerdictReason {
         Pale,         // the share `value` of the painted area will be too pale
         Damaged,      // film tore or was released on the share `value` of the painted area
         FilmEdge,     // film that paints the body lies only `value` mm from the film's edge
+        Tank,         // `text`: the limits of the tank or its machine that the dip exceeds
         // Reasons about all dips together.
         Unreached,    // neither dip paints the share `value` of the body's surface
         Narrow,       // the share `value` of the overlap is too narrow
@@ -42,7 +43,6 @@ struct VerdictReason {
         NoPicture,    // the model has one plain colour
         ChangedModel, // `text`: what the import repaired, or what is missing
         GuessedFilm,  // the film's swell was not measured
-        Tank,         // `text`: the limits of the tank or its machine that a dip exceeds
         ExpiredFilm,  // `text`: which film, and since when
     };
     Kind kind;
@@ -97,6 +97,7 @@ struct JudgedDip {
     const NumericalErrorEstimate* numericalError = nullptr; // null: not requested
     double paleArea = 0;                                    // mm² of the body with too little ink
     const ZonedBody* zones = nullptr;                       // null: the whole body is in zone C
+    QString tankFaults = {}; // sentences on limits of the tank that the dip exceeds; empty: none
 };
 
 // Returns the verdict on one dip by the limits in `tolerance` and `limits`.

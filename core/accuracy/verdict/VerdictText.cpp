@@ -91,6 +91,8 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("Film that paints the part lies only %1 from the film's edge; at least %2 "
                         "are required. Use a larger film, or move the part to the film's centre.")
             .arg(length(reason.value), length(reason.limit));
+    case Kind::Tank:
+        return reason.text + QLatin1Char('.');
     default:
         return {};
     }
@@ -124,7 +126,6 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
     case Kind::GuessedFilm:
         return Text::tr("The film's swell is guessed, not measured: the picture may be a few per "
                         "cent too large or too small. Measure the film.");
-    case Kind::Tank:
     case Kind::ExpiredFilm:
         return reason.text + QLatin1Char('.');
     default:

@@ -11,11 +11,13 @@
 #include "workbench/widgets/HeatScale.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PictureView.h"
+#include "workbench/widgets/PlainTexts.h"
 #include "workbench/widgets/Theme.h"
 
 #include <QApplication>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QJsonArray>
 #include <QScreen>
 #include <QScrollBar>
@@ -25,6 +27,7 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <QToolButton>
+#include <QToolTip>
 
 using namespace dipwright;
 
@@ -297,6 +300,11 @@ private slots:
                  qPrintable(QStringLiteral("the handle is at frame %1, expected 40 ± 1")
                                 .arg(timeline.position())));
         QCOMPARE(slider->accessibleDescription(), QStringLiteral("Film tears"));
+        const PlainTexts plainTexts(*qApp); // as in the program
+        const QPoint mark(found / 3, slider->height() / 2);
+        QHelpEvent help(QEvent::ToolTip, mark, slider->mapToGlobal(mark));
+        QCoreApplication::sendEvent(slider, &help);
+        QCOMPARE(QToolTip::text(), QStringLiteral("Film tears"));
         timeline.setFrames(100);
         timeline.setPosition(0);
         QCOMPARE(slider->grab().toImage(), before);

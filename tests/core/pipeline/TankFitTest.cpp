@@ -1,6 +1,7 @@
 // Tests the limits of a tank and its machine.
 #include "pipeline/TankFit.h"
 
+#include "dip/Pose.h"
 #include "geometry/Shapes.h"
 #include "model/TexturedMesh.h"
 #include "project/Project.h"
@@ -29,7 +30,11 @@ Project boxInTank() {
 }
 
 QString faults(const Project& project) {
-    return tankFaults(project, project.immersions.front()).join(u'\n');
+    const Immersion& immersion = project.immersions.front();
+    const TriangleMesh& mesh = project.model->mesh;
+    const TriangleMesh posed = transformed(mesh, poseTransform(mesh, immersion));
+    return tankFaults(project, immersion, posed, bodyPath(posed, immersion, project.process))
+        .join(u'\n');
 }
 
 } // namespace
@@ -86,6 +91,31 @@ private slots:
                  qPrintable(faults(project)));
         project.profiles.tank->reach = Millimetres(21);
         QCOMPARE(faults(project), QString());
+    }
+
+    // The film flows as fast as the part travels sideways. So the part goes straight down through
+    // the film, but the machine moves it sideways.
+    void tankFaults_flowingWater_comparesTheMachinesMotion() {
+        Project project = boxInTank();
+        DipPath& path = project.immersions.front().path;
+        path.kind = PathKind::Slanted;
+        path.angle = Degrees(45);
+        path.waterSpeed = MillimetresPerSecond(5); // as fast as the dip, which takes 4.1 s
+        project.profiles.tank->reach = Millimetres(20);
+        project.profiles.tank->speed = MillimetresPerSecond(7);
+        const QString found = faults(project);
+        QVERIFY2(found.contains(QStringLiteral("moves 20.5 mm sideways")), qPrintable(found));
+        QVERIFY2(found.contains(QStringLiteral("moves at up to 7.1 mm/s")), qPrintable(found));
+    }
+
+    // A box that enters upright reaches past a wall only at the beginning of its path.
+    void tankFaults_tiltedEntry_comparesTheWholePath() {
+        Project project = boxInTank();
+        project.profiles.tank->width = Millimetres(41);
+        QCOMPARE(faults(project), QString());
+        project.immersions.front().path.kind = PathKind::Tilt;
+        project.immersions.front().path.angle = Degrees(20);
+        QVERIFY(faults(project).contains(QStringLiteral("past the edge of the tank")));
     }
 };
 

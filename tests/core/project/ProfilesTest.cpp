@@ -62,6 +62,10 @@ TankProfile tank() {
     profile.waterLevel = Millimetres(25);
     profile.barriers.rightPinned = true;
     profile.markDistance = {Millimetres(198), Millimetres(285)};
+    profile.waterDepth = Millimetres(320);
+    profile.reach = Millimetres(110);
+    profile.speed = MillimetresPerSecond(80);
+    profile.turnSpeed = DegreesPerSecond(45);
     return profile;
 }
 
