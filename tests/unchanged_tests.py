@@ -74,8 +74,9 @@ def started_programs():
 
 
 def named_in(program, names):
-    """Names at the end of a text; the linker may keep a text only as the end of a longer one."""
-    wanted = {name.encode(): name for name in names}
+    """Names at the end of a text; the linker may keep a text only as the end of a longer one. Not
+    "dipwright": that is also a word in other texts, and only tests in tests/install start it."""
+    wanted = {name.encode(): name for name in names if name != "dipwright"}
     lengths = {len(name) for name in wanted}
     ends = {word[-length:] for pattern in TEXTS for text in pattern.findall(program)
             for word in text.replace(b"\0", b"").rstrip(b".").split(b"/") for length in lengths}
@@ -96,11 +97,12 @@ def keys():
             continue
         properties = {entry["name"]: entry["value"] for entry in test["properties"]}
         own = [part for part in test["command"] if part.startswith(str(BUILD.resolve())) and os.path.isfile(part)]
+        labels = properties.get("LABELS", [])
         parts = [json.dumps(test["command"]), json.dumps(properties.get("ENVIRONMENT", [])), modules,
-                 everything if "house" in properties.get("LABELS", []) else data]
+                 everything if "house" in labels else data]
         for path in own:
             parts.append(files.hash(path))
-            for name in named_in(files.bytes_of(path), programs):
+            for name in programs if "install" in labels else named_in(files.bytes_of(path), programs):
                 parts += [files.hash(found) for found in programs[name]]
         result[test["name"]] = digest(*parts)
     return result
