@@ -2,6 +2,7 @@
 
 #include "pipeline/JobVerdict.h"
 #include "pipeline/PrintedBody.h"
+#include "pipeline/TankFit.h"
 
 #include <QPainter>
 
@@ -40,12 +41,9 @@ QStringList verdictLines(const JobResult& result, std::size_t number) {
 // Returns the path of a dip in the frame of the machine, which does not move with the water.
 std::vector<MotionPose> machinePath(const ImmersionResult& dip) {
     std::vector<MotionPose> poses;
-    const Eigen::Vector3d water = waterVelocity(dip.immersion.path);
-    const Eigen::Vector3d offset(dip.immersion.offset[0].value(), 0,
-                                 dip.immersion.offset[1].value());
     for (const solver::PathPose& pose : dip.body->path.poses) {
-        const Eigen::Vector3d place =
-            Eigen::Map<const Eigen::Vector3d>(pose.pivot.data()) + offset + pose.seconds * water;
+        const Eigen::Vector3d place = Eigen::Map<const Eigen::Vector3d>(pose.pivot.data()) +
+                                      pathOriginInTank(dip.immersion, Seconds(pose.seconds));
         const auto& [w, x, y, z] = pose.rotation;
         poses.push_back({Seconds(pose.seconds),
                          {place.x(), -place.z(), place.y()}, // Z up instead of Y

@@ -25,44 +25,37 @@ struct Demand {
     double turnSpeed = 0; // °/s
 };
 
-Eigen::Vector3d offsetOf(const Immersion& immersion) {
-    return {immersion.offset[0].value(), 0, immersion.offset[1].value()};
-}
-
-void cover(Demand& demand, const Eigen::Vector3d& place) {
-    demand.outline.extend(Eigen::Vector2d(place.x(), place.z()));
-    demand.depth = std::max(demand.depth, -place.y());
-}
-
 Demand straightDemand(const TriangleMesh& posed, const Immersion& immersion,
                       const ProcessSettings& process) {
-    const Eigen::Vector3d offset = offsetOf(immersion);
+    const BoundingBox box = boundingBox(posed);
+    const Eigen::Vector3d offset = pathOriginInTank(immersion, Seconds(0));
     Demand demand;
-    for (const Eigen::Vector3f& position : posed.positions) {
-        cover(demand, position.cast<double>() + offset);
+    for (const Eigen::Vector3f& corner : {box.min(), box.max()}) {
+        const Eigen::Vector3d place = corner.cast<double>() + offset;
+        demand.outline.extend(Eigen::Vector2d(place.x(), place.z()));
     }
-    demand.depth = dipDepth(process, boundingBox(posed).sizes().y());
+    demand.depth = dipDepth(process, box.sizes().y());
     demand.reach = offset.norm();
     demand.speed = process.dipSpeed.value();
     return demand;
 }
 
-// The machine moves in the frame of the tank, in which the film flows with the water.
 Demand demandOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
                     const Immersion& immersion, const ProcessSettings& process) {
-    const auto driftAt = [&](double seconds) -> Eigen::Vector3d {
-        return offsetOf(immersion) + seconds * waterVelocity(immersion.path);
-    };
     Demand demand;
     demand.speed = process.dipSpeed.value(); // of lifting the part out
     for (const PathMoment& moment : momentsOf(path, shadowStep(posed))) {
-        const Eigen::Vector3d drift = driftAt(secondsOnPath(path, moment.travelled));
+        const Eigen::Vector3d origin =
+            pathOriginInTank(immersion, Seconds(secondsOnPath(path, moment.travelled)));
         for (const Eigen::Vector3f& position : posed.positions) {
-            cover(demand, moment.poseToWorld * position.cast<double>() + drift);
+            const Eigen::Vector3d place = moment.poseToWorld * position.cast<double>() + origin;
+            demand.outline.extend(Eigen::Vector2d(place.x(), place.z()));
+            demand.depth = std::max(demand.depth, -place.y());
         }
     }
     const auto centreAt = [&](const solver::PathPose& pose) -> Eigen::Vector3d {
-        return Eigen::Map<const Eigen::Vector3d>(pose.pivot.data()) + driftAt(pose.seconds);
+        return Eigen::Map<const Eigen::Vector3d>(pose.pivot.data()) +
+               pathOriginInTank(immersion, Seconds(pose.seconds));
     };
     const solver::PathPose* before = nullptr;
     for (const solver::PathPose& pose : path.poses) {
@@ -84,6 +77,11 @@ QString number(double value) {
 }
 
 } // namespace
+
+Eigen::Vector3d pathOriginInTank(const Immersion& immersion, Seconds time) {
+    return Eigen::Vector3d(immersion.offset[0].value(), 0, immersion.offset[1].value()) +
+           time.value() * waterVelocity(immersion.path);
+}
 
 QStringList tankFaults(const Project& project, const Immersion& immersion,
                        const TriangleMesh& posed, const solver::BodyPath& path) {

@@ -11,6 +11,10 @@ struct Project;
 struct Immersion;
 struct TriangleMesh;
 
+// Returns where the origin of a path's frame (dip/BodyPath.h) is in the frame of the tank, in mm,
+// `time` after the dip began. The film flows with the water, and the path's frame with the film.
+Eigen::Vector3d pathOriginInTank(const Immersion& immersion, Seconds time);
+
 // Returns a sentence for each limit of the project's tank profile that the dip exceeds: its walls,
 // its floor, and the reach and the speeds of its machine. The middle of the film floats over the
 // middle of the tank. Empty if the project has no tank profile. `posed` is the body in its pose

@@ -47,11 +47,9 @@ Eigen::AlignedBox2d footprint(const PosedShape& shape, const Immersion& immersio
     if (!shape.path.isStraightDown()) {
         return shadowOnPath(shape.path, shape.mesh, ShadowOf::Whole).translated(offset);
     }
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector3f& position : shape.mesh.positions) {
-        box.extend(Eigen::Vector2d(position.x(), position.z()) + offset);
-    }
-    return box;
+    const BoundingBox box = boundingBox(shape.mesh);
+    return {Eigen::Vector2d(box.min().x(), box.min().z()) + offset,
+            Eigen::Vector2d(box.max().x(), box.max().z()) + offset};
 }
 
 Eigen::AlignedBox2d centred(double width, double depth) {

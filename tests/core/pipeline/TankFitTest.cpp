@@ -108,7 +108,7 @@ private slots:
         QVERIFY2(found.contains(QStringLiteral("moves at up to 7.1 mm/s")), qPrintable(found));
     }
 
-    // A box that enters upright reaches past a wall only at the beginning of its path.
+    // A box that enters tilted covers more of the water until it is level.
     void tankFaults_tiltedEntry_comparesTheWholePath() {
         Project project = boxInTank();
         project.profiles.tank->width = Millimetres(41);
