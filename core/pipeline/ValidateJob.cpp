@@ -68,20 +68,37 @@ QString beside() {
                     "film");
 }
 
+// Returns the sentences of misplacement() for a body in its pose.
+QString misplacementOf(const PosedShape& shape, const Project& project,
+                       const Immersion& immersion) {
+    const Eigen::AlignedBox2d body = footprint(shape, immersion);
+    const Eigen::AlignedBox2d film = filmOutline(project.film);
+    if (!film.intersects(body)) {
+        return beside();
+    }
+    QStringList faults = tankFaults(project, immersion, shape.mesh, shape.path);
+    if (!film.contains(body)) {
+        faults.prepend(
+            Text::tr("The part reaches past the film's edge; move or turn the part, or %1")
+                .arg(adviceOnFilm(body, project.film)));
+    }
+    return faults.join(QStringLiteral(". "));
+}
+
 // `query` belongs to the project's mesh.
 void checkImmersion(const Project& project, const Immersion& immersion, const SurfaceQuery& query,
                     QStringList& warnings) {
     const TriangleMesh& mesh = project.model->mesh;
     const Underside underside = undersideOf(mesh, query, immersion, project.process);
-    const Eigen::AlignedBox2d body =
-        footprint(posedShape(*project.model, immersion, project.process), immersion);
+    const PosedShape shape = posedShape(*project.model, immersion, project.process);
+    const Eigen::AlignedBox2d body = footprint(shape, immersion);
     if (!filmOutline(project.film).intersects(body)) {
         throw Error(beside(), immersion.name);
     }
     const Eigen::Vector2d offset(immersion.offset[0].value(), immersion.offset[1].value());
     requireFilmBeyondBody(underside.shadow.translated(offset), project.film, immersion);
     const solver::FilmGrid grid = filmUnderBody(project.film, underside, immersion.offset);
-    if (const QString wrong = misplacement(project, immersion); !wrong.isEmpty()) {
+    if (const QString wrong = misplacementOf(shape, project, immersion); !wrong.isEmpty()) {
         warnings.append(Text::tr("%1: %2").arg(immersion.name, wrong));
     }
     if (body.sizes().maxCoeff() < grid.leastSpacingX()) {
@@ -148,19 +165,8 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
 
 QString misplacement(const Project& project, const Immersion& immersion) {
     try {
-        const PosedShape shape = posedShape(*project.model, immersion, project.process);
-        const Eigen::AlignedBox2d body = footprint(shape, immersion);
-        const Eigen::AlignedBox2d film = filmOutline(project.film);
-        if (!film.intersects(body)) {
-            return beside();
-        }
-        QStringList faults = tankFaults(project, immersion, shape.mesh, shape.path);
-        if (!film.contains(body)) {
-            faults.prepend(
-                Text::tr("The part reaches past the film's edge; move or turn the part, or %1")
-                    .arg(adviceOnFilm(body, project.film)));
-        }
-        return faults.join(QStringLiteral(". "));
+        return misplacementOf(posedShape(*project.model, immersion, project.process), project,
+                              immersion);
     } catch (const Error& error) {
         return error.message();
     }

@@ -105,7 +105,7 @@ void paintPose(QPainter& painter, const QRectF& place, const QString& title,
     };
     for (const double level : {-dip.motion.start.value(), dip.waterAtEnd}) {
         if (level < 0 && !dip.motion.path.empty()) {
-            continue; // at the beginning the part's rotation differs from the picture's
+            continue; // on a path, the part starts in another rotation than the picture shows
         }
         const double y = heightOf(level);
         if (y > where.top() && y < where.bottom()) {
