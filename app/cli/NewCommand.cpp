@@ -39,7 +39,8 @@ void applyPart(Project& project, std::size_t index, const QString& part) {
         {QStringLiteral("level"), QStringLiteral("path.level_depth_mm")},
         {QStringLiteral("radius"), QStringLiteral("path.roll_radius_mm")},
         {QStringLiteral("turn"), QStringLiteral("path.turn_deg")},
-        {QStringLiteral("water"), QStringLiteral("path.water_speed_mm_s")}};
+        {QStringLiteral("water"), QStringLiteral("path.water_speed_mm_s")},
+        {QStringLiteral("keys"), QStringLiteral("path.keys")}};
     const auto equals = part.indexOf(QLatin1Char('='));
     const QString key = part.left(qMax(equals, 0)).trimmed();
     if (!fields.contains(key)) {

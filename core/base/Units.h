@@ -30,6 +30,7 @@ private:
 using Millimetres = Quantity<struct MillimetresUnit>;
 using Seconds = Quantity<struct SecondsUnit>;
 using MillimetresPerSecond = Quantity<struct MillimetresPerSecondUnit>;
+using MillimetresPerSecondSquared = Quantity<struct MillimetresPerSecondSquaredUnit>;
 using Degrees = Quantity<struct DegreesUnit>;
 using DegreesPerSecond = Quantity<struct DegreesPerSecondUnit>;
 using DotsPerInch = Quantity<struct DotsPerInchUnit>;
@@ -45,6 +46,7 @@ enum class Unit {
     None,
     Length,
     Speed,
+    Acceleration,
     Time,
     Angle,
     AngularSpeed,

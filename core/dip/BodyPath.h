@@ -25,6 +25,8 @@ Eigen::Quaterniond rotationOf(const solver::PathPose& pose);
 Eigen::Isometry3d placeOnPath(const solver::BodyPath& path, double travelled);
 // Returns the time since the dip began, s. `path` must have poses.
 double secondsOnPath(const solver::BodyPath& path, double travelled);
+// Returns the distance, mm, that the body has travelled after `seconds`. `path` must have poses.
+double travelledAfter(const solver::BodyPath& path, double seconds);
 // Returns the distance, mm, that the body has travelled when the place `at` of the body first goes
 // under water; nothing if it stays above.
 std::optional<double> firstUnderWater(const solver::BodyPath& path, const Eigen::Vector3d& at);

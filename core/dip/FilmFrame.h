@@ -15,8 +15,8 @@ struct FilmFrame {
     // Coordinates x, y, z of each point in the world frame (waterline y = 0), mm.
     std::span<const float> positions;
     std::span<const solver::PointState> states;
-    // Of the body, mm; its lowest point is at startHeight − descent. On a path, the distance
-    // travelled.
+    // How far the body has come down, mm: its lowest point is at startHeight − descent. On a path:
+    // how far the body has travelled.
     double descent = 0;
     std::int64_t steps = 0;
 };

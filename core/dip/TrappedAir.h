@@ -9,9 +9,9 @@ namespace dipwright {
 
 struct TrappedAir {
     double area = 0; // surface of the body in trapped air, mm²
-    // Lowest level of a pocket above the body's lowest point, mm; none without pockets or on a
-    // path.
-    std::optional<double> height;
+    // How far the body has come down, or travelled on its path, when the water first cuts off air,
+    // mm; none without trapped air.
+    std::optional<double> travelled;
 };
 
 // Adds up the body's air pockets (AirPockets.h). Uses all cores; deterministic.

@@ -98,6 +98,9 @@ QString shownParts(const QJsonValue& value) {
 
 void checkPart(const FieldRule& rule, const QJsonValue& value, const QString& path,
                const QString& file) {
+    if (rule.mostItems > 0 && rule.nullable && value.isNull()) {
+        return;
+    }
     if (value.isUndefined()) {
         throw Error(Text::tr("A value is missing; expected %1").arg(expectation(rule)),
                     place(path, file));
@@ -116,6 +119,9 @@ QJsonValue parsePart(const FieldRule& rule, const QString& text) {
         }
         return text;
     }
+    if (rule.mostItems > 0 && rule.nullable && text == QLatin1String("null")) {
+        return {};
+    }
     if (rule.kind == FieldKind::Number || rule.kind == FieldKind::WholeNumber) {
         bool isNumber = false;
         const double number = QLocale::c().toDouble(text, &isNumber);
@@ -124,13 +130,8 @@ QJsonValue parsePart(const FieldRule& rule, const QString& text) {
     return text;
 }
 
-} // namespace
-
-void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& path,
-                const QString& file) {
-    if (rule.nullable && value.isNull()) {
-        return;
-    }
+void checkItem(const FieldRule& rule, const QJsonValue& value, const QString& path,
+               const QString& file) {
     if (rule.parts == 1) {
         checkPart(rule, value, path, file);
         return;
@@ -146,21 +147,52 @@ void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& p
     }
 }
 
-QJsonValue parseValue(const FieldRule& rule, const QString& text, const QString& path) {
-    QJsonValue value;
-    if (rule.nullable && text == QLatin1String("null")) {
-        return value;
-    }
+QJsonValue parseItem(const FieldRule& rule, const QString& text) {
     if (rule.parts == 1) {
-        value = parsePart(rule, text);
-    } else {
-        static const QRegularExpression separator(QStringLiteral("[x;]"));
-        QJsonArray parts;
-        for (const QString& part : text.split(separator)) {
-            parts.append(parsePart(rule, part.trimmed()));
-        }
-        value = parts;
+        return parsePart(rule, text);
     }
+    static const QRegularExpression separator(QStringLiteral("[x;]"));
+    QJsonArray parts;
+    for (const QString& part : text.split(separator)) {
+        parts.append(parsePart(rule, part.trimmed()));
+    }
+    return parts;
+}
+
+QJsonValue parseList(const FieldRule& rule, const QString& text) {
+    QJsonArray items;
+    for (const QString& item : text.split(QLatin1Char('/'), Qt::SkipEmptyParts)) {
+        items.append(parseItem(rule, item.trimmed()));
+    }
+    return items;
+}
+
+} // namespace
+
+void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& path,
+                const QString& file) {
+    if (rule.mostItems == 0) {
+        if (!rule.nullable || !value.isNull()) {
+            checkItem(rule, value, path, file);
+        }
+        return;
+    }
+    const QJsonArray items = value.toArray();
+    if (!value.isArray() || items.size() > rule.mostItems) {
+        throw Error(Text::tr("%1 is not allowed here; expected a list of at most %2 entries")
+                        .arg(shown(value), QString::number(rule.mostItems)),
+                    place(path, file));
+    }
+    for (int item = 0; item < items.size(); ++item) {
+        checkItem(rule, items.at(item), QStringLiteral("%1[%2]").arg(path).arg(item), file);
+    }
+}
+
+QJsonValue parseValue(const FieldRule& rule, const QString& text, const QString& path) {
+    if (rule.mostItems == 0 && rule.nullable && text == QLatin1String("null")) {
+        return {};
+    }
+    const QJsonValue value = rule.mostItems > 0 ? parseList(rule, text) : parseItem(rule, text);
     checkValue(rule, value, path, {});
     return value;
 }

@@ -21,6 +21,9 @@ struct FieldRule {
     double minimum = 0; // for numbers; the limits themselves are allowed
     double maximum = 0; // for numbers; for texts: the greatest length
     QStringList choices = {};
+    // > 0: the value is a list of at most this many values of the rule. Parts of the list's values
+    // may be null if the rule is nullable.
+    int mostItems = 0;
 };
 
 // `set` is called only with values that satisfy the rule. It may throw Error for conditions that
@@ -51,8 +54,8 @@ void setField(Owner& owner, const Field<Owner>& field, const QJsonValue& value) 
 void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& path,
                 const QString& file);
 
-// Parses a value from the command line: parts separated by x or ;, "null", "true" or "false". The
-// result satisfies the rule. Throws Error naming `path`.
+// Parses a value from the command line: parts separated by x or ;, items of a list by /, "null",
+// "true" or "false". The result satisfies the rule. Throws Error naming `path`.
 QJsonValue parseValue(const FieldRule& rule, const QString& text, const QString& path);
 
 } // namespace dipwright

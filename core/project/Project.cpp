@@ -326,8 +326,13 @@ QJsonObject pathToJson(const Immersion& immersion) {
     const QString prefix = QStringLiteral("path.");
     QJsonObject path;
     for (const Field<Immersion>& field : immersionFields()) {
-        if (field.path.startsWith(prefix)) {
-            path.insert(field.path.mid(prefix.size()), field.get(immersion));
+        // Values that came later are left out while unused, so that sheets of before keep their
+        // job number.
+        const bool isNewer = field.path == QLatin1String("path.keys") ||
+                             field.path == QLatin1String("path.acceleration_mm_s2");
+        const QJsonValue value = field.get(immersion);
+        if (field.path.startsWith(prefix) && (!isNewer || value != field.get(Immersion()))) {
+            path.insert(field.path.mid(prefix.size()), value);
         }
     }
     return path;

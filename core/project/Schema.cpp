@@ -453,6 +453,59 @@ Field<Immersion> pathField(Field<Immersion> field) {
     return omittedIfDefault(notHashedIfDefault(std::move(field)));
 }
 
+QJsonValue rowOf(const PathKey& key) {
+    QJsonArray row{key.time.value(), key.depth ? QJsonValue(key.depth->value()) : QJsonValue()};
+    for (const Millimetres beside : key.beside) {
+        row.append(beside.value());
+    }
+    for (const Degrees turn : key.turn) {
+        row.append(turn.value());
+    }
+    return row;
+}
+
+PathKey keyOf(const QJsonArray& row, const QString& path) {
+    const auto at = [&](int part) {
+        if (row.at(part).isNull()) {
+            throw Error(Text::tr("In the poses of a path only the depth may be null; it then is "
+                                 "the depth of the dip"),
+                        path);
+        }
+        return row.at(part).toDouble();
+    };
+    PathKey key;
+    key.time = Seconds(at(0));
+    key.depth.reset();
+    if (!row.at(1).isNull()) {
+        key.depth = Millimetres(at(1));
+    }
+    key.beside = {Millimetres(at(2)), Millimetres(at(3))};
+    key.turn = {Degrees(at(4)), Degrees(at(5)), Degrees(at(6))};
+    return key;
+}
+
+// A list of poses, each as [s, depth mm, X mm, Z mm, about X °, about Y °, about Z °].
+Field<Immersion> pathKeysField() {
+    const QString path = QStringLiteral("path.keys");
+    constexpr int parts = 7;
+    return {path,
+            {FieldKind::Number, parts, true, -10'000, 10'000, {}, int(mostPathKeys)},
+            [](const Immersion& immersion) {
+                QJsonArray rows;
+                for (const PathKey& key : immersion.path.keys) {
+                    rows.append(rowOf(key));
+                }
+                return QJsonValue(rows);
+            },
+            [path](Immersion& immersion, const QJsonValue& value) {
+                std::vector<PathKey> keys;
+                for (const QJsonValue& row : value.toArray()) {
+                    keys.push_back(keyOf(row.toArray(), path));
+                }
+                immersion.path.keys = std::move(keys);
+            }};
+}
+
 } // namespace
 
 const std::vector<Field<Immersion>>& immersionFields() {
@@ -467,7 +520,7 @@ const std::vector<Field<Immersion>>& immersionFields() {
         pathField(choice<Immersion>(
             "path.kind",
             {QStringLiteral("straight"), QStringLiteral("slanted"), QStringLiteral("tilt"),
-             QStringLiteral("roll")},
+             QStringLiteral("roll"), QStringLiteral("poses")},
             [](auto& i) -> auto& { return i.path.kind; })),
         pathField(number<Immersion>(
             "path.heading_deg", -360, 360, [](auto& i) -> auto& { return i.path.heading; })),
@@ -486,7 +539,11 @@ const std::vector<Field<Immersion>>& immersionFields() {
         pathField(numberOrNone<Immersion>(
             "path.slow_speed_mm_s", 0.1, 200, [](auto& i) -> auto& { return i.path.slowSpeed; })),
         pathField(number<Immersion>(
-            "path.slow_mm", 0, 1000, [](auto& i) -> auto& { return i.path.slowWay; }))};
+            "path.slow_mm", 0, 1000, [](auto& i) -> auto& { return i.path.slowWay; })),
+        pathField(numberOrNone<Immersion>(
+            "path.acceleration_mm_s2", 0.1, 100'000,
+            [](auto& i) -> auto& { return i.path.acceleration; })),
+        pathField(pathKeysField())};
     return fields;
 }
 

@@ -1,5 +1,6 @@
 #include "search/CoveragePreview.h"
 
+#include "base/Error.h"
 #include "dip/AirInPoses.h"
 #include "dip/Pose.h"
 #include "film/FilmGrid.h"
@@ -127,6 +128,66 @@ void spread(std::vector<std::uint8_t>& covered, const std::vector<std::uint32_t>
     }
 }
 
+// The body at a moment of the dip: its places in the world, without their shift below the water in
+// a straight dip.
+struct Moment {
+    Moment(const TriangleMesh& mesh, const Eigen::Isometry3f& toWorld, const AirInPoses& air)
+        : upward(toWorld.linear().row(1).transpose()), places(placed(mesh, toWorld)),
+          heights(places), dry(air.dry(upward)) {
+        for (const auto& corners : mesh.triangles) {
+            heights.add(places[corners[0]], places[corners[1]], places[corners[2]]);
+        }
+    }
+    static std::vector<Eigen::Vector3f> placed(const TriangleMesh& mesh,
+                                               const Eigen::Isometry3f& toWorld) {
+        std::vector<Eigen::Vector3f> places;
+        places.reserve(mesh.positions.size());
+        for (const Eigen::Vector3f& position : mesh.positions) {
+            places.push_back(toWorld * position);
+        }
+        return places;
+    }
+    Eigen::Vector3f middle(const std::array<std::uint32_t, 3>& corners) const {
+        return (places[corners[0]] + places[corners[1]] + places[corners[2]]) / 3;
+    }
+
+    Eigen::Vector3f upward; // in the model's coordinates
+    std::vector<Eigen::Vector3f> places;
+    HeightField heights;
+    std::vector<std::uint8_t> dry;
+};
+
+constexpr int momentsOnPath = 6;
+
+// Returns moments at equal distances along the path. `path` is that of the model.
+std::vector<Moment> momentsOnTheWay(const solver::BodyPath& path, const TriangleMesh& mesh,
+                                    const AirInPoses& air) {
+    std::vector<Moment> moments;
+    for (int i = 0; i < momentsOnPath; ++i) {
+        const double way = path.poses.back().travelled * i / (momentsOnPath - 1);
+        moments.emplace_back(mesh, placeOnPath(path, way).cast<float>(), air);
+    }
+    return moments;
+}
+
+// Returns for each triangle the index of the moment nearest to that at which it goes under water;
+// noMoment if it stays above.
+constexpr std::uint8_t noMoment = 0xff;
+std::vector<std::uint8_t> momentsOfEntry(const solver::BodyPath& path, const TriangleMesh& mesh) {
+    std::vector<std::uint8_t> moments;
+    moments.reserve(mesh.triangles.size());
+    for (const auto& corners : mesh.triangles) {
+        const Eigen::Vector3f middle =
+            (mesh.positions[corners[0]] + mesh.positions[corners[1]] + mesh.positions[corners[2]]) /
+            3;
+        const auto way = firstUnderWater(path, middle.cast<double>());
+        moments.push_back(way ? std::uint8_t(std::lround(*way / path.poses.back().travelled *
+                                                         (momentsOnPath - 1)))
+                              : noMoment);
+    }
+    return moments;
+}
+
 } // namespace
 
 CoveragePreview::CoveragePreview(const TriangleMesh& model)
@@ -142,48 +203,67 @@ CoveragePreview::CoveragePreview(const TriangleMesh& model)
 
 PreviewedCoverage CoveragePreview::at(const Immersion& immersion, const FilmSettings& film,
                                       const ProcessSettings& process) const {
-    const Eigen::Isometry3f pose = poseTransform(model_, immersion).cast<float>();
-    std::vector<Eigen::Vector3f> places;
-    places.reserve(mesh().positions.size());
-    for (const Eigen::Vector3f& position : mesh().positions) {
-        places.push_back(pose * position);
+    const Eigen::Isometry3d pose = poseTransform(model_, immersion);
+    solver::BodyPath path;
+    if (!immersion.path.isStraightDown()) {
+        try {
+            path = pathOfModel(bodyPath(transformed(model_, pose), immersion, process), pose,
+                               immersion);
+        } catch (const Error&) {
+            return {0, std::vector<std::uint8_t>(areas_.size(), 0)};
+        }
     }
-    HeightField heights(places);
-    for (const auto& corners : mesh().triangles) {
-        heights.add(places[corners[0]], places[corners[1]], places[corners[2]]);
+    return on(path, pose, immersion, film, process);
+}
+
+PreviewedCoverage CoveragePreview::on(const solver::BodyPath& path, const Eigen::Isometry3d& pose,
+                                      const Immersion& immersion, const FilmSettings& film,
+                                      const ProcessSettings& process) const {
+    const bool isStraight = path.isStraightDown();
+    std::vector<Moment> moments;
+    std::vector<std::uint8_t> entries; // per triangle; empty: all at the only moment
+    if (isStraight) {
+        moments.emplace_back(mesh(), pose.cast<float>(), *air_);
+    } else {
+        moments = momentsOnTheWay(path, mesh(), *air_);
+        entries = momentsOfEntry(path, mesh());
     }
-    const Eigen::Vector3f upward = pose.linear().row(1).transpose();
     const float steepest = steepestPainted(film, process);
-    const float deepest =
-        process.depth ? float(process.depth->value()) : std::numeric_limits<float>::infinity();
+    const float deepest = isStraight && process.depth ? float(process.depth->value())
+                                                      : std::numeric_limits<float>::infinity();
     const solver::FilmGrid grid = filmGrid(film);
     const Eigen::Vector2f reach(float(grid.width / 2), float(grid.depth / 2));
-    const Eigen::Vector2f offset(float(immersion.offset[0].value()),
-                                 float(immersion.offset[1].value()));
-    const auto middle = [&](std::uint32_t triangle) -> Eigen::Vector3f {
-        const auto& corners = mesh().triangles[triangle];
-        return (places[corners[0]] + places[corners[1]] + places[corners[2]]) / 3;
+    const Eigen::Vector2f offset = isStraight ? Eigen::Vector2f(float(immersion.offset[0].value()),
+                                                                float(immersion.offset[1].value()))
+                                              : Eigen::Vector2f::Zero();
+    // Returns the moment at which a triangle meets the film; null if it stays above the water.
+    const auto momentOf = [&](std::uint32_t triangle) -> const Moment* {
+        const std::uint8_t entry = entries.empty() ? 0 : entries[triangle];
+        return entry == noMoment ? nullptr : &moments[entry];
     };
-    const std::vector<std::uint8_t> dry = air_->dry(upward);
     // Whether a triangle is under water, over the film, outside trapped air, and no steeper than
     // the overhang.
-    const auto canHold = [&](std::uint32_t triangle, const Eigen::Vector3f& place) {
+    const auto canHold = [&](const Moment& moment, std::uint32_t triangle) {
+        const Eigen::Vector3f place = moment.middle(mesh().triangles[triangle]);
         const Eigen::Vector2f onWater = Eigen::Vector2f(place.x(), place.z()) + offset;
-        return dry[triangle] == 0 && normals_[triangle].dot(upward) <= steepest &&
+        return moment.dry[triangle] == 0 && normals_[triangle].dot(moment.upward) <= steepest &&
                place.y() <= deepest && (onWater.cwiseAbs().array() <= reach.array()).all();
     };
     PreviewedCoverage result;
     result.covered.assign(areas_.size(), 0);
     for (std::uint32_t triangle = 0; triangle < areas_.size(); ++triangle) {
-        const float up = normals_[triangle].dot(upward);
+        const Moment* moment = momentOf(triangle);
+        const float up = moment ? normals_[triangle].dot(moment->upward) : 0;
         if (up < -wallSlope) {
-            const Eigen::Vector3f place = middle(triangle);
             result.covered[triangle] =
-                canHold(triangle, place) && isSeenFromBelow(heights, place, up);
+                canHold(*moment, triangle) &&
+                isSeenFromBelow(moment->heights, moment->middle(mesh().triangles[triangle]), up);
         }
     }
     spread(result.covered, opposite_, [&](std::uint32_t triangle) {
-        return normals_[triangle].dot(upward) >= -wallSlope && canHold(triangle, middle(triangle));
+        const Moment* moment = momentOf(triangle);
+        return moment && normals_[triangle].dot(moment->upward) >= -wallSlope &&
+               canHold(*moment, triangle);
     });
     for (std::uint32_t triangle = 0; triangle < areas_.size(); ++triangle) {
         result.share += result.covered[triangle] != 0 ? double(areas_[triangle]) / area_ : 0;

@@ -12,6 +12,9 @@
 namespace dipwright {
 
 class AirInPoses;
+namespace solver {
+struct BodyPath;
+}
 
 struct PreviewedCoverage {
     double share = 0;                  // covered share of the surface, 0 … 1
@@ -26,7 +29,8 @@ public:
 
     // Predicts the coverage of a dip. Film covers faces that point down with nothing below them.
     // From there it spreads over walls that turn up by at most the overhang. It ends at the depth
-    // of the dip, at the film's edge and at trapped air.
+    // of the dip, at the film's edge and at trapped air. On a path, each face counts as it is at
+    // the moment at which it goes under water. A path that cannot be travelled covers nothing.
     PreviewedCoverage at(const Immersion& immersion, const FilmSettings& film,
                          const ProcessSettings& process) const;
     // Converts a coverage to triangles of the model: 1 if at least half of the triangle is painted.
@@ -41,6 +45,11 @@ public:
     const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
 
 private:
+    // `path`: of the model; `pose`: poseTransform() of the immersion.
+    PreviewedCoverage on(const solver::BodyPath& path, const Eigen::Isometry3d& pose,
+                         const Immersion& immersion, const FilmSettings& film,
+                         const ProcessSettings& process) const;
+
     TriangleMesh model_;
     RefinedMesh fine_;
     std::vector<float> areas_;

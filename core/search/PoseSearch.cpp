@@ -110,33 +110,49 @@ std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
     return result;
 }
 
-constexpr std::array<double, 3> triedTilts{15, 30, 50}; // degrees
-
-// Returns the pose with tilted entries: by several angles, towards each of eight sides. If the
-// water flows, only along the flow and against it, because a path has one heading.
-std::vector<Immersion> withPaths(const Immersion& immersion) {
+// Returns the pose with entries that are tilted, slanted or, if the dips have a depth, rolled: by
+// several angles, towards each of eight sides. If the water flows, only along the flow and against
+// it, because a path has one heading.
+std::vector<Immersion> withPaths(const Immersion& immersion, const ProcessSettings& process) {
+    struct Tried {
+        PathKind kind;
+        std::vector<double> angles, against; // the same towards the other side
+    };
+    std::vector<Tried> kinds{{PathKind::Tilt, {15, 30, 50}, {-15, -30, -50}},
+                             {PathKind::Slanted, {60, 30}, {120, 150}}};
+    if (process.depth) {
+        kinds.push_back({PathKind::Roll, {90, 180}, {-90, -180}});
+    }
     const bool flows = immersion.path.waterSpeed != MillimetresPerSecond(0);
-    const int sides = flows ? 1 : 8;
+    constexpr int sides = 8;
     std::vector<Immersion> result;
-    for (const double angle : triedTilts) {
-        for (int side = 0; side < sides; ++side) {
-            Immersion next = immersion;
-            next.path.kind = PathKind::Tilt;
-            next.path.angle = Degrees(angle);
-            next.path.levelDepth.reset();
+    const auto add = [&](PathKind kind, Degrees heading, double angle) {
+        Immersion& next = result.emplace_back(immersion);
+        next.path.kind = kind;
+        next.path.heading = heading;
+        next.path.angle = Degrees(angle);
+        next.path.levelDepth.reset();
+        next.path.rollRadius.reset();
+        next.path.keys.clear();
+    };
+    for (const Tried& tried : kinds) {
+        for (std::size_t i = 0; i < tried.angles.size(); ++i) {
             if (flows) {
-                result.push_back(next);
-                next.path.angle = Degrees(-angle);
-            } else {
-                next.path.heading = Degrees(360.0 * side / sides);
+                add(tried.kind, immersion.path.heading, tried.angles[i]);
+                add(tried.kind, immersion.path.heading, tried.against[i]);
             }
-            result.push_back(next);
+            for (int side = 0; !flows && side < sides; ++side) {
+                add(tried.kind, Degrees(360.0 * side / sides), tried.angles[i]);
+            }
         }
     }
     return result;
 }
 
-// Returns paths near that of a pose that withPaths() made.
+constexpr std::size_t dippedWithPaths =
+    12; // of the entries that withPaths() returns, for each pose
+
+// Returns the paths near that of a pose that withPaths() made.
 std::vector<Immersion> nearPaths(const Immersion& immersion) {
     std::vector<Immersion> result;
     for (const double side : {-1.0, 1.0}) {
@@ -146,7 +162,9 @@ std::vector<Immersion> nearPaths(const Immersion& immersion) {
             result.push_back(next);
             next = immersion;
         }
-        next.path.angle = next.path.angle * (1 + 0.25 * side);
+        const bool isSlanted = immersion.path.kind == PathKind::Slanted;
+        next.path.angle =
+            isSlanted ? next.path.angle + Degrees(10 * side) : next.path.angle * (1 + 0.25 * side);
         result.push_back(next);
     }
     return result;
@@ -161,6 +179,7 @@ DipPath commonPath(const SearchSubject& subject) {
     path.levelDepth = usual.levelDepth;
     path.rollRadius = usual.rollRadius;
     path.turn = usual.turn;
+    path.keys.clear();
     return path.isStraightDown() ? usual : path;
 }
 
@@ -236,13 +255,12 @@ public:
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
           body_(subject, settings.aims.zoneWeights),
           coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)),
-          common_(commonPath(subject)) {
+          common_(commonPath(subject)), preview_(subject.model->mesh) {
         if (settings.paths || !common_.isStraightDown()) {
             requirePaths();
         }
         progress_(fieldShare, Text::tr("Rating directions by the part's shape"));
-        const CoveragePreview preview(subject.model->mesh);
-        candidates_ = poseCandidates(preview, triangleWeights(subject, preview, settings),
+        candidates_ = poseCandidates(preview_, triangleWeights(subject, preview_, settings),
                                      subject.film, subject.process, settings, progress);
         for (PoseCandidate& candidate : candidates_.all) {
             candidate.immersion.path = common_;
@@ -259,7 +277,8 @@ public:
                  differing(settings.finer + settings.refined),
                  settings.confirmed > 0 ? differing(settings.confirmed) : 0};
         if (settings.paths) {
-            left_[Coarse] += int(triedWithPaths) * each * 28; // withPaths() and nearPaths()
+            left_[Coarse] +=
+                int(triedWithPaths) * each * int(dippedWithPaths + 4); // nearPaths(): 4
         }
         estimateCosts();
         result_.equator = body_.equator();
@@ -551,13 +570,13 @@ private:
             improve(moved, member, [this](const Immersion& immersion) {
                 Immersion straight = immersion;
                 straight.path = common_;
-                return withPaths(straight);
+                return bestPreviewed(withPaths(straight, subject_.process));
             });
             improve(moved, member, [](const Immersion& immersion) {
-                const double angle = std::abs(immersion.path.angle.value());
-                const bool isTried = immersion.path.kind == PathKind::Tilt &&
-                                     std::count(triedTilts.begin(), triedTilts.end(), angle) > 0;
-                return isTried ? nearPaths(immersion) : std::vector<Immersion>();
+                const PathKind kind = immersion.path.kind;
+                return kind == PathKind::Straight || kind == PathKind::Poses
+                           ? std::vector<Immersion>()
+                           : nearPaths(immersion);
             });
         }
         for (std::size_t index = 0; index < count; ++index) {
@@ -566,6 +585,23 @@ private:
             }
         }
         rank();
+    }
+
+    // Returns those of the dips that cover most by the body's shape, in the order of coverage.
+    std::vector<Immersion> bestPreviewed(std::vector<Immersion> dips) const {
+        std::vector<std::pair<double, std::size_t>> order(dips.size());
+        parallelFor(std::size_t(0), dips.size(), [&](std::size_t index) {
+            progress_.cancelToken.throwIfCancelled();
+            order[index] = {-preview_.at(dips[index], subject_.film, subject_.process).share,
+                            index};
+        });
+        std::sort(order.begin(), order.end());
+        order.resize(std::min(order.size(), dippedWithPaths));
+        std::vector<Immersion> best;
+        for (const auto& [share, index] : order) {
+            best.push_back(std::move(dips[index]));
+        }
+        return best;
     }
 
     // Replaces one dip of each entry by the best of trialsOf(its immersion), if that is better.
@@ -738,6 +774,7 @@ private:
     JudgedBody body_;
     PoseDips coarse_;
     DipPath common_;
+    CoveragePreview preview_;
     PoseCandidates candidates_;
     std::vector<Judged> own_;   // the job's own poses
     std::vector<Judged> poses_; // dips of candidates_.chosen; null until dipped

@@ -244,7 +244,7 @@ QString shippedTemplate(const char* name) {
 MotionTemplate motionTemplate(const QString& nameOrPath) {
     static const QMap<QString, QString> controllers{
         {QStringLiteral("linuxcnc"), shippedTemplate("path")},
-        {QStringLiteral("grbl"), shippedTemplate("path")},
+        {QStringLiteral("grbl"), shippedTemplate("path-grbl")},
         {QStringLiteral("marlin"), shippedTemplate("path-marlin")}};
     const QString path = controllers.value(nameOrPath, nameOrPath);
     return {QString::fromUtf8(readSmallFile(path, longestTemplate)), nameOrPath};

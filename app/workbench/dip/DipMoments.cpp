@@ -39,9 +39,7 @@ std::vector<DipMoment> dipMoments(const DipRecording& recording, const Immersion
         };
     };
     add(DipEvent::FirstContact, firstHeld(recording, film, [](std::size_t) { return true; }));
-    if (const std::optional<double> height = result.coverage->trappedAir.height) {
-        add(DipEvent::AirTrapped, startHeight + *height);
-    }
+    add(DipEvent::AirTrapped, result.coverage->trappedAir.travelled);
     add(DipEvent::Torn, firstHeld(recording, film, isMarked(solver::PointMark::Torn)));
     add(DipEvent::LetGo, firstHeld(recording, film, isMarked(solver::PointMark::LetGo)));
     std::stable_sort(

@@ -1,5 +1,9 @@
 #include "workbench/document/ImmersionEdits.h"
 
+#include "base/Error.h"
+#include "dip/PathKeys.h"
+#include "dip/Pose.h"
+
 #include <QCoreApplication>
 #include <cmath>
 
@@ -31,6 +35,46 @@ void tryImmersions(Document& document, const std::vector<Immersion>& immersions)
     document.edit(QCoreApplication::translate("ImmersionEdits", "Try poses"),
                   QStringLiteral("tried poses"),
                   [&immersions](Project& project) { project.immersions = immersions; });
+}
+
+namespace {
+
+TriangleMesh posedModel(const Project& project, const Immersion& immersion) {
+    const TriangleMesh& mesh = project.model->mesh;
+    return transformed(mesh, poseTransform(mesh, immersion));
+}
+
+} // namespace
+
+void fillPoses(Project& project, const Project& before) {
+    for (std::size_t dip = 0; dip < project.immersions.size(); ++dip) {
+        DipPath& path = project.immersions[dip].path;
+        if (path.kind != PathKind::Poses || !path.keys.empty() || dip >= before.immersions.size()) {
+            continue;
+        }
+        Immersion source = before.immersions[dip];
+        if (source.path.kind == PathKind::Poses) {
+            source.path = {};
+        }
+        try {
+            path.keys = asPoses(posedModel(before, source), source, before.process).keys;
+        } catch (const Error&) { // that path cannot be travelled
+            source.path = {};
+            path.keys = asPoses(posedModel(before, source), source, before.process).keys;
+        }
+    }
+}
+
+void addPathKey(Document& document, std::size_t dip, std::size_t before) {
+    const Project& project = document.project();
+    const double height = boundingBox(posedModel(project, project.immersions[dip])).sizes().y();
+    const Millimetres depth(dipDepth(project.process, height));
+    document.edit(QCoreApplication::translate("ImmersionEdits", "Add pose to path"), {},
+                  [&](Project& changed) {
+                      std::vector<PathKey>& keys = changed.immersions[dip].path.keys;
+                      keys.insert(keys.begin() + std::ptrdiff_t(before) + 1,
+                                  middleKey(keys[before], keys[before + 1], depth));
+                  });
 }
 
 void swapImmersions(Document& document) {

@@ -12,6 +12,11 @@ void removeImmersion(Document& document, std::size_t number);
 void setImmersions(Document& document, const std::vector<Immersion>& immersions);
 // Does the same to try poses: tries in a row become one undo step.
 void tryImmersions(Document& document, const std::vector<Immersion>& immersions);
+// Gives each dip whose path has the kind PathKind::Poses but no poses those of its path in
+// `before`.
+void fillPoses(Project& project, const Project& before);
+// Adds a pose to the path of a dip, between the pose `before` and the next.
+void addPathKey(Document& document, std::size_t dip, std::size_t before);
 // Swaps the two dips. Marks for the seam stay with their dip.
 void swapImmersions(Document& document);
 

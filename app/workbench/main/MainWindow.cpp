@@ -49,7 +49,7 @@ MainWindow::MainWindow(Workbench& workbench)
       playback_(session_, *parts_.view, scene_, *parts_.timeline),
       reader_(session_, *parts_.view, scene_, *parts_.results),
       measure_(*parts_.view, scene_, messages_), marks_(*parts_.view, scene_, session_),
-      handles_(session_, *parts_.view),
+      handles_(session_, *parts_.view, scene_),
       dip_(actions_, session_, check_, jobs_, workbench.registry(), playback_, messages_,
            *parts_.results, *parts_.staleBanner),
       documentActions_(actions_, documents_, messages_, workbench, *this),
@@ -149,6 +149,12 @@ void MainWindow::connectPanels() {
     });
     connect(parts_.properties, &PropertyPanel::shownPrintChanged, &scene_,
             &DipScene::setShownPrint);
+    connect(parts_.properties, &PropertyPanel::pathKeyChosen, this, [this](int key) {
+        scene_.setPathKey(key);
+        if (key >= 0) {
+            parts_.timeline->setPosition(0); // shows the chosen pose
+        }
+    });
     connect(&scene_, &DipScene::deeperFilmWanted, &deeperFilm_, &DeeperFilm::start);
     connect(&deeperFilm_, &DeeperFilm::done, &scene_, &DipScene::setDeeperFilm);
     connect(parts_.properties, &PropertyPanel::tolerancesAsked, actions_.tolerances,

@@ -4,9 +4,11 @@
 #include "pipeline/DeeperDip.h"
 #include "project/Profiles.h"
 #include "workbench/accuracy/ZoneFields.h"
+#include "workbench/document/ImmersionEdits.h"
 #include "workbench/document/ModelEdits.h"
 #include "workbench/document/ProjectValue.h"
 #include "workbench/jobs/SolverListing.h"
+#include "workbench/project/PathKeyFields.h"
 #include "workbench/project/PropertySpecs.h"
 #include "workbench/project/SeamFields.h"
 #include "workbench/widgets/Icons.h"
@@ -63,6 +65,7 @@ void PropertyPanel::rebuild() {
     setProperty("part", int(node_.part)); // tells the guide where to open
     refreshers_.clear();
     emit brushChanged({});
+    emit pathKeyChosen(-1);
     emit shownPrintChanged({});
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
@@ -89,6 +92,9 @@ void PropertyPanel::rebuild() {
         for (const PropertySection& section : propertySections(node_)) {
             addSection(*form, section);
         }
+    }
+    if (document_ && node_.part == ProjectPart::Immersion) {
+        addPathKeys(*form);
     }
     if (document_ && node_.part == ProjectPart::Share) {
         addSeamFields(*form);
@@ -180,8 +186,10 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
         form.addRow(label, field);
     }
     connect(field, &PropertyField::edited, this, [this, spec, field](const QJsonValue& value) {
-        edit(tr("Change %1").arg(spec.label), spec.path,
-             [&](Project& project) { setValueAt(project, spec.path, value); });
+        edit(tr("Change %1").arg(spec.label), spec.path, [&](Project& project) {
+            setValueAt(project, spec.path, value);
+            fillPoses(project, document_->project());
+        });
         field->show(valueAt(document_->project(), spec.path));
     });
     connect(field, &PropertyField::refused, this, &PropertyPanel::failed);
@@ -316,6 +324,33 @@ void PropertyPanel::addSeamFields(QFormLayout& form) {
         }
         fields->setEnabled(project.share.enabled);
         fields->setMarkCount(project.share.marks.size());
+    });
+}
+
+void PropertyPanel::addPathKeys(QFormLayout& form) {
+    auto* fields = new PathKeyFields(lengthUnit_);
+    form.addRow(fields);
+    const std::size_t dip = node_.immersion;
+    connect(fields, &PathKeyFields::changed, this, [this, dip](const std::vector<PathKey>& keys) {
+        edit(tr("Change poses of path"), QStringLiteral("path keys"),
+             [&](Project& project) { project.immersions[dip].path.keys = keys; });
+    });
+    connect(fields, &PathKeyFields::addAsked, this, [this, dip, fields](int before) {
+        addPathKey(*document_, dip, std::size_t(before));
+        fields->choose(before + 1);
+    });
+    connect(fields, &PathKeyFields::chosen, this, &PropertyPanel::pathKeyChosen);
+    connect(fields, &PathKeyFields::refused, this, &PropertyPanel::failed);
+    connect(fields, &PathKeyFields::left, this, [this] {
+        if (document_) {
+            document_->endMerge();
+        }
+    });
+    refreshers_.push_back([this, &form, fields, dip] {
+        const DipPath& path = document_->project().immersions[dip].path;
+        const bool isShown = path.kind == PathKind::Poses && path.keys.size() >= 2;
+        fields->show(isShown ? path.keys : std::vector<PathKey>());
+        form.setRowVisible(fields, isShown);
     });
 }
 

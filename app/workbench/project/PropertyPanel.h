@@ -41,6 +41,8 @@ signals:
     void replaceTextureAsked();
     // The print to show on the body. It affects only the view.
     void shownPrintChanged(const dipwright::ShownPrint& print);
+    // The pose of the dip's path that the view shows and changes; −1: none.
+    void pathKeyChosen(int key);
     // What a click on the body marks.
     void brushChanged(const dipwright::MarkBrush& brush);
     void tolerancesAsked();
@@ -56,6 +58,7 @@ private:
     template <typename Mark>
     void addMarkFields(QFormLayout& form, const QString& heading, MarkFields& fields);
     void addSeamFields(QFormLayout& form);
+    void addPathKeys(QFormLayout& form);
     void addPrintFields(QFormLayout& form);
     void addZoneFields(QFormLayout& form);
     void addTolerancesButton(QFormLayout& form);

@@ -253,6 +253,7 @@ PropertySection pathProperties(std::size_t number) {
             return number < project.immersions.size() && holds(project.immersions[number].path);
         };
     };
+    const auto isPreset = ifPath([](const DipPath& path) { return path.kind != PathKind::Poses; });
     return {
         Text::tr("Path"),
         {{.path = prefix + QStringLiteral("kind"),
@@ -262,11 +263,14 @@ PropertySection pathProperties(std::size_t number) {
                        "one side enters first, and the part is levelled while it goes down. "
                        "Roll: down to the depth of the dip, then rolled sideways over the film; "
                        "set a depth (Dipping > Depth) at which the part is not yet under water. "
+                       "Poses: through poses that you set, beginning with those of the present "
+                       "path. "
                        "The rotation above is the part's rotation at the end of the dip."),
           .words = {{QStringLiteral("straight"), Text::tr("Straight down")},
                     {QStringLiteral("slanted"), Text::tr("Slanted")},
                     {QStringLiteral("tilt"), Text::tr("Tilt in and level")},
-                    {QStringLiteral("roll"), Text::tr("Roll")}}},
+                    {QStringLiteral("roll"), Text::tr("Roll")},
+                    {QStringLiteral("poses"), Text::tr("Through poses")}}},
          {.path = prefix + QStringLiteral("angle_deg"),
           .label = Text::tr("Angle"),
           .help =
@@ -275,7 +279,9 @@ PropertySection pathProperties(std::size_t number) {
                        "through which it rolls. Slanted above 90°, or a negative tilt or roll, is "
                        "against the heading."),
           .unit = Unit::Angle,
-          .relevant = ifPath([](const DipPath& path) { return path.kind != PathKind::Straight; })},
+          .relevant = ifPath([](const DipPath& path) {
+              return path.kind != PathKind::Straight && path.kind != PathKind::Poses;
+          })},
          {.path = prefix + QStringLiteral("heading_deg"),
           .label = Text::tr("Heading"),
           .help = Text::tr("The direction on the water in which the part travels or rolls, or the "
@@ -283,7 +289,8 @@ PropertySection pathProperties(std::size_t number) {
                            "(Z). The water flows in this direction, too."),
           .unit = Unit::Angle,
           .relevant = ifPath([](const DipPath& path) {
-              return path.kind != PathKind::Straight || path.waterSpeed != MillimetresPerSecond(0);
+              return (path.kind != PathKind::Straight && path.kind != PathKind::Poses) ||
+                     path.waterSpeed != MillimetresPerSecond(0);
           })},
          {.path = prefix + QStringLiteral("level_depth_mm"),
           .label = Text::tr("Level at"),
@@ -306,7 +313,8 @@ PropertySection pathProperties(std::size_t number) {
           .help =
               Text::tr("Turn about the vertical while the part goes down, counterclockwise seen "
                        "from above."),
-          .unit = Unit::Angle},
+          .unit = Unit::Angle,
+          .relevant = isPreset},
          {.path = prefix + QStringLiteral("water_speed_mm_s"),
           .label = Text::tr("Water speed"),
           .help = Text::tr("Speed at which water and film flow through the tank, in the direction "
@@ -318,14 +326,24 @@ PropertySection pathProperties(std::size_t number) {
                            "rolls, it rolls at the speed of the dip."),
           .unit = Unit::Speed,
           .absent = Text::tr("Same as the dip"),
-          .whenPresent = 2},
+          .whenPresent = 2,
+          .relevant = isPreset},
          {.path = prefix + QStringLiteral("slow_mm"),
           .label = Text::tr("Slow distance"),
           .help = Text::tr(
               "The slow speed applies to the first and the last part of the way down. This is "
               "the length of each part."),
           .unit = Unit::Length,
-          .relevant = ifPath([](const DipPath& path) { return path.slowSpeed.has_value(); })}}};
+          .relevant = ifPath([](const DipPath& path) {
+              return path.slowSpeed.has_value() && path.kind != PathKind::Poses;
+          })},
+         {.path = prefix + QStringLiteral("acceleration_mm_s2"),
+          .label = Text::tr("Acceleration"),
+          .help = Text::tr("The acceleration with which the part reaches its speed on the path and "
+                           "stops. The dip takes longer than without a limit."),
+          .unit = Unit::Acceleration,
+          .absent = Text::tr("No limit"),
+          .whenPresent = 50}}};
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 #include "workbench/view/BodyHandles.h"
 
-#include <Eigen/Geometry>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
@@ -22,26 +21,9 @@ QString axisName(int axis) {
 
 } // namespace
 
-Immersion turned(const Immersion& immersion, int axis, double degrees) {
-    const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(radians(Degrees(degrees)), Eigen::Vector3d::Unit(axis))
-            .toRotationMatrix();
-    Immersion result = immersion;
-    result.rotation = rotationAngles(turn * rotationMatrix(immersion.rotation), immersion.rotation);
-    return result;
-}
-
-Immersion withFaceDown(const Immersion& immersion, const Eigen::Vector3d& outward) {
-    const Eigen::Matrix3d rotation = rotationMatrix(immersion.rotation);
-    const auto turn =
-        Eigen::Quaterniond::FromTwoVectors(rotation * outward, -Eigen::Vector3d::UnitY());
-    Immersion result = immersion;
-    result.rotation = rotationAngles(turn.toRotationMatrix() * rotation, immersion.rotation);
-    return result;
-}
-
-BodyHandles::BodyHandles(const DipSession& session, const DipView& view, QObject* parent)
-    : QObject(parent), session_(session) {
+BodyHandles::BodyHandles(const DipSession& session, const DipView& view, const DipScene& scene,
+                         QObject* parent)
+    : QObject(parent), session_(session), scene_(scene) {
     connect(&view, &DipView::rotationDragged, this, &BodyHandles::turn);
     connect(&view, &DipView::rotationFinished, this, &BodyHandles::finish);
     connect(&view, &DipView::moveDragged, this, &BodyHandles::move);
@@ -53,6 +35,7 @@ void BodyHandles::hold() {
         const Project& project = session_.document()->project();
         before_ = project.immersions[session_.immersion()];
         depthBefore_ = project.process.depth;
+        shownBefore_ = scene_.shownPose();
         emit held(true);
     }
 }
@@ -60,8 +43,7 @@ void BodyHandles::hold() {
 void BodyHandles::turn(int axis, double degrees) {
     hold();
     session_.document()->edit(tr("Turn part"), QStringLiteral("turn"), [&](Project& project) {
-        project.immersions[session_.immersion()].rotation =
-            turned(*before_, axis, degrees).rotation;
+        project.immersions[session_.immersion()] = turned(*before_, axis, degrees, shownBefore_);
     });
     emit told(tr("Turned by %1° about %2 (hold Shift for steps of %3°)")
                   .arg(QLocale().toString(degrees, 'f', 1), axisName(axis),
@@ -70,6 +52,10 @@ void BodyHandles::turn(int axis, double degrees) {
 
 void BodyHandles::move(int axis, double millimetres) {
     hold();
+    if (shownBefore_.key && !(axis == 1 && *shownBefore_.key + 1 == before_->path.keys.size())) {
+        moveKey(axis, millimetres);
+        return;
+    }
     Document& document = *session_.document();
     const QString steps = shownLength(arrowStep, unit_);
     if (axis == 1) {
@@ -91,6 +77,30 @@ void BodyHandles::move(int axis, double millimetres) {
     });
     emit told(tr("Moved to %1 along %2 (hold Shift for steps of %3)")
                   .arg(shownLength(offset.value(), unit_), axisName(axis), steps));
+}
+
+void BodyHandles::moveKey(int axis, double millimetres) {
+    const std::size_t number = *shownBefore_.key;
+    PathKey key = before_->path.keys[number];
+    QString text;
+    if (axis == 1) {
+        if (number == 0 || !key.depth) {
+            return; // the first pose is at the water
+        }
+        key.depth = placed(key.depth->value() - millimetres, -mostOffset, mostDepth);
+        text = tr("Pose %1: depth %2").arg(number + 1).arg(shownLength(key.depth->value(), unit_));
+    } else {
+        Millimetres& beside = key.beside[axis == 0 ? 0 : 1];
+        beside = placed(beside.value() + millimetres, -mostOffset, mostOffset);
+        text = tr("Pose %1: moved by %2 along %3")
+                   .arg(number + 1)
+                   .arg(shownLength(beside.value(), unit_), axisName(axis));
+    }
+    session_.document()->edit(tr("Move pose of path"), QStringLiteral("move"),
+                              [&](Project& project) {
+                                  project.immersions[session_.immersion()].path.keys[number] = key;
+                              });
+    emit told(text);
 }
 
 void BodyHandles::finish() {

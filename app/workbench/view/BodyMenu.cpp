@@ -50,7 +50,7 @@ void BodyMenu::edit(const QString& text, const std::function<void(Immersion&)>& 
 void BodyMenu::turn(const QAction& action) {
     const auto step = action.data().value<BodyStep>();
     edit(tr("Turn part"), [&](Immersion& immersion) {
-        immersion = turned(immersion, step.axis, step.way * ringStep);
+        immersion = turned(immersion, step.axis, step.way * ringStep, scene_.shownPose());
     });
 }
 

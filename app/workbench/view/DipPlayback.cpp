@@ -38,6 +38,7 @@ QColor colourOf(DipEvent event) {
     return markColour(solver::PointMark::LetGo);
 }
 
+const QColor poseColour(0x8a, 0x6d, 0xc8);
 constexpr std::size_t coarsePoints = 6000; // of the moving film, without a GPU
 constexpr std::size_t finePoints = 60000;
 
@@ -120,6 +121,11 @@ void DipPlayback::showMarks(const DipRecording& recording, const ImmersionResult
         const QString depth = shownLength(std::max(0.0, scene_.depthAt(moment.descent)), unit_);
         marks.push_back({int(recording.frameAt(moment.descent)) + 1, colourOf(moment.event),
                          Text::tr("%1, at depth %2").arg(textOf(moment.event), depth)});
+    }
+    int number = 0;
+    for (const double travelled : scene_.travelledAtPoses()) {
+        marks.push_back({int(recording.frameAt(travelled)) + 1, poseColour,
+                         Text::tr("Pose %1 of the path").arg(++number)});
     }
     timeline_.setMarks(marks);
 }

@@ -230,9 +230,54 @@ void DipScene::placeBody(const Immersion& immersion, double descent, const solve
     const double radius = 0.58 * double(box.diagonal().norm());
     const bool isHeld = handles_ && !brushed_ && moment_ == Moment::Setup; // while it can be placed
     view_.setRotationRings(isHeld, centre, radius);
-    view_.setMoveArrows({isHeld, isHeld && project_.process.depth.has_value(), isHeld}, centre,
-                        1.08 * radius, 1.4 * radius);
+    const bool hasDepth = shownPose_.key ? *shownPose_.key > 0 : project_.process.depth.has_value();
+    view_.setMoveArrows({isHeld, isHeld && hasDepth, isHeld}, centre, 1.08 * radius, 1.4 * radius);
     setBodyRoom(Eigen::Translation3d(poseToWorld(immersion, 0)) * pose);
+}
+
+solver::BodyPath DipScene::timedPath(const Immersion& immersion) const {
+    Immersion timed = immersion;
+    timed.path.acceleration.reset();
+    const TriangleMesh& mesh = project_.model->mesh;
+    try {
+        return bodyPath(transformed(mesh, poseTransform(mesh, timed)), timed, project_.process);
+    } catch (const Error&) { // the run says what is wrong
+        return {};
+    }
+}
+
+void DipScene::placeBeforeDip() {
+    const Immersion& immersion = project_.immersions[immersion_];
+    const std::vector<PathKey>& keys = immersion.path.keys;
+    shownPose_ = {};
+    if (immersion.path.kind == PathKind::Poses && pathKey_ >= 0 &&
+        std::size_t(pathKey_) < keys.size()) {
+        const solver::BodyPath path = timedPath(immersion);
+        if (!path.isStraightDown()) {
+            shownPose_.key = std::size_t(pathKey_);
+            placeBody(immersion, travelledAfter(path, keys[*shownPose_.key].time.value()), &path);
+            return;
+        }
+    }
+    placeBody(immersion, 0);
+    if (!placedOn_.isStraightDown()) {
+        shownPose_.turn = placeOnPath(placedOn_, 0).linear();
+    }
+}
+
+std::vector<double> DipScene::travelledAtPoses() const {
+    std::vector<double> travelled;
+    if (result_ && immersion_ < result_->immersions.size() && project_.model) {
+        const Immersion& immersion = result_->immersions[immersion_].immersion;
+        if (immersion.path.kind == PathKind::Poses) {
+            const solver::BodyPath path = timedPath(immersion);
+            for (const PathKey& key : immersion.path.keys) {
+                travelled.push_back(path.isStraightDown() ? 0
+                                                          : travelledAfter(path, key.time.value()));
+            }
+        }
+    }
+    return travelled;
 }
 
 const solver::BodyPath& DipScene::pathOf(const Immersion& immersion,
@@ -282,7 +327,7 @@ void DipScene::showSetup() {
     if (!project_.model) {
         return;
     }
-    placeBody(project_.immersions[immersion_], 0);
+    placeBeforeDip();
     if (isDippedDrawn()) {
         drawDipped(FilmExtent::OnBody);
         return;
@@ -454,6 +499,12 @@ void DipScene::setTolerances(std::shared_ptr<const JobTolerances> tolerances) {
     tolerances_ = std::move(tolerances);
     if (bodyLook_ == BodyLook::Zones) {
         updateBody();
+    }
+}
+
+void DipScene::setPathKey(int key) {
+    if (key != std::exchange(pathKey_, key) && moment_ == Moment::Setup) {
+        showSetup();
     }
 }
 

@@ -8,6 +8,7 @@
 #include "workbench/appearance/MarkLines.h"
 #include "workbench/appearance/ViewLooks.h"
 #include "workbench/dip/DipJob.h"
+#include "workbench/document/PoseEdits.h"
 #include "workbench/project/PrintFields.h"
 #include "workbench/widgets/HeatScale.h"
 
@@ -44,6 +45,9 @@ public:
     // Returns the depth of the part's lowest point after it has descended, or has travelled along
     // its path, by `travelled` mm.
     double depthAt(double travelled) const;
+    // Returns how far the part of the result has travelled when it takes each pose of its path, mm;
+    // empty if the path does not go through poses.
+    std::vector<double> travelledAtPoses() const;
 
     void setFilmLook(FilmLook look, const QImage& picture = {});
     void setFilmExtent(FilmExtent extent);
@@ -58,6 +62,11 @@ public:
     void setMarking(bool marking);
     // The tolerances for BodyLook::Zones; null: none that match the project.
     void setTolerances(std::shared_ptr<const JobTolerances> tolerances);
+    // While the path goes through poses: the pose in which the body is shown before the dip; −1:
+    // the first moment of the dip.
+    void setPathKey(int key);
+    // The pose in which the body is shown before the dip, for turned() and moved().
+    const ShownPose& shownPose() const { return shownPose_; }
     void setShowHandles(bool show);
     // While the user has a brush, there are no handles, which would catch its strokes.
     void setBrushed(bool brushed);
@@ -105,6 +114,10 @@ private:
                    const solver::BodyPath* own = nullptr);
     // Returns the part's path without its offset. `pose` is poseTransform() of the immersion.
     const solver::BodyPath& pathOf(const Immersion& immersion, const Eigen::Isometry3d& pose);
+    // Places the body as before the dip, or in the chosen pose of its path.
+    void placeBeforeDip();
+    // The path of the pose frame without its acceleration: it takes each pose at its time.
+    solver::BodyPath timedPath(const Immersion& immersion) const;
     void setBodyRoom(const Eigen::Isometry3d& modelToSetup);
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
                   const std::vector<float>& positions);
@@ -172,6 +185,8 @@ private:
     BodyLook bodyLook_ = BodyLook::Own;
     ShownPrint shownPrint_;
     bool marking_ = false;
+    int pathKey_ = -1;
+    ShownPose shownPose_;
     bool handles_ = true, brushed_ = false;
     bool previewed_ = false;
     bool showsDipped_ = false;

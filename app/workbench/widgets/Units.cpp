@@ -19,7 +19,7 @@ bool isShare(Unit unit) {
 }
 
 bool isLength(Unit unit) {
-    return unit == Unit::Length || unit == Unit::Speed;
+    return unit == Unit::Length || unit == Unit::Speed || unit == Unit::Acceleration;
 }
 
 } // namespace
@@ -37,6 +37,8 @@ QString unitSuffix(Unit unit, LengthUnit length) {
         return inch ? Text::tr(" in") : Text::tr(" mm");
     case Unit::Speed:
         return inch ? Text::tr(" in/s") : Text::tr(" mm/s");
+    case Unit::Acceleration:
+        return inch ? Text::tr(" in/s²") : Text::tr(" mm/s²");
     case Unit::Time:
         return Text::tr(" s");
     case Unit::Angle:
@@ -68,6 +70,7 @@ int unitDecimals(Unit unit, LengthUnit length) {
     switch (unit) {
     case Unit::Length:
     case Unit::Speed:
+    case Unit::Acceleration:
         return 2 + more;
     case Unit::Time:
         return 4;

@@ -7,6 +7,7 @@
 #include "project/ProjectStore.h"
 #include "workbench/compare/CompareWindow.h"
 #include "workbench/compare/SnapshotsDialog.h"
+#include "workbench/document/PoseEdits.h"
 #include "workbench/help/GuideWindow.h"
 #include "workbench/poses/SearchPage.h"
 #include "workbench/preferences/PreferencesDialog.h"
@@ -15,7 +16,6 @@
 #include "workbench/results/ReportPanel.h"
 #include "workbench/results/ResultsPanel.h"
 #include "workbench/results/Timeline.h"
-#include "workbench/view/BodyHandles.h"
 #include "workbench/widgets/NoticeBar.h"
 
 #include <QCheckBox>
@@ -27,6 +27,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QPointer>
@@ -179,6 +180,62 @@ private slots:
         QVERIFY(document.project().immersions[0] == before);
         document.undoStack().undo();
         QVERIFY(document.project().tolerance.marks.empty());
+    }
+
+    // The user turns a preset into poses, and changes one of them by its list, the rings and the
+    // arrows of the view.
+    void pathPoses_listRingsAndArrows_changeThePath() {
+        savedProject("poses");
+        WindowDriver driver(*window_);
+        Document& document = *window_->document();
+        const auto path = [&]() -> const DipPath& { return document.project().immersions[0].path; };
+        document.edit(QStringLiteral("tilt"), {}, [](Project& project) {
+            project.immersions[0].path.kind = PathKind::Tilt;
+            project.immersions[0].path.angle = Degrees(30);
+        });
+        window_->findChild<ProjectTree*>()->select({ProjectPart::Immersion, 0});
+        auto* kind = driver.find<QComboBox>("immersions[0].path.kind");
+        auto* poses = driver.find<QListWidget>("pathKeys");
+        QVERIFY(kind && poses && !poses->isVisible());
+        kind->setCurrentIndex(kind->findData(QStringLiteral("poses")));
+        emit kind->activated(kind->currentIndex());
+        QCOMPARE(path().kind, PathKind::Poses);
+        QCOMPARE(path().keys.size(), std::size_t(5));
+        QVERIFY(std::abs(path().keys[0].turn[2].value() + 30) < 0.11); // +X lower
+        QTRY_VERIFY(poses->isVisible());
+        poses->setCurrentRow(2);
+        auto* depth = driver.find<QDoubleSpinBox>("keyDepth");
+        depth->setValue(9);
+        QCOMPARE(path().keys[2].depth, std::optional(Millimetres(9)));
+        DipView& view = window_->view();
+        const std::array<Degrees, 3> before = path().keys[2].turn;
+        emit view.rotationDragged(0, 12);
+        emit view.rotationFinished();
+        QVERIFY(path().keys[2].turn != before);
+        QCOMPARE(document.project().immersions[0].rotation, (std::array<Degrees, 3>{}));
+        emit view.moveDragged(2, 7.5);
+        emit view.moveFinished();
+        QCOMPARE(path().keys[2].beside[1].value(), 7.5);
+        document.undoStack().undo();
+        QCOMPARE(path().keys[2].beside[1].value(), 0.0);
+        document.undoStack().undo();
+        QCOMPARE(path().keys[2].turn, before);
+        emit driver.find<QPushButton>("addPathKey")->clicked();
+        QCOMPARE(path().keys.size(), std::size_t(6));
+        QCOMPARE(poses->currentRow(), 3);
+        QVERIFY(driver.run());
+        QVERIFY(document.isFresh());
+    }
+
+    // A part that is shown tilted at the beginning of its path turns as its rings are dragged.
+    void turned_tiltedAtTheBeginning_turnsAsSeen() {
+        const Eigen::Matrix3d tilt =
+            Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+        const Immersion immersion = turned(Immersion{}, 0, 40, {std::nullopt, tilt});
+        const Eigen::Matrix3d seen = tilt * rotationMatrix(immersion.rotation);
+        const Eigen::Matrix3d wanted =
+            Eigen::AngleAxisd(radians(Degrees(40)), Eigen::Vector3d::UnitX()) * tilt;
+        QVERIFY((seen - wanted).norm() < 0.01); // 0.1° steps
     }
 
     void withFaceDown_anyFace_pointsDown() {

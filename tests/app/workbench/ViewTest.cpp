@@ -2,7 +2,7 @@
 #include "WindowDriver.h"
 #include "geometry/Shapes.h"
 #include "workbench/appearance/ViewTheme.h"
-#include "workbench/view/BodyHandles.h"
+#include "workbench/document/PoseEdits.h"
 #include "workbench/view/DipScene.h"
 
 #include <QApplication>

@@ -1,5 +1,6 @@
 // Tests the poses of a part on its path.
 #include "base/Error.h"
+#include "dip/PathKeys.h"
 #include "dip/Pose.h"
 #include "geometry/Shapes.h"
 
@@ -15,6 +16,27 @@ Immersion onPath(PathKind kind, double angle, double turn = 0) {
     immersion.path.kind = kind;
     immersion.path.angle = Degrees(angle);
     immersion.path.turn = Degrees(turn);
+    return immersion;
+}
+
+PathKey key(double seconds, std::optional<double> depth, double x = 0, double tilt = 0) {
+    PathKey result;
+    result.time = Seconds(seconds);
+    result.depth.reset();
+    if (depth) {
+        result.depth = Millimetres(*depth);
+    }
+    result.beside[0] = Millimetres(x);
+    result.turn[2] = Degrees(tilt);
+    return result;
+}
+
+// Down by 12 mm with one side first, a wait there, and level to the end.
+Immersion throughPoses() {
+    Immersion immersion;
+    immersion.path.kind = PathKind::Poses;
+    immersion.path.keys = {key(0, 0, 0, -30), key(4, 12, 5, -30), key(6, 12, 5, -30),
+                           key(10, std::nullopt, -8)};
     return immersion;
 }
 
@@ -50,6 +72,9 @@ private slots:
         slow.path.slowSpeed = MillimetresPerSecond(1);
         slow.path.waterSpeed = MillimetresPerSecond(10);
         QTest::newRow("slow in flowing water") << slow;
+        slow.path.acceleration = MillimetresPerSecondSquared(20);
+        QTest::newRow("slow, with a limit of the acceleration") << slow;
+        QTest::newRow("poses") << throughPoses();
     }
 
     // Rounding of the depth must neither lose the last pose nor give two poses at one place.
@@ -94,6 +119,120 @@ private slots:
             bodyPath(posedBox(), onPath(PathKind::Tilt, 20), ProcessSettings());
         const Eigen::Isometry3d begin = placeOnPath(path, 0);
         QVERIFY((begin * Eigen::Vector3d(30, 0, 0)).y() < (begin * Eigen::Vector3d(-30, 0, 0)).y());
+    }
+
+    void bodyPath_poses_areTakenAtTheirTimes() {
+        const Immersion immersion = throughPoses();
+        ProcessSettings process;
+        process.depth = Millimetres(18);
+        const TriangleMesh box = posedBox();
+        const solver::BodyPath path = bodyPath(box, immersion, process);
+        const Eigen::Vector3d pivot(path.pivot[0], path.pivot[1], path.pivot[2]);
+        for (const PathKey& key : immersion.path.keys) {
+            const double way = travelledAfter(path, key.time.value());
+            const Eigen::Isometry3d place = placeOnPath(path, way);
+            const double depth = key.time == Seconds(0) ? -startHeight
+                                 : key.depth            ? key.depth->value()
+                                                        : 18;
+            QVERIFY(std::abs(lowestAt(path, box, way) + depth) < 0.01);
+            QVERIFY(std::abs((place * pivot).x() - key.beside[0].value()) < 0.01);
+            QVERIFY(place.linear().isApprox(rotationMatrix(key.turn), 1e-3));
+        }
+    }
+
+    // Between two poses no value goes beyond those of the poses.
+    void bodyPath_poses_neverPassTheirValues() {
+        const Immersion immersion = throughPoses();
+        ProcessSettings process;
+        process.depth = Millimetres(18);
+        const TriangleMesh box = posedBox();
+        const solver::BodyPath path = bodyPath(box, immersion, process);
+        double before = startHeight;
+        for (double seconds = 0; seconds < 10; seconds += 0.05) {
+            const double height = lowestAt(path, box, travelledAfter(path, seconds));
+            QVERIFY2(height < before + 0.02 && height > -18.02,
+                     qPrintable(QStringLiteral("%1 mm at %2 s").arg(height).arg(seconds)));
+            before = height;
+        }
+    }
+
+    void bodyPath_acceleration_isKept_data() {
+        QTest::addColumn<Immersion>("immersion");
+        QTest::newRow("straight") << onPath(PathKind::Straight, 0);
+        QTest::newRow("tilt") << onPath(PathKind::Tilt, 45);
+        Immersion slow = onPath(PathKind::Straight, 0);
+        slow.path.slowSpeed = MillimetresPerSecond(0.5);
+        QTest::newRow("slow at both ends") << slow;
+        QTest::newRow("poses") << throughPoses();
+    }
+
+    // The mean speeds of neighbouring parts of the motion differ by no more than the acceleration
+    // allows between the parts' middles; the part begins and ends at rest.
+    void bodyPath_acceleration_isKept() {
+        QFETCH(Immersion, immersion);
+        ProcessSettings process;
+        process.depth = Millimetres(30);
+        const TriangleMesh box = posedBox();
+        const solver::BodyPath fast = bodyPath(box, immersion, process);
+        constexpr double most = 8; // mm/s²
+        immersion.path.acceleration = MillimetresPerSecondSquared(most);
+        const solver::BodyPath path = bodyPath(box, immersion, process);
+        double speedBefore = 0, middleBefore = 0;
+        for (std::size_t i = 1; i < path.poses.size(); ++i) {
+            const solver::PathPose &from = path.poses[i - 1], &to = path.poses[i];
+            const double speed = (to.travelled - from.travelled) / (to.seconds - from.seconds);
+            const double middle = (to.seconds + from.seconds) / 2;
+            QVERIFY2(std::abs(speed - speedBefore) <= most * (middle - middleBefore) * 1.01 + 1e-6,
+                     qPrintable(QStringLiteral("%1 to %2 mm/s within %3 s")
+                                    .arg(speedBefore)
+                                    .arg(speed)
+                                    .arg(middle - middleBefore)));
+            speedBefore = speed;
+            middleBefore = middle;
+        }
+        QVERIFY(speedBefore <= most * (path.poses.back().seconds - middleBefore) * 1.01);
+        if (!fast.isStraightDown()) {
+            QVERIFY(path.poses.back().seconds > fast.poses.back().seconds);
+            QVERIFY(std::abs(path.poses.back().travelled - fast.poses.back().travelled) < 0.5);
+        }
+    }
+
+    void asPoses_tilt_followsThePath() {
+        const Immersion tilt = onPath(PathKind::Tilt, 40);
+        const TriangleMesh box = posedBox();
+        const ProcessSettings process;
+        Immersion keyed = tilt;
+        keyed.path = asPoses(box, tilt, process);
+        QCOMPARE(keyed.path.kind, PathKind::Poses);
+        const solver::BodyPath path = bodyPath(box, tilt, process);
+        const solver::BodyPath other = bodyPath(box, keyed, process);
+        for (const PathKey& key : keyed.path.keys) {
+            const double seconds = key.time.value();
+            const Eigen::Isometry3d one = placeOnPath(path, travelledAfter(path, seconds));
+            const Eigen::Isometry3d two = placeOnPath(other, travelledAfter(other, seconds));
+            QVERIFY(one.isApprox(two, 0.01));
+        }
+    }
+
+    void bodyPath_posesThatDoNotFit_areRefused_data() {
+        QTest::addColumn<std::vector<PathKey>>("keys");
+        QTest::newRow("none") << std::vector<PathKey>();
+        QTest::newRow("one") << std::vector<PathKey>{key(0, 0)};
+        QTest::newRow("begins late") << std::vector<PathKey>{key(1, 0), key(2, std::nullopt)};
+        QTest::newRow("begins under water")
+            << std::vector<PathKey>{key(0, 3), key(2, std::nullopt)};
+        QTest::newRow("equal times")
+            << std::vector<PathKey>{key(0, 0), key(1, 3), key(1, std::nullopt)};
+        QTest::newRow("own depth at the end") << std::vector<PathKey>{key(0, 0), key(2, 10)};
+        QTest::newRow("turned at the end")
+            << std::vector<PathKey>{key(0, 0), key(2, std::nullopt, 0, 10)};
+    }
+
+    void bodyPath_posesThatDoNotFit_areRefused() {
+        QFETCH(std::vector<PathKey>, keys);
+        Immersion immersion = onPath(PathKind::Poses, 0);
+        immersion.path.keys = keys;
+        QVERIFY_EXCEPTION_THROWN(bodyPath(posedBox(), immersion, ProcessSettings()), Error);
     }
 
     void bodyPath_farTravel_isRefused() {

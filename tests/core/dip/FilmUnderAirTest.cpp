@@ -169,15 +169,16 @@ void FilmUnderAirTest::dip_bowlWithHole_insideIsPainted() {
 
 void FilmUnderAirTest::dip_tippedCup_isUnpaintedAboveTheAirsLevel() {
     const auto laid = dipped(cup(), 150, false);
-    const std::optional<double> level = trappedAir(laid->body()).height;
-    QVERIFY(level);
+    const std::optional<double> cutOff = trappedAir(laid->body()).travelled;
+    QVERIFY(cutOff);
+    const double level = *cutOff - startHeight;
     const Eigen::Isometry3d toModel = laid->body().modelToPose.inverse();
     const auto isInside = [&](const Eigen::Vector3f& place) {
         const Eigen::Vector3d own = toModel * place.cast<double>();
         return std::hypot(own.x(), own.z()) < 28 && own.y() > 1.5 && own.y() < 39.9;
     };
     const Painted dry = paintedWhere(*laid, [&](const Eigen::Vector3f& place) {
-        return isInside(place) && double(place.y()) > *level + 0.5;
+        return isInside(place) && double(place.y()) > level + 0.5;
     });
     QVERIFY(dry.whole > 1000);
     QCOMPARE(dry.painted, 0.0);

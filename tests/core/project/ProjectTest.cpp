@@ -259,6 +259,25 @@ private slots:
         }
     }
 
+    void setByPath_posesOfAPath_areReadAndKept() {
+        Project project = sampleProject();
+        setByPath(project, "immersions[0].path.kind", "poses");
+        setByPath(project, "immersions[0].path.keys",
+                  "0;0;0;0;0;0;-20 / 2.5;10;4;-3;0;5;-20 / 6;null;8;0;0;0;0");
+        const std::vector<PathKey>& keys = project.immersions[0].path.keys;
+        QCOMPARE(keys.size(), std::size_t(3));
+        QCOMPARE(keys[1].time.value(), 2.5);
+        QCOMPARE(keys[1].depth.value().value(), 10.0);
+        QCOMPARE(keys[1].beside[1].value(), -3.0);
+        QCOMPARE(keys[1].turn[2].value(), -20.0);
+        QVERIFY(!keys[2].depth);
+        QVERIFY(fromJson(toJson(project), "x").immersions == project.immersions);
+        for (const char* wrong : {"0;0;0;0;0;0", "0;0;0;0;0;0;x", "null;0;0;0;0;0;0"}) {
+            QVERIFY_EXCEPTION_THROWN(
+                setByPath(project, "immersions[0].path.keys", QString::fromLatin1(wrong)), Error);
+        }
+    }
+
     void setByPath_pointsOrCell_lastOneCounts() {
         Project project = sampleProject();
         setByPath(project, "film.resolution", "automatic");

@@ -96,6 +96,32 @@ private slots:
         QVERIFY(previewed(subject, turned(90, 0)) > share + 0.1);
     }
 
+    // A cylinder of radius 20 mm is painted where it has been up to 6 mm under water: over 91° of
+    // its round surface if it goes straight down, and over 271° if it then rolls by 180°.
+    void coveragePreview_roll_coversWhatGoesUnderWater() {
+        SearchSubject subject = subjectOf(cylinderMesh(20, 40, 180));
+        subject.process.depth = Millimetres(6);
+        Immersion lying = turned(0, 0);
+        const double whole = surfaceArea(subject.model->mesh);
+        const double round = 2 * pi * 20 * 40;
+        const double dipped = 2 * std::acos(14.0 / 20);
+        const double straight = previewed(subject, lying);
+        QVERIFY2(straight < dipped / (2 * pi) * round / whole + 0.1,
+                 qPrintable(QStringLiteral("%1").arg(straight)));
+        lying.path.kind = PathKind::Roll;
+        lying.path.heading = Degrees(0);
+        lying.path.angle = Degrees(180);
+        const double rolled = previewed(subject, lying);
+        QVERIFY2(std::abs(rolled - straight - 0.5 * round / whole) < 0.06,
+                 qPrintable(QStringLiteral("%1 and %2").arg(straight).arg(rolled)));
+    }
+
+    void coveragePreview_pathThatCannotBeTravelled_coversNothing() {
+        Immersion immersion;
+        immersion.path.kind = PathKind::Poses;
+        QCOMPARE(previewed(subjectOf(boxMesh({30, 30, 30})), immersion), 0.0);
+    }
+
     void coveragePreview_ofModel_marksEachTriangle() {
         const SearchSubject subject = subjectOf(boxMesh({30, 30, 30}));
         const CoveragePreview preview(subject.model->mesh);

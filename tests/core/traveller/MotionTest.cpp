@@ -171,6 +171,12 @@ private slots:
         const MotionTemplate text = motionTemplate(controller);
         const Controller read(QString::fromUtf8(filledTemplate(moved, text.text, text.where)));
         const std::vector<MotionPose> poses = motionPoses(moved);
+        if (controller == QLatin1String("grbl")) {
+            for (const QString& line :
+                 QString::fromUtf8(filledTemplate(moved, text.text, text.where)).split(u'\n')) {
+                QVERIFY2(line.section(u';', 0, 0).size() <= 80, qPrintable(line));
+            }
+        }
         // The first pose is reached by two moves: up, then over the film.
         QCOMPARE(read.stops.size(), poses.size() + 1);
         for (std::size_t pose = 0; pose < poses.size(); ++pose) {

@@ -1,0 +1,178 @@
+#include "workbench/project/PathKeyFields.h"
+
+#include "workbench/widgets/Icons.h"
+#include "workbench/widgets/NumberBox.h"
+
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QLocale>
+#include <QPushButton>
+#include <algorithm>
+
+namespace dipwright {
+
+namespace {
+
+constexpr double latest = 10'000, farthest = 5000, mostTurn = 720; // s, mm, °
+constexpr double leastWait = 0.01;                                 // s, between two poses
+constexpr int shownRows = 5;
+
+} // namespace
+
+PathKeyFields::PathKeyFields(LengthUnit unit, QWidget* parent)
+    : QWidget(parent), unit_(unit), list_(new QListWidget),
+      add_(new QPushButton(icon(QStringLiteral("add")), tr("Add pose"))),
+      remove_(new QPushButton(icon(QStringLiteral("remove")), tr("Remove pose"))) {
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    list_->setObjectName(QStringLiteral("pathKeys"));
+    list_->setAccessibleName(tr("Poses"));
+    list_->setToolTip(tr("The poses that the part takes in turn. The view shows the chosen pose; "
+                         "its rings and arrows change it."));
+    list_->setMinimumHeight(shownRows * list_->fontMetrics().height() * 3 / 2);
+    form->addRow(list_);
+    add_->setObjectName(QStringLiteral("addPathKey"));
+    add_->setToolTip(tr("Adds a pose between the chosen one and the next."));
+    remove_->setToolTip(tr("Removes the chosen pose. The first and the last one stay."));
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(add_);
+    buttons->addWidget(remove_);
+    form->addRow(buttons);
+    const auto addRow = [&](const QString& label, NumberBox* box) { form->addRow(label, box); };
+    time_ = addBox(Unit::Time, QStringLiteral("keyTime"),
+                   tr("When the part takes this pose, since the dip began."));
+    addRow(tr("Time"), time_);
+    depth_ = addBox(Unit::Length, QStringLiteral("keyDepth"),
+                    tr("Depth of the part's lowest point. In the first pose it touches the water, "
+                       "in the last one it is at the depth of the dip."));
+    addRow(tr("Depth"), depth_);
+    for (std::size_t part = 0; part < 2; ++part) {
+        const QString axis(QLatin1Char("XZ"[part]));
+        beside_[part] =
+            addBox(Unit::Length, QStringLiteral("keyBeside") + axis,
+                   tr("How far the part has moved along %1 from its offset.").arg(axis));
+        addRow(tr("Moved along %1").arg(axis), beside_[part]);
+    }
+    for (std::size_t part = 0; part < 3; ++part) {
+        const QString axis(QLatin1Char("XYZ"[part]));
+        turn_[part] = addBox(Unit::Angle, QStringLiteral("keyTurn") + axis,
+                             tr("How far the part is turned about %1 from its rotation at the end "
+                                "of the dip; about X first, then Y, then Z.")
+                                 .arg(axis));
+        addRow(tr("Turned about %1").arg(axis), turn_[part]);
+    }
+    connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
+        showChosen();
+        emit chosen(row);
+    });
+    connect(add_, &QPushButton::clicked, this,
+            [this] { emit addAsked(std::clamp(list_->currentRow(), 0, int(keys_.size()) - 2)); });
+    connect(remove_, &QPushButton::clicked, this, [this] {
+        std::vector<PathKey> keys = keys_;
+        keys.erase(keys.begin() + list_->currentRow());
+        emit changed(keys);
+    });
+}
+
+NumberBox* PathKeyFields::addBox(Unit unit, const QString& name, const QString& text) {
+    auto* box = new NumberBox;
+    box->setObjectName(name);
+    box->setAccessibleName(text);
+    box->setToolTip(text);
+    box->setDecimals(unitDecimals(unit, unit_));
+    box->setSuffix(unitSuffix(unit, unit_));
+    box->setKeyboardTracking(false);
+    const double most = unit == Unit::Angle ? mostTurn : unit == Unit::Time ? latest : farthest;
+    const double factor = shownPerStored(unit, unit_);
+    box->setRange(-most * factor, most * factor);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &PathKeyFields::readFields);
+    connect(box, &QDoubleSpinBox::editingFinished, this, &PathKeyFields::left);
+    connect(box, &NumberBox::refused, this, &PathKeyFields::refused);
+    return box;
+}
+
+QString PathKeyFields::textOf(std::size_t key) const {
+    const PathKey& pose = keys_[key];
+    const QString depth = pose.depth ? shownLength(pose.depth->value(), unit_) : tr("end");
+    return tr("%1: %2 s, depth %3")
+        .arg(key + 1)
+        .arg(QLocale().toString(pose.time.value(), 'g', 6), depth);
+}
+
+void PathKeyFields::show(const std::vector<PathKey>& keys) {
+    const int before = list_->currentRow();
+    keys_ = keys;
+    {
+        const QSignalBlocker quiet(list_);
+        while (list_->count() > int(keys.size())) {
+            delete list_->takeItem(list_->count() - 1);
+        }
+        for (std::size_t key = 0; key < keys.size(); ++key) {
+            if (int(key) == list_->count()) {
+                list_->addItem(QString());
+            }
+            list_->item(int(key))->setText(textOf(key));
+        }
+        list_->setCurrentRow(std::min(before, int(keys.size()) - 1));
+    }
+    showChosen();
+    if (list_->currentRow() != before) {
+        emit chosen(list_->currentRow());
+    }
+}
+
+void PathKeyFields::choose(int key) {
+    list_->setCurrentRow(key);
+}
+
+void PathKeyFields::showChosen() {
+    const int row = list_->currentRow();
+    const int last = int(keys_.size()) - 1;
+    const bool isChosen = row >= 0, isInner = row > 0 && row < last;
+    add_->setEnabled(last > 0 && keys_.size() < mostPathKeys);
+    remove_->setEnabled(isInner);
+    const double factor = shownPerStored(Unit::Length, unit_);
+    const PathKey key = isChosen ? keys_[std::size_t(row)] : PathKey();
+    const auto set = [](NumberBox& box, double value, bool enabled) {
+        const QSignalBlocker quiet(box);
+        box.setValue(value);
+        box.setEnabled(enabled);
+    };
+    {
+        const QSignalBlocker quiet(time_);
+        time_->setRange(row > 0 ? keys_[std::size_t(row - 1)].time.value() + leastWait : 0,
+                        isInner ? keys_[std::size_t(row + 1)].time.value() - leastWait : latest);
+    }
+    set(*time_, key.time.value(), row > 0);
+    set(*depth_, key.depth.value_or(Millimetres(0)).value() * factor, isInner);
+    for (std::size_t part = 0; part < 2; ++part) {
+        set(*beside_[part], key.beside[part].value() * factor, isChosen);
+    }
+    for (std::size_t part = 0; part < 3; ++part) {
+        set(*turn_[part], key.turn[part].value(), isChosen && row < last);
+    }
+}
+
+void PathKeyFields::readFields() {
+    const int row = list_->currentRow();
+    if (row < 0) {
+        return;
+    }
+    std::vector<PathKey> keys = keys_;
+    PathKey& key = keys[std::size_t(row)];
+    const double factor = shownPerStored(Unit::Length, unit_);
+    key.time = Seconds(time_->value());
+    if (key.depth) {
+        key.depth = Millimetres(depth_->value() / factor);
+    }
+    for (std::size_t part = 0; part < 2; ++part) {
+        key.beside[part] = Millimetres(beside_[part]->value() / factor);
+    }
+    for (std::size_t part = 0; part < 3; ++part) {
+        key.turn[part] = Degrees(turn_[part]->value());
+    }
+    emit changed(keys);
+}
+
+} // namespace dipwright

@@ -1,0 +1,89 @@
+#include "dip/PathKeys.h"
+
+#include "dip/Pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dipwright {
+
+namespace {
+
+constexpr int keysOfPath = 5;
+
+double rounded(double value, double parts) {
+    return std::round(value * parts) / parts + 0.0; // + 0.0 turns −0 into 0
+}
+
+double lowestOf(const TriangleMesh& posed, const Eigen::Isometry3d& place) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3f& at : posed.positions) {
+        lowest = std::min(lowest, place.linear().row(1).dot(at.cast<double>()));
+    }
+    return lowest + place.translation().y();
+}
+
+PathKey keyAt(const solver::BodyPath& path, double seconds, const TriangleMesh& posed,
+              const std::array<Degrees, 3>& near) {
+    const Eigen::Isometry3d place = placeOnPath(path, travelledAfter(path, seconds));
+    const Eigen::Vector3d middle(path.pivot[0], path.pivot[1], path.pivot[2]);
+    const Eigen::Vector3d pivot = place * middle;
+    PathKey key;
+    key.time = Seconds(rounded(seconds, 100));
+    key.depth = Millimetres(rounded(std::max(0.0, -lowestOf(posed, place)), 100));
+    key.beside = {Millimetres(rounded(pivot.x(), 100)), Millimetres(rounded(pivot.z(), 100))};
+    key.turn = rotationAngles(place.linear(), near);
+    return key;
+}
+
+} // namespace
+
+DipPath asPoses(const TriangleMesh& posed, const Immersion& immersion,
+                const ProcessSettings& process) {
+    DipPath result;
+    result.kind = PathKind::Poses;
+    result.heading = immersion.path.heading;
+    result.waterSpeed = immersion.path.waterSpeed;
+    result.acceleration = immersion.path.acceleration;
+    Immersion still = immersion; // the flow of the water is kept as such
+    still.path.waterSpeed = {};
+    still.path.acceleration.reset();
+    const solver::BodyPath path = bodyPath(posed, still, process);
+    if (path.isStraightDown()) {
+        const double height = boundingBox(posed).sizes().y();
+        PathKey last{
+            Seconds(
+                rounded((dipDepth(process, height) + startHeight) / process.dipSpeed.value(), 100)),
+            std::nullopt};
+        result.keys = {PathKey(), last};
+        return result;
+    }
+    const double end = path.poses.back().seconds;
+    std::array<Degrees, 3> near{};
+    for (int i = keysOfPath - 1; i >= 0; --i) { // backwards, since the last one is not turned
+        result.keys.insert(result.keys.begin(),
+                           keyAt(path, end * i / (keysOfPath - 1), posed, near));
+        near = result.keys.front().turn;
+    }
+    result.keys.front().depth = Millimetres(0);
+    result.keys.back().depth.reset();
+    result.keys.back().turn = {};
+    return result;
+}
+
+PathKey middleKey(const PathKey& before, const PathKey& after, Millimetres depth) {
+    const auto middle = [](auto one, auto other) { return one + (other - one) / 2; };
+    PathKey key;
+    key.time = middle(before.time, after.time);
+    key.depth = middle(before.depth.value_or(depth), after.depth.value_or(depth));
+    for (std::size_t part = 0; part < 2; ++part) {
+        key.beside[part] = middle(before.beside[part], after.beside[part]);
+    }
+    for (std::size_t part = 0; part < 3; ++part) {
+        key.turn[part] = middle(before.turn[part], after.turn[part]);
+    }
+    return key;
+}
+
+} // namespace dipwright
