@@ -96,15 +96,15 @@ private slots:
         QVERIFY(previewed(subject, turned(90, 0)) > share + 0.1);
     }
 
-    // A cylinder of radius 20 mm is painted where it has been up to 6 mm under water: over 91° of
+    // A cylinder of radius 10 mm is painted where it has been up to 3 mm under water: over 91° of
     // its round surface if it goes straight down, and over 271° if it then rolls by 180°.
     void coveragePreview_roll_coversWhatGoesUnderWater() {
-        SearchSubject subject = subjectOf(cylinderMesh(20, 40, 180));
-        subject.process.depth = Millimetres(6);
+        SearchSubject subject = subjectOf(cylinderMesh(10, 40, 180));
+        subject.process.depth = Millimetres(3);
         Immersion lying = turned(0, 0);
         const double whole = surfaceArea(subject.model->mesh);
-        const double round = 2 * pi * 20 * 40;
-        const double dipped = 2 * std::acos(14.0 / 20);
+        const double round = 2 * pi * 10 * 40;
+        const double dipped = 2 * std::acos(7.0 / 10);
         const double straight = previewed(subject, lying);
         QVERIFY2(straight < dipped / (2 * pi) * round / whole + 0.1,
                  qPrintable(QStringLiteral("%1").arg(straight)));
