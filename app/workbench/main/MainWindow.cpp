@@ -149,12 +149,8 @@ void MainWindow::connectPanels() {
     });
     connect(parts_.properties, &PropertyPanel::shownPrintChanged, &scene_,
             &DipScene::setShownPrint);
-    connect(parts_.properties, &PropertyPanel::pathKeyChosen, this, [this](int key) {
-        scene_.setPathKey(key);
-        if (key >= 0) {
-            parts_.timeline->setPosition(0); // shows the chosen pose
-        }
-    });
+    connect(parts_.properties, &PropertyPanel::pathKeyChosen, &playback_,
+            &DipPlayback::setPathKey);
     connect(&scene_, &DipScene::deeperFilmWanted, &deeperFilm_, &DeeperFilm::start);
     connect(&deeperFilm_, &DeeperFilm::done, &scene_, &DipScene::setDeeperFilm);
     connect(parts_.properties, &PropertyPanel::tolerancesAsked, actions_.tolerances,

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double latest = 10'000, farthest = 5000, mostTurn = 720; // s, mm, °
 constexpr double leastWait = 0.01;                                 // s, between two poses
-constexpr int shownRows = 5;
+constexpr int shownRows = 6;
 
 } // namespace
 
@@ -30,7 +30,7 @@ PathKeyFields::PathKeyFields(LengthUnit unit, QWidget* parent)
     list_->setAccessibleName(tr("Poses"));
     list_->setToolTip(tr("The poses that the part takes in turn. The view shows the chosen pose; "
                          "its rings and arrows change it."));
-    list_->setMinimumHeight(shownRows * list_->fontMetrics().height() * 3 / 2);
+    list_->setFixedHeight(shownRows * list_->fontMetrics().height() * 3 / 2);
     form->addRow(list_);
     add_->setObjectName(QStringLiteral("addPathKey"));
     add_->setToolTip(tr("Adds a pose between the chosen one and the next."));

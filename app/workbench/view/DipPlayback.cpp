@@ -77,6 +77,14 @@ void DipPlayback::showDocument() {
     }
 }
 
+void DipPlayback::setPathKey(int key) {
+    scene_.setPathKey(key);
+    if (key >= 0) {
+        timeline_.setPosition(0);
+    }
+    showDepth();
+}
+
 std::size_t DipPlayback::mostPoints() const {
     return view_.isUsable() && !view_.isSoftwareRendered() ? finePoints : coarsePoints;
 }
@@ -89,7 +97,7 @@ void DipPlayback::showProject() {
         timeline_.setPosition(0); // the body in its current pose
     }
     scene_.setShowsDipped(live_ || isFresh);
-    emit momentShown();
+    showDepth();
 }
 
 void DipPlayback::showResults() {

@@ -25,6 +25,8 @@ public:
     // The largest number of film points that can be drawn while they move.
     std::size_t mostPoints() const;
 
+    // The pose of the path that the view shows before the dip; −1: the first moment of the dip.
+    void setPathKey(int key);
     // Plays the dip as soon as it is recorded.
     void playNext() { playsNext_ = true; }
 
