@@ -1423,6 +1423,10 @@
         <source>Paths need the production film and a solver that follows them; choose another solver, or search without paths</source>
         <translation>Wege brauchen den Produktionsfilm und einen Solver, der ihnen folgt; wählen Sie einen anderen Solver, oder suchen Sie ohne Wege</translation>
     </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Tauchvorgang %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>

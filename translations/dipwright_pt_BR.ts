@@ -1423,6 +1423,10 @@
         <source>Paths need the production film and a solver that follows them; choose another solver, or search without paths</source>
         <translation>Percursos precisam da película de produção e de um solucionador que os siga; escolha outro solucionador ou busque sem percursos</translation>
     </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Imersão %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>
