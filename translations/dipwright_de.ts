@@ -3060,6 +3060,22 @@
         <source>Depth of the part&apos;s lowest point at which the part is no longer tilted.</source>
         <translation>Tiefe des tiefsten Punkts, in der das Teil nicht mehr gekippt ist.</translation>
     </message>
+    <message>
+        <source>Path angle</source>
+        <translation>Winkel des Wegs</translation>
+    </message>
+    <message>
+        <source>How far the angle of a slanted, tilted or rolling dip may be from its set value. Has no effect on other dips.</source>
+        <translation>Wie weit der Winkel eines schrägen, gekippten oder rollenden Tauchvorgangs vom eingestellten Wert abweichen darf. Auf andere Tauchvorgänge wirkt er nicht.</translation>
+    </message>
+    <message>
+        <source>Start of the dip</source>
+        <translation>Beginn des Tauchvorgangs</translation>
+    </message>
+    <message>
+        <source>How much earlier or later than intended the dip may begin. Has an effect only if the water flows or the film grows.</source>
+        <translation>Wie viel früher oder später als vorgesehen der Tauchvorgang beginnen darf. Wirkt nur, wenn das Wasser fließt oder der Film wächst.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3516,8 +3532,12 @@
         <translation>Zone %1 überschreitet ihre Grenze von ±%3: Nur auf %2 % der bemalten Fläche ist das Bild um weniger als diese Grenze verschoben, auf 95 % um höchstens ±%4. Größter Beitrag: %5.</translation>
     </message>
     <message>
-        <source>Tolerances can be computed for straight dips only; choose a straight path</source>
-        <translation>Toleranzen lassen sich nur für gerade Tauchvorgänge berechnen; wählen Sie einen geraden Weg</translation>
+        <source>Angle of the path</source>
+        <translation>Winkel des Wegs</translation>
+    </message>
+    <message>
+        <source>Start of the dip</source>
+        <translation>Beginn des Tauchvorgangs</translation>
     </message>
 </context>
 <context>

@@ -3060,6 +3060,22 @@
         <source>Depth of the part&apos;s lowest point at which the part is no longer tilted.</source>
         <translation>Profundidade do ponto mais baixo em que a peça já não está tombada.</translation>
     </message>
+    <message>
+        <source>Path angle</source>
+        <translation>Ângulo do percurso</translation>
+    </message>
+    <message>
+        <source>How far the angle of a slanted, tilted or rolling dip may be from its set value. Has no effect on other dips.</source>
+        <translation>Quanto o ângulo de uma imersão oblíqua, inclinada ou com rolamento pode desviar do valor ajustado. Não tem efeito em outras imersões.</translation>
+    </message>
+    <message>
+        <source>Start of the dip</source>
+        <translation>Início da imersão</translation>
+    </message>
+    <message>
+        <source>How much earlier or later than intended the dip may begin. Has an effect only if the water flows or the film grows.</source>
+        <translation>Quanto antes ou depois do previsto a imersão pode começar. Só tem efeito se a água corre ou a película cresce.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3516,8 +3532,12 @@
         <translation>A zona %1 ultrapassa seu limite de ±%3: em só %2 % da área pintada, a imagem se desloca menos que esse limite, e em 95 %, no máximo ±%4. Maior contribuição: %5.</translation>
     </message>
     <message>
-        <source>Tolerances can be computed for straight dips only; choose a straight path</source>
-        <translation>Só é possível calcular tolerâncias para imersões retas; escolha um percurso reto</translation>
+        <source>Angle of the path</source>
+        <translation>Ângulo do percurso</translation>
+    </message>
+    <message>
+        <source>Start of the dip</source>
+        <translation>Início da imersão</translation>
     </message>
 </context>
 <context>

@@ -197,7 +197,8 @@ ChangedDip FittedDips::dip(int dip, const std::vector<FitUnknown>& unknowns,
             break;
         }
     }
-    return changed({*project_.model, project_.immersions[std::size_t(dip)], own}, change);
+    return changed({*project_.model, project_.immersions[std::size_t(dip)], own, project_.process},
+                   change);
 }
 
 double FittedDips::told(const FitUnknown& unknown, double value) const {
