@@ -253,8 +253,8 @@
         <translation>%1: Die Halterung berührt %2 mm² Farbe aus einem früheren Tauchvorgang; legen Sie die Halterung dort mit %3 mm weichem Filz oder Schaumstoff aus</translation>
     </message>
     <message>
-        <source>%1: cradles are made for parts that go straight down; hold this part by hand or by a fixture of your own</source>
-        <translation>%1: Halterungen werden nur für Teile gemacht, die gerade nach unten gehen; halten Sie dieses Teil von Hand oder mit einer eigenen Vorrichtung</translation>
+        <source>%1: no cradle is possible, because on this path it would touch the film on the water; tilt or roll the part less, dip it less deep, or hold it by hand</source>
+        <translation>%1: Es ist keine Halterung möglich, weil sie auf diesem Weg den Film auf dem Wasser berühren würde; kippen oder rollen Sie das Teil weniger, tauchen Sie es weniger tief, oder halten Sie es von Hand</translation>
     </message>
 </context>
 <context>

@@ -253,8 +253,8 @@
         <translation>%1: o berço toca %2 mm² de tinta de uma imersão anterior; forre o berço ali com %3 mm de feltro macio ou espuma</translation>
     </message>
     <message>
-        <source>%1: cradles are made for parts that go straight down; hold this part by hand or by a fixture of your own</source>
-        <translation>%1: berços são feitos só para peças que descem em linha reta; segure esta peça com a mão ou com um dispositivo próprio</translation>
+        <source>%1: no cradle is possible, because on this path it would touch the film on the water; tilt or roll the part less, dip it less deep, or hold it by hand</source>
+        <translation>%1: nenhum berço é possível, porque neste percurso ele tocaria a película na água; incline ou role menos a peça, mergulhe-a menos fundo ou segure-a com a mão</translation>
     </message>
 </context>
 <context>
