@@ -5217,10 +5217,6 @@
         <translation>Die Anpassung fand keinen Film und keine Kamera, die die Paare erklären; prüfen Sie, ob ein Paar die falsche Stelle nennt</translation>
     </message>
     <message>
-        <source>A film can be fitted to straight dips only</source>
-        <translation>Ein Film lässt sich nur an gerade Tauchvorgänge anpassen</translation>
-    </message>
-    <message>
         <source>Swell along Z</source>
         <translation>Quellung längs Z</translation>
     </message>

@@ -5217,10 +5217,6 @@
         <translation>O ajuste não encontrou película e câmera que expliquem os pares; verifique se um par indica o lugar errado</translation>
     </message>
     <message>
-        <source>A film can be fitted to straight dips only</source>
-        <translation>Só é possível ajustar uma película a imersões retas</translation>
-    </message>
-    <message>
         <source>Swell along Z</source>
         <translation>Inchamento ao longo de Z</translation>
     </message>
