@@ -253,8 +253,8 @@
         <translation>%1: Die Halterung berührt %2 mm² Farbe aus einem früheren Tauchvorgang; legen Sie die Halterung dort mit %3 mm weichem Filz oder Schaumstoff aus</translation>
     </message>
     <message>
-        <source>%1: cradles are made for parts that go straight down; hold this part by hand or by a fixture of your own</source>
-        <translation>%1: Halterungen werden nur für Teile gemacht, die gerade nach unten gehen; halten Sie dieses Teil von Hand oder mit einer eigenen Vorrichtung</translation>
+        <source>%1: no cradle is possible, because on this path it would touch the film on the water; tilt or roll the part less, dip it less deep, or hold it by hand</source>
+        <translation>%1: Es ist keine Halterung möglich, weil sie auf diesem Weg den Film auf dem Wasser berühren würde; kippen oder rollen Sie das Teil weniger, tauchen Sie es weniger tief, oder halten Sie es von Hand</translation>
     </message>
 </context>
 <context>
@@ -1422,6 +1422,10 @@
     <message>
         <source>Paths need the production film and a solver that follows them; choose another solver, or search without paths</source>
         <translation>Wege brauchen den Produktionsfilm und einen Solver, der ihnen folgt; wählen Sie einen anderen Solver, oder suchen Sie ohne Wege</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Tauchvorgang %1: %2</translation>
     </message>
 </context>
 <context>
@@ -3056,6 +3060,22 @@
         <source>Depth of the part&apos;s lowest point at which the part is no longer tilted.</source>
         <translation>Tiefe des tiefsten Punkts, in der das Teil nicht mehr gekippt ist.</translation>
     </message>
+    <message>
+        <source>Path angle</source>
+        <translation>Winkel des Wegs</translation>
+    </message>
+    <message>
+        <source>How far the angle of a slanted, tilted or rolling dip may be from its set value. Has no effect on other dips.</source>
+        <translation>Wie weit der Winkel eines schrägen, gekippten oder rollenden Tauchvorgangs vom eingestellten Wert abweichen darf. Auf andere Tauchvorgänge wirkt er nicht.</translation>
+    </message>
+    <message>
+        <source>Start of the dip</source>
+        <translation>Beginn des Tauchvorgangs</translation>
+    </message>
+    <message>
+        <source>How much earlier or later than intended the dip may begin. Has an effect only if the water flows or the film grows.</source>
+        <translation>Wie viel früher oder später als vorgesehen der Tauchvorgang beginnen darf. Wirkt nur, wenn das Wasser fließt oder der Film wächst.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3512,8 +3532,12 @@
         <translation>Zone %1 überschreitet ihre Grenze von ±%3: Nur auf %2 % der bemalten Fläche ist das Bild um weniger als diese Grenze verschoben, auf 95 % um höchstens ±%4. Größter Beitrag: %5.</translation>
     </message>
     <message>
-        <source>Tolerances can be computed for straight dips only; choose a straight path</source>
-        <translation>Toleranzen lassen sich nur für gerade Tauchvorgänge berechnen; wählen Sie einen geraden Weg</translation>
+        <source>Angle of the path</source>
+        <translation>Winkel des Wegs</translation>
+    </message>
+    <message>
+        <source>Start of the dip</source>
+        <translation>Beginn des Tauchvorgangs</translation>
     </message>
 </context>
 <context>
@@ -5191,10 +5215,6 @@
     <message>
         <source>The fit found no film and camera that explain the pairs; check whether a pair names the wrong place</source>
         <translation>Die Anpassung fand keinen Film und keine Kamera, die die Paare erklären; prüfen Sie, ob ein Paar die falsche Stelle nennt</translation>
-    </message>
-    <message>
-        <source>A film can be fitted to straight dips only</source>
-        <translation>Ein Film lässt sich nur an gerade Tauchvorgänge anpassen</translation>
     </message>
     <message>
         <source>Swell along Z</source>

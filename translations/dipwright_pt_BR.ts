@@ -253,8 +253,8 @@
         <translation>%1: o berço toca %2 mm² de tinta de uma imersão anterior; forre o berço ali com %3 mm de feltro macio ou espuma</translation>
     </message>
     <message>
-        <source>%1: cradles are made for parts that go straight down; hold this part by hand or by a fixture of your own</source>
-        <translation>%1: berços são feitos só para peças que descem em linha reta; segure esta peça com a mão ou com um dispositivo próprio</translation>
+        <source>%1: no cradle is possible, because on this path it would touch the film on the water; tilt or roll the part less, dip it less deep, or hold it by hand</source>
+        <translation>%1: nenhum berço é possível, porque neste percurso ele tocaria a película na água; incline ou role menos a peça, mergulhe-a menos fundo ou segure-a com a mão</translation>
     </message>
 </context>
 <context>
@@ -1422,6 +1422,10 @@
     <message>
         <source>Paths need the production film and a solver that follows them; choose another solver, or search without paths</source>
         <translation>Percursos precisam da película de produção e de um solucionador que os siga; escolha outro solucionador ou busque sem percursos</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Imersão %1: %2</translation>
     </message>
 </context>
 <context>
@@ -3056,6 +3060,22 @@
         <source>Depth of the part&apos;s lowest point at which the part is no longer tilted.</source>
         <translation>Profundidade do ponto mais baixo em que a peça já não está tombada.</translation>
     </message>
+    <message>
+        <source>Path angle</source>
+        <translation>Ângulo do percurso</translation>
+    </message>
+    <message>
+        <source>How far the angle of a slanted, tilted or rolling dip may be from its set value. Has no effect on other dips.</source>
+        <translation>Quanto o ângulo de uma imersão oblíqua, inclinada ou com rolamento pode desviar do valor ajustado. Não tem efeito em outras imersões.</translation>
+    </message>
+    <message>
+        <source>Start of the dip</source>
+        <translation>Início da imersão</translation>
+    </message>
+    <message>
+        <source>How much earlier or later than intended the dip may begin. Has an effect only if the water flows or the film grows.</source>
+        <translation>Quanto antes ou depois do previsto a imersão pode começar. Só tem efeito se a água corre ou a película cresce.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3512,8 +3532,12 @@
         <translation>A zona %1 ultrapassa seu limite de ±%3: em só %2 % da área pintada, a imagem se desloca menos que esse limite, e em 95 %, no máximo ±%4. Maior contribuição: %5.</translation>
     </message>
     <message>
-        <source>Tolerances can be computed for straight dips only; choose a straight path</source>
-        <translation>Só é possível calcular tolerâncias para imersões retas; escolha um percurso reto</translation>
+        <source>Angle of the path</source>
+        <translation>Ângulo do percurso</translation>
+    </message>
+    <message>
+        <source>Start of the dip</source>
+        <translation>Início da imersão</translation>
     </message>
 </context>
 <context>
@@ -5191,10 +5215,6 @@
     <message>
         <source>The fit found no film and camera that explain the pairs; check whether a pair names the wrong place</source>
         <translation>O ajuste não encontrou película e câmera que expliquem os pares; verifique se um par indica o lugar errado</translation>
-    </message>
-    <message>
-        <source>A film can be fitted to straight dips only</source>
-        <translation>Só é possível ajustar uma película a imersões retas</translation>
     </message>
     <message>
         <source>Swell along Z</source>

@@ -64,6 +64,7 @@ void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) 
         out << QStringLiteral("  %1").arg(measureText(measure, ranked.measures[measure]), 9);
     }
     out << "  " << posesText(ranked) << (ranked.limitsMissed > 0 ? "  misses a limit" : "")
+        << (ranked.tankFaults.isEmpty() ? "" : "  exceeds the tank")
         << (ranked.isConfirmed ? "" : "  coarse") << '\n';
 }
 
@@ -79,6 +80,11 @@ void printRanking(const SearchResult& result, const SearchSettings& settings, QT
     }
     for (std::size_t rank = 0; rank < shown; ++rank) {
         const RankedPoses& poses = result.ranking[rank];
+        if (!poses.tankFaults.isEmpty() && poses.verdicts.empty()) {
+            out << QStringLiteral("Rank %1: %2\n")
+                       .arg(rank + 1)
+                       .arg(poses.tankFaults.join(QStringLiteral(". ")));
+        }
         for (std::size_t dip = 0; dip < poses.verdicts.size(); ++dip) {
             out << QStringLiteral("Rank %1, %2\n")
                        .arg(rank + 1)

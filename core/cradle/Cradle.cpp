@@ -137,6 +137,15 @@ Cradle nothingToHold(const HeldDip& dip, const CradleSettings& settings, const F
     return result;
 }
 
+Cradle touchesWater(const HeldDip& dip) {
+    Cradle result;
+    result.notes << Text::tr("%1: no cradle is possible, because on this path it would touch the "
+                             "film on the water; tilt or roll the part less, dip it less deep, or "
+                             "hold it by hand")
+                        .arg(dip.immersion.name);
+    return result;
+}
+
 } // namespace
 
 Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Progress& progress) {
@@ -156,8 +165,12 @@ Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Prog
     if (seat.empty()) {
         return nothingToHold(dip, settings, side);
     }
-    const CradlePlate plate =
+    const std::optional<CradlePlate> laidOut =
         cradlePlate(dip, settings, footprintOf(seat, distances.outer), boreOf(seat, centre));
+    if (!laidOut) {
+        return touchesWater(dip);
+    }
+    const CradlePlate& plate = *laidOut;
 
     Cradle result;
     result.clearance = distances.body;
@@ -167,6 +180,10 @@ Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Prog
         cradleForm(dip, settings, side, plate, distances, result.cell, progress.part(0.15, 0.6));
     progress(0.6, Text::tr("Forming the cradle"));
     result.mesh = formSurface(form);
+    if (!body.path.isStraightDown() &&
+        touchesFilmOnPath(result.mesh, body.mesh, body.query, body.path)) {
+        return touchesWater(dip);
+    }
     result.poseToPrinter = toPrinter(plate);
     TriangleMesh untouched = side.film;
     if (!settings.onPaint) {

@@ -1,6 +1,7 @@
 #include "cradle/CradleCheck.h"
 
 #include "base/Units.h"
+#include "dip/BodyPath.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
 
@@ -20,6 +21,7 @@ struct Text {
 constexpr double leastSupport = 0.5; // smallest y of the normal of a place that carries the body
 constexpr int directions = 24;       // horizontal directions in which sliding is checked
 constexpr double samplesOfBody = 100'000;
+constexpr std::size_t cradleCorners = 20'000; // number of corners checked on a path
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -193,6 +195,25 @@ Eigen::Vector3d centreOfVolume(const TriangleMesh& body) {
 
 CradleStability standingOn(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& centre) {
     return {tiltDegrees(seat, centre), sideHoldDegrees(seat)};
+}
+
+bool touchesFilmOnPath(const TriangleMesh& cradle, const TriangleMesh& body,
+                       const SurfaceQuery& bodyQuery, const solver::BodyPath& path) {
+    const std::vector<PathMoment> moments = momentsOf(path, shadowStep(body));
+    const std::size_t step = std::max<std::size_t>(cradle.positions.size() / cradleCorners, 1);
+    const std::size_t count = (cradle.positions.size() + step - 1) / step;
+    return leastOf(count, [&](std::size_t i) {
+               const Eigen::Vector3f& corner = cradle.positions[i * step];
+               for (const PathMoment& moment : moments) {
+                   const Eigen::Vector3f down =
+                       -moment.poseToWorld.linear().row(1).transpose().cast<float>();
+                   if ((moment.poseToWorld * corner.cast<double>()).y() <= 0 &&
+                       !bodyQuery.hit(corner, down).point.isValid()) {
+                       return -1.0;
+                   }
+               }
+               return 1.0;
+           }) < 0;
 }
 
 CradleCheck checkCradle(const TriangleMesh& cradle, const TriangleMesh& body,

@@ -5,6 +5,8 @@
 #include "base/Progress.h"
 #include "geometry/SurfaceQuery.h"
 
+#include <dipwright/FilmSolver.h>
+
 #include <vector>
 
 namespace dipwright {
@@ -47,6 +49,12 @@ bool isClosedSurface(const TriangleMesh& mesh);
 Eigen::Vector3d centreOfVolume(const TriangleMesh& body);
 // Returns how firmly a body with this centre of mass rests on the pieces of `seat`.
 CradleStability standingOn(const std::vector<SeatPiece>& seat, const Eigen::Vector3d& centre);
+
+// Whether a cradle touches the film on the water at a moment of the body's path. A place of the
+// cradle may go under water only where the body is straight below it, because the body has pushed
+// the film away from there. All arguments are in the pose frame; `path` has poses.
+bool touchesFilmOnPath(const TriangleMesh& cradle, const TriangleMesh& body,
+                       const SurfaceQuery& bodyQuery, const solver::BodyPath& path);
 
 // Checks a cradle. `seat` holds the pieces that may lie on the cradle. A piece within `nearest` mm
 // counts as lying on it; a padded piece, within `nearest` + `padding`. `painted` is the surface

@@ -8,15 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dipwright {
 namespace {
 
-constexpr double outlineRadius = 6; // radius of the plate's corners, mm
-constexpr double engravingRim = 2;  // distance of the engraving from holes and edges, mm
-constexpr double stroke = 1.6;      // width of engraved lines, mm
-constexpr double jobHeight = 7;     // height of the job's letters, mm
-constexpr double numberHeight = 13; // height of the dip's number, mm
+constexpr double outlineRadius = 6;   // radius of the plate's corners, mm
+constexpr double engravingRim = 2;    // distance of the engraving from holes and edges, mm
+constexpr double stroke = 1.6;        // width of engraved lines, mm
+constexpr double jobHeight = 7;       // height of the job's letters, mm
+constexpr double numberHeight = 13;   // height of the dip's number, mm
+constexpr double farthestPlate = 200; // largest height of the plate above the body, on a path, mm
 
 // Returns the outline of a text, centred at (0, 0).
 QPainterPath lettering(const QString& text, double height) {
@@ -98,6 +100,30 @@ QPainterPath placed(const CradlePlate& plate, const QPainterPath& engraving) {
     return {};
 }
 
+// Returns the y at which the lower side of the plate stays `standoff` above the water in all
+// moments of the dip; none if the plate would have to be more than farthestPlate above the body.
+std::optional<double> bottomOverWater(const PosedBody& body, const ProcessSettings& process,
+                                      const Outline& outline, double standoff) {
+    if (body.path.isStraightDown()) {
+        return dipDepth(process, body) + standoff;
+    }
+    double bottom = -std::numeric_limits<double>::infinity();
+    for (const PathMoment& moment : momentsOf(body.path, shadowStep(body.mesh))) {
+        const Eigen::RowVector3d up = moment.poseToWorld.linear().row(1);
+        if (up.y() <= 0) {
+            return std::nullopt; // the plate hangs upside down
+        }
+        for (const double x : {outline.min().x(), outline.max().x()}) {
+            for (const double z : {outline.min().y(), outline.max().y()}) {
+                const double rest =
+                    standoff - moment.poseToWorld.translation().y() - up.x() * x - up.z() * z;
+                bottom = std::max(bottom, rest / up.y());
+            }
+        }
+    }
+    return bottom > body.height + farthestPlate ? std::nullopt : std::optional(bottom);
+}
+
 } // namespace
 
 double CradlePlate::outside(const Eigen::Vector2d& place) const {
@@ -106,13 +132,9 @@ double CradlePlate::outside(const Eigen::Vector2d& place) const {
     return beyond.cwiseMax(0).norm() + std::min(beyond.maxCoeff(), 0.0) - outlineRadius;
 }
 
-CradlePlate cradlePlate(const HeldDip& dip, const CradleSettings& settings,
-                        const Outline& footprint, const Eigen::Vector2d& bore) {
+std::optional<CradlePlate> cradlePlate(const HeldDip& dip, const CradleSettings& settings,
+                                       const Outline& footprint, const Eigen::Vector2d& bore) {
     CradlePlate plate;
-    const double height = dip.film.body().height;
-    const double underWater = dipDepth(dip.process, dip.film.body());
-    plate.bottom = std::max(height + settings.wall.value(), underWater) + settings.standoff.value();
-    plate.top = plate.bottom + settings.plateThickness.value();
     const double radius = settings.pinDiameter.value() / 2 + settings.pinClearance.value();
     const double rim = radius + 2 * settings.wall.value();
     plate.outline = {footprint.min() - Eigen::Vector2d::Constant(settings.wall.value()),
@@ -124,6 +146,14 @@ CradlePlate cradlePlate(const HeldDip& dip, const CradleSettings& settings,
         plate.outline.extend(centre - Eigen::Vector2d::Constant(rim));
         plate.outline.extend(centre + Eigen::Vector2d::Constant(rim));
     }
+    const PosedBody& body = dip.film.body();
+    const double standoff = settings.standoff.value();
+    const auto overWater = bottomOverWater(body, dip.process, plate.outline, standoff);
+    if (!overWater) {
+        return std::nullopt;
+    }
+    plate.bottom = std::max(body.height + settings.wall.value() + standoff, *overWater);
+    plate.top = plate.bottom + settings.plateThickness.value();
     if (settings.bore.value() > 0) {
         plate.bore = PlateHole{bore, settings.bore.value() / 2};
     }

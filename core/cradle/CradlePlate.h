@@ -31,9 +31,10 @@ struct CradlePlate {
 };
 
 // Lays out the plate for a seat that lies within `footprint` seen from above. `bore` is the
-// position of the bore, if the settings ask for one.
-CradlePlate cradlePlate(const HeldDip& dip, const CradleSettings& settings,
-                        const Outline& footprint, const Eigen::Vector2d& bore);
+// position of the bore, if the settings ask for one. Returns none if the part tilts so far on its
+// path that no plate of reasonable height stays above the water.
+std::optional<CradlePlate> cradlePlate(const HeldDip& dip, const CradleSettings& settings,
+                                       const Outline& footprint, const Eigen::Vector2d& bore);
 
 // Computes distances to the outline of a path, fast enough for many queries.
 class EngravedArea {

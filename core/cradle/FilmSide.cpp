@@ -1,5 +1,6 @@
 #include "cradle/FilmSide.h"
 
+#include "dip/BodyPath.h"
 #include "parallel/ParallelFor.h"
 
 #include <QCoreApplication>
@@ -78,14 +79,19 @@ public:
     Sorting(const LaidFilm& film, const std::vector<const LaidFilm*>& earlier,
             const ProcessSettings& process)
         : film_(film), earlier_(earlier), upward_(std::sin(radians(process.overhang))),
-          waterline_(dipDepth(process, film.body())) {}
+          waterline_(dipDepth(process, film.body())) {
+        const PosedBody& body = film.body();
+        if (!body.path.isStraightDown()) {
+            moments_ = momentsOf(body.path, shadowStep(body.mesh));
+        }
+    }
 
     Side sideOf(const Piece& piece) const {
         const TriangleMesh& mesh = film_.body().mesh;
         const SurfacePoint middle = piece.middle();
-        const bool isUnderWater = double(position(mesh, middle).y()) < waterline_;
-        const bool turnsUp = double(triangleNormal(mesh, piece.triangle).y()) > upward_;
-        if ((isUnderWater && !turnsUp) || film_.place(middle)) {
+        if (mayTakeFilm(position(mesh, middle).cast<double>(),
+                        triangleNormal(mesh, piece.triangle).cast<double>()) ||
+            film_.place(middle)) {
             return Side::Film;
         }
         const bool wasPainted =
@@ -95,9 +101,27 @@ public:
     }
 
 private:
+    // Whether a place goes under water while it turns up by no more than the overhang.
+    bool mayTakeFilm(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const {
+        if (moments_.empty()) {
+            return place.y() < waterline_ && normal.y() <= upward_;
+        }
+        bool isUnderWater = false;
+        for (const PathMoment& moment : moments_) {
+            const bool wasUnderWater = isUnderWater;
+            isUnderWater = (moment.poseToWorld * place).y() <= 0;
+            if (isUnderWater && !wasUnderWater &&
+                moment.poseToWorld.linear().row(1).dot(normal) <= upward_) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     const LaidFilm& film_;
     const std::vector<const LaidFilm*>& earlier_;
     double upward_, waterline_;
+    std::vector<PathMoment> moments_; // of the path; empty if the body goes straight down
 };
 
 // Whether `place` is at least `distance` away from a mesh; true if there is no mesh.

@@ -15,7 +15,7 @@ namespace dipwright {
 // dip's pose frame.
 struct FilmSide {
     // The surface that this dip's film reaches or may reach: all that it paints, and every face
-    // under the final waterline that turns up by no more than the overhang.
+    // that turns up by no more than the overhang when it goes under water.
     TriangleMesh film;
     TriangleMesh earlierPaint; // the rest of the surface that earlier dips paint
     // The pieces that may lie on a cradle: visible from above, and far enough from `film` and

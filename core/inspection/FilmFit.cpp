@@ -308,20 +308,11 @@ void apply(FilmFit& fit, const FittedQuantity& found, const FittedDips& dips,
     }
 }
 
-void requireStraightDips(const Project& project) {
-    for (const Immersion& immersion : project.immersions) {
-        if (!immersion.path.isStraightDown()) {
-            throw Error(Text::tr("A film can be fitted to straight dips only"), immersion.name);
-        }
-    }
-}
-
 } // namespace
 
 FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPairs& pairs,
                 const FitRequest& wish, const solver::SolverModule& module,
                 const Progress& progress) {
-    requireStraightDips(project);
     Search search(project, field, pairs, wish, module);
     search.run(progress);
     const JointSolution& solution = search.after();

@@ -1,7 +1,9 @@
 #include "inspection/FitQuantities.h"
 
 #include "base/Error.h"
+#include "dip/BodyPath.h"
 #include "dip/Pose.h"
+#include "geometry/TriangleMesh.h"
 #include "project/Project.h"
 
 #include <QCoreApplication>
@@ -127,7 +129,9 @@ FittedDips::FittedDips(const Project& project, std::vector<solver::DipSetup> set
 }
 
 double FittedDips::duration() const {
-    return setups_.front().motion.travel / setups_.front().motion.speed;
+    const solver::DipSetup& first = setups_.front();
+    return first.path.isStraightDown() ? first.motion.travel / first.motion.speed
+                                       : first.path.poses.back().seconds;
 }
 
 bool FittedDips::matters(FitQuantity quantity) const {
@@ -197,7 +201,35 @@ ChangedDip FittedDips::dip(int dip, const std::vector<FitUnknown>& unknowns,
             break;
         }
     }
-    return changed({*project_.model, project_.immersions[std::size_t(dip)], own}, change);
+    // On a path, the depth changes the motion, and not only its end.
+    const double deeper = of(change, Freedom::WaterLevel);
+    if (!own.path.isStraightDown()) {
+        of(change, Freedom::WaterLevel) = 0;
+    }
+    ChangedDip result = changed(
+        {*project_.model, project_.immersions[std::size_t(dip)], own, project_.process}, change);
+    if (!own.path.isStraightDown()) {
+        planPath(result, deeper);
+    }
+    return result;
+}
+
+double FittedDips::depth(const Immersion& immersion) const {
+    const TriangleMesh& mesh = project_.model->mesh;
+    const BoundingBox box = boundingBox(transformed(mesh, poseTransform(mesh, immersion)));
+    return dipDepth(project_.process, double(box.sizes().y()));
+}
+
+void FittedDips::planPath(ChangedDip& dip, double deeper) const {
+    const TriangleMesh& mesh = project_.model->mesh;
+    const Eigen::Isometry3d toPose = poseTransform(mesh, dip.immersion);
+    const TriangleMesh posed = transformed(mesh, toPose);
+    ProcessSettings process = project_.process;
+    if (deeper != 0) {
+        process.depth = Millimetres(std::max(depth(dip.immersion) + deeper, 0.0));
+    }
+    dip.setup.path = pathOfModel(bodyPath(posed, dip.immersion, process), toPose, dip.immersion);
+    dip.setup.motion.travel = dip.setup.path.poses.back().travelled;
 }
 
 double FittedDips::told(const FitUnknown& unknown, double value) const {
@@ -234,7 +266,8 @@ double FittedDips::before(const FitUnknown& unknown) const {
     case FitQuantity::ContactDistance:
         return project_.film.contactDistance.value();
     case FitQuantity::Depth:
-        return setups_.front().motion.travel - startHeight;
+        return setups_.front().path.isStraightDown() ? setups_.front().motion.travel - startHeight
+                                                     : depth(project_.immersions.front());
     }
     return 0;
 }

@@ -77,6 +77,10 @@ public:
 
 private:
     double duration() const; // duration of the first dip, s
+    // Returns the depth of the lowest point at the end of a dip, mm.
+    double depth(const Immersion& immersion) const;
+    // Replaces the path by that of the changed immersion, `deeper` mm deeper than the project's.
+    void planPath(ChangedDip& dip, double deeper) const;
 
     const Project& project_;
     std::vector<solver::DipSetup> setups_;

@@ -19,8 +19,8 @@ struct Text {
 std::vector<std::shared_ptr<const PosedBody>> bodiesOf(const Project& project) {
     std::vector<std::shared_ptr<const PosedBody>> bodies;
     for (const Immersion& immersion : project.immersions) {
-        bodies.push_back(
-            std::make_shared<const PosedBody>(posedBody(project.model->mesh, immersion)));
+        bodies.push_back(std::make_shared<const PosedBody>(
+            posedBody(project.model->mesh, immersion, project.process)));
     }
     return bodies;
 }

@@ -2,8 +2,6 @@
 
 #include "pipeline/Pipeline.h"
 
-#include <QCoreApplication>
-
 namespace dipwright {
 
 namespace {
@@ -23,15 +21,6 @@ std::vector<Cradle> jobCradles(const JobResult& result, const Progress& progress
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         const double begin = fieldDone + share * double(i);
-        if (!immersion.immersion.path.isStraightDown()) {
-            cradles.emplace_back().notes
-                << QCoreApplication::translate("Cradle", "%1: cradles are made for parts that go "
-                                                         "straight down; hold this part by hand "
-                                                         "or by a fixture of your own")
-                       .arg(immersion.immersion.name);
-            earlier.push_back(immersion.laid.get());
-            continue;
-        }
         cradles.push_back(makeCradle({*immersion.laid, earlier, *field, immersion.immersion,
                                       project.process, pins, int(i) + 1, immersion.sheet.job.hash},
                                      project.cradle, progress.part(begin, begin + share)));

@@ -58,6 +58,7 @@ SearchSubject searchSubject(const Project& project, const QString& solver) {
     subject.tolerance = project.tolerance;
     subject.verdict = project.verdict;
     subject.registrationError = project.share.registrationError;
+    subject.tank = project.profiles.tank;
     subject.immersions = project.immersions;
     return subject;
 }

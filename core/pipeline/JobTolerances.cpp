@@ -1,11 +1,8 @@
 #include "pipeline/JobTolerances.h"
 
-#include "base/Error.h"
 #include "pipeline/FilmRefinement.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SolverChoice.h"
-
-#include <QCoreApplication>
 
 namespace dipwright {
 namespace {
@@ -18,15 +15,6 @@ constexpr float mostColour = 0.5f; // least share with which a place counts for 
 JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& settings,
                             const SolverRegistry& registry, const Progress& progress) {
     const Project& project = result.project;
-    for (const ImmersionResult& dip : result.immersions) {
-        if (!dip.immersion.path.isStraightDown()) {
-            throw Error(QCoreApplication::translate(
-                            "Tolerance",
-                            "Tolerances can be computed for straight dips only; choose "
-                            "a straight path"),
-                        dip.immersion.name);
-        }
-    }
     SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelToken);
     const auto field = distanceFieldOf(result, progress.part(0, fieldDone));
     JobTolerances tolerances;

@@ -1,8 +1,8 @@
 #include "pipeline/JobTraveller.h"
 
+#include "dip/TankFit.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/PrintedBody.h"
-#include "pipeline/TankFit.h"
 
 #include <QPainter>
 

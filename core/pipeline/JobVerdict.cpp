@@ -1,8 +1,8 @@
 #include "pipeline/JobVerdict.h"
 
+#include "dip/TankFit.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
-#include "pipeline/TankFit.h"
 #include "project/Profiles.h"
 #include "texture/ReverseTexture.h"
 
@@ -113,7 +113,8 @@ std::shared_ptr<const ZonedBody> markedZones(const Project& project) {
 Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones) {
     return verdict({*dip.laid, *dip.coverage, dip.numericalError.get(),
                     dip.inkShortfall.value_or(dip.texture->shortfallArea), zones,
-                    tankFaults(project, dip.immersion, dip.body->mesh, dip.body->path)
+                    tankFaults(project.profiles.tank, project.process, dip.immersion,
+                               dip.body->mesh, dip.body->path)
                         .join(QStringLiteral(". "))},
                    project.tolerance, project.verdict);
 }

@@ -4,13 +4,13 @@
 #include "base/Error.h"
 #include "dip/FilmFit.h"
 #include "dip/FilmUnderBody.h"
+#include "dip/TankFit.h"
 #include "film/FilmGrid.h"
 #include "model/TextureNotes.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/ModelNotes.h"
 #include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
-#include "pipeline/TankFit.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
 #include "settings/Profile.h"
@@ -76,7 +76,8 @@ QString misplacementOf(const PosedShape& shape, const Project& project,
     if (!film.intersects(body)) {
         return beside();
     }
-    QStringList faults = tankFaults(project, immersion, shape.mesh, shape.path);
+    QStringList faults =
+        tankFaults(project.profiles.tank, project.process, immersion, shape.mesh, shape.path);
     if (!film.contains(body)) {
         faults.prepend(
             Text::tr("The part reaches past the film's edge; move or turn the part, or %1")

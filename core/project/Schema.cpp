@@ -302,6 +302,11 @@ void addToleranceFields(std::vector<Field<Project>>& fields) {
     add("tolerance.water_level_mm", 50, &T::waterLevel);
     add("tolerance.speed", 0.5, &T::speed);
     add("tolerance.relaxation", 0.9, &T::relaxation);
+    fields.push_back(omittedIfDefault(notHashedIfDefault(number(
+        "tolerance.path_angle_deg", 0, 10,
+        [](auto& p) -> auto& { return p.tolerance.pathAngle; }))));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(number(
+        "tolerance.timing_s", 0, 60, [](auto& p) -> auto& { return p.tolerance.timing; }))));
     add("tolerance.samples", 1000, &T::samples);
     add("tolerance.seed", 1'000'000, &T::seed);
     fields.push_back(numbers(

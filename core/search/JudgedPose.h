@@ -24,6 +24,7 @@ struct JudgedPose {
     std::vector<float> depths; // mm along the surface from each place to the end of the paint
     double trappedAir = 0;     // share of the surface that is in trapped air
     double filmUsed = 0;       // share of the film's area that paints
+    QString tankFaults;        // sentences on limits of the tank that the dip exceeds
     // The verdict on the dip, but not on its ink. Only poses that were dipped with the job's own
     // film are judged.
     Verdict verdict;

@@ -4,6 +4,7 @@
 #include "accuracy/verdict/FinerFilm.h"
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
+#include "dip/TankFit.h"
 #include "parallel/ParallelFor.h"
 
 #include <algorithm>
@@ -53,6 +54,12 @@ Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
 }
 
 } // namespace
+
+QString tankFaultsOf(const SearchSubject& subject, const PosedBody& body,
+                     const Immersion& immersion) {
+    return tankFaults(subject.tank, subject.process, immersion, body.mesh, body.path)
+        .join(QStringLiteral(". "));
+}
 
 PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
     : subject_(subject), areJobs_(std::isinf(detail.cells)),
@@ -177,6 +184,7 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
             laid[item] = layFilm(bodies[item], std::move(film), process_);
             poses[item] = body_.judged(*laid[item], immersion);
         }
+        poses[item].tankFaults = tankFaultsOf(subject_, *bodies[item], immersion);
     });
     if (films_.areJobs()) {
         addVerdicts(poses, bodies, laid);
@@ -211,7 +219,8 @@ void PoseDips::addVerdicts(std::vector<JudgedPose>& poses,
         const NumericalErrorEstimate error = estimateNumericalError(own, coarser[dip]);
         const Coverage covered = coverage(own);
         poses[places[dip]].verdict = afterRefinement(
-            verdict({own, covered, &error, 0, zones_.get()}, subject_.tolerance, subject_.verdict),
+            verdict({own, covered, &error, 0, zones_.get(), poses[places[dip]].tankFaults},
+                    subject_.tolerance, subject_.verdict),
             own.film(), subject_.film);
     }
 }

@@ -51,9 +51,17 @@ struct Entry {
     RankedPoses ranked;
 };
 
-// Confirmed poses are compared by their verdicts first: a pose whose sheet must not be printed is
-// never better than one whose sheet can be.
+bool exceedsTank(const Entry& entry) {
+    return !entry.ranked.tankFaults.isEmpty();
+}
+
+// A pose that the tank cannot carry out is never better than one that it can. Confirmed poses are
+// then compared by their verdicts: a pose whose sheet must not be printed is never better than one
+// whose sheet can be.
 bool isBetter(const Entry& one, const Entry& other) {
+    if (exceedsTank(one) != exceedsTank(other)) {
+        return exceedsTank(other);
+    }
     if (one.ranked.isConfirmed && other.ranked.isConfirmed &&
         one.ranked.advice() != other.ranked.advice()) {
         return one.ranked.advice() < other.ranked.advice();
@@ -327,6 +335,13 @@ public:
             }
             JudgedPose pose = *part.poses[place];
             pose.depths = body_.depths(pose.samples);
+            pose.immersion.path = wanted.path; // the file has none
+            if (subject_.tank) {
+                pose.tankFaults = tankFaultsOf(
+                    subject_,
+                    posedBody(subject_.model->mesh, wanted, subject_.process, searchedAirCells),
+                    wanted);
+            }
             poses_.push_back(std::make_shared<const JudgedPose>(std::move(pose)));
         }
         done_ = int(poses_.size());
@@ -375,6 +390,13 @@ private:
         entry.ranked.measures = body_.measures(judged);
         entry.ranked.objective = objective(entry.ranked.measures, settings_, body_.equator());
         entry.ranked.limitsMissed = limitsMissed(entry.ranked.measures, settings_);
+        for (std::size_t number = 0; number < dips.size(); ++number) {
+            if (const QString& faults = dips[number]->tankFaults; !faults.isEmpty()) {
+                entry.ranked.tankFaults
+                    << (dips.size() == 1 ? faults
+                                         : Text::tr("Dip %1: %2").arg(number + 1).arg(faults));
+            }
+        }
         entry.ranked.isConfirmed = isConfirmed;
         for (const Judged& dip : entry.ranked.isConfirmed ? dips : std::vector<Judged>()) {
             entry.ranked.verdicts.push_back(dip->verdict);
@@ -513,19 +535,21 @@ private:
                              const std::vector<std::size_t>& places) {
         struct Pair {
             std::uint32_t first, second;
+            bool exceedsTank = false;
             double limitsMissed = 0, objective = 0;
         };
         std::vector<Pair> all;
         for (std::uint32_t first = 0; first < pool.size(); ++first) {
             for (std::uint32_t second = first + 1; second < pool.size(); ++second) {
-                all.push_back({first, second, 0, 0});
+                all.push_back({first, second});
             }
         }
         parallelFor(std::size_t(0), all.size(), [&](std::size_t index) {
             Pair& pair = all[index];
-            const RankedPoses ranked = entry({pool[pair.first], pool[pair.second]}, false).ranked;
-            pair.limitsMissed = ranked.limitsMissed;
-            pair.objective = ranked.objective;
+            const Entry both = entry({pool[pair.first], pool[pair.second]}, false);
+            pair.exceedsTank = exceedsTank(both);
+            pair.limitsMissed = both.ranked.limitsMissed;
+            pair.objective = both.ranked.objective;
         });
         for (const Pair& pair : all) {
             for (const std::size_t member : {pair.first, pair.second}) {
@@ -536,6 +560,9 @@ private:
             }
         }
         std::stable_sort(all.begin(), all.end(), [](const Pair& one, const Pair& other) {
+            if (one.exceedsTank != other.exceedsTank) {
+                return other.exceedsTank;
+            }
             return one.limitsMissed != other.limitsMissed ? one.limitsMissed < other.limitsMissed
                                                           : one.objective > other.objective;
         });
@@ -710,11 +737,13 @@ private:
         }
     }
 
-    // Returns the ranking: confirmed entries first, each group the best first.
+    // Returns the ranking: entries that the tank can carry out first, then confirmed entries, each
+    // group the best first.
     std::vector<Entry> ranked() const {
         std::vector<Entry> all = best_;
         std::stable_sort(all.begin(), all.end(), [](const Entry& one, const Entry& other) {
-            if (one.ranked.isConfirmed != other.ranked.isConfirmed) {
+            if (exceedsTank(one) == exceedsTank(other) &&
+                one.ranked.isConfirmed != other.ranked.isConfirmed) {
                 return one.ranked.isConfirmed;
             }
             return isBetter(one, other);

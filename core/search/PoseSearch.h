@@ -10,6 +10,7 @@
 #include "settings/SearchSettings.h"
 
 #include <Eigen/Core>
+#include <QStringList>
 #include <chrono>
 #include <functional>
 
@@ -20,6 +21,9 @@ struct RankedPoses {
     std::vector<Immersion> immersions;
     double objective = 0;    // 0 … 1
     double limitsMissed = 0; // 0 if all limits are kept
+    // Sentences on the limits of the tank that the dips exceed, each with the dip's number if there
+    // are two; empty if the tank can carry them out.
+    QStringList tankFaults;
     PoseMeasures measures;
     bool isConfirmed = false;      // dipped with the job's own film
     std::vector<Verdict> verdicts; // on each dip, without its ink; empty if not confirmed
@@ -38,7 +42,8 @@ struct TriedDirection {
 
 // The result of a search.
 struct SearchResult {
-    std::vector<RankedPoses> ranking;   // the best first; never empty
+    // The best first; never empty. Poses that the tank cannot carry out come after all others.
+    std::vector<RankedPoses> ranking;
     std::optional<RankedPoses> current; // the job's own poses; none if they cannot be dipped
     std::vector<TriedDirection> directions;
     double equator = 0;     // mm, see objective()

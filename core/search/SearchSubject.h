@@ -5,6 +5,7 @@
 #include "settings/FilmSettings.h"
 #include "settings/Immersion.h"
 #include "settings/ProcessSettings.h"
+#include "settings/Profile.h"
 #include "settings/ToleranceSettings.h"
 #include "settings/VerdictSettings.h"
 
@@ -29,7 +30,9 @@ struct SearchSubject {
     ToleranceSettings tolerance;        // marked zones and their limits
     VerdictSettings verdict;            // limits for the verdict on confirmed poses
     Millimetres registrationError{0.7}; // expected position error of dip 2
-    std::vector<Immersion> immersions;  // the job's own poses
+    // Poses that exceed its limits rank after all others; none: no limits.
+    std::optional<TankProfile> tank;
+    std::vector<Immersion> immersions; // the job's own poses
 };
 
 } // namespace dipwright

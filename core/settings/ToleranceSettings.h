@@ -43,6 +43,8 @@ struct ToleranceSettings {
     Millimetres waterLevel{1}; // relative to the tank; changes how deep the body goes under
     double speed = 0.05;       // share of the dip speed
     double relaxation = 0.2;   // share of the relaxation time
+    Degrees pathAngle{0.5};    // of the path's angle, if it has one (settings/DipPath.h)
+    Seconds timing{0.5};       // of the moment at which the dip begins
     int samples = 24;          // number of simulated dips with all errors at once
     int seed = 1;              // for the random errors of these dips
     std::array<Millimetres, zoneCount> limits{Millimetres(0.3), Millimetres(0.7), Millimetres(1.5)};

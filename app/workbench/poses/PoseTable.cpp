@@ -118,6 +118,10 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
         if (const QString advice = adviceOn(poses); !advice.isEmpty()) {
             reasons = (advice + QLatin1Char('\n') + reasons).trimmed();
         }
+        if (!poses.tankFaults.isEmpty() && !poses.isConfirmed) { // else the verdict says so
+            reasons = (poses.tankFaults.join(QStringLiteral(". ")) + QLatin1Char('\n') + reasons)
+                          .trimmed();
+        }
         if (poses.limitsMissed > 0) {
             reasons = tr("Does not meet a limit. %1").arg(reasons);
         }

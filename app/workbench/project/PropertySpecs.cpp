@@ -595,7 +595,17 @@ PropertySection offProperties() {
          .label = Text::tr("Relaxation"),
          .help = Text::tr("How much longer or shorter the film's relaxation time may be, as a "
                           "share of the relaxation time."),
-         .unit = Unit::Share}};
+         .unit = Unit::Share},
+        {.path = QStringLiteral("tolerance.path_angle_deg"),
+         .label = Text::tr("Path angle"),
+         .help = Text::tr("How far the angle of a slanted, tilted or rolling dip may be from its "
+                          "set value. Has no effect on other dips."),
+         .unit = Unit::Angle},
+        {.path = QStringLiteral("tolerance.timing_s"),
+         .label = Text::tr("Start of the dip"),
+         .help = Text::tr("How much earlier or later than intended the dip may begin. Has an "
+                          "effect only if the water flows or the film grows."),
+         .unit = Unit::Time}};
     return off;
 }
 

@@ -26,7 +26,8 @@ std::shared_ptr<const LaidFilm> laid(const DippedBody& nominal, const ChangedDip
     DippedFilm film = dippedFilm(dip, other.immersion);
     requireStable(film, dip.setup.motion.travel, nominal.immersion.name);
     std::shared_ptr<const PosedBody> body = nominal.body;
-    if (other.immersion.rotation != nominal.immersion.rotation) {
+    if (other.immersion.rotation != nominal.immersion.rotation ||
+        other.immersion.path != nominal.immersion.path) {
         body = std::make_shared<const PosedBody>(
             posedBody(nominal.model.mesh, other.immersion, nominal.process));
     }

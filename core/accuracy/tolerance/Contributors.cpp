@@ -1,6 +1,9 @@
 #include "accuracy/tolerance/Contributors.h"
 
+#include "accuracy/tolerance/ChangedPath.h"
+#include "dip/BodyPath.h"
 #include "dip/Pose.h"
+#include "film/Growth.h"
 #include "geometry/TriangleMesh.h"
 
 #include <QCoreApplication>
@@ -55,6 +58,59 @@ void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degr
     dip.setup.motion.travel += (toPose * centre).y() - before;
 }
 
+Eigen::Vector3d turnOf(const DipChange& change) {
+    return {of(change, Freedom::TurnX), of(change, Freedom::TurnY), of(change, Freedom::TurnZ)};
+}
+
+// Returns the motion of the body in its own coordinates by which it is held wrong: a turn about the
+// centre of its bounding box, by a vector in degrees about the axes of the pose frame.
+Eigen::Isometry3d heldWrong(const NominalDip& dip, const Eigen::Vector3d& degrees) {
+    const double angle = degrees.norm() * pi / 180;
+    if (angle == 0) {
+        return Eigen::Isometry3d::Identity();
+    }
+    const BoundingBox box = boundingBox(dip.model.mesh);
+    const Eigen::Vector3d centre = (box.min().cast<double>() + box.max().cast<double>()) / 2;
+    const Eigen::Matrix3d toPose = rotationMatrix(dip.immersion.rotation);
+    const Eigen::Vector3d axis = toPose.transpose() * degrees.normalized();
+    return Eigen::Translation3d(centre) * Eigen::AngleAxisd(angle, axis) *
+           Eigen::Translation3d(-centre);
+}
+
+// Returns the path with its angle changed by `degrees`, in model coordinates.
+solver::BodyPath withAngle(const NominalDip& dip, double degrees) {
+    if (degrees == 0) {
+        return dip.setup.path;
+    }
+    Immersion immersion = dip.immersion;
+    immersion.path.angle = immersion.path.angle + Degrees(degrees);
+    const Eigen::Isometry3d toPose = poseTransform(dip.model.mesh, immersion);
+    const TriangleMesh posed = transformed(dip.model.mesh, toPose);
+    return pathOfModel(bodyPath(posed, immersion, dip.process), toPose, immersion);
+}
+
+solver::BodyPath changedPath(const NominalDip& dip, const DipChange& change) {
+    ChangedPath path(withAngle(dip, of(change, Freedom::PathAngle)), dip.model.mesh);
+    path.speedUp(1 + of(change, Freedom::Speed), waterVelocity(dip.immersion.path));
+    path.holdDifferently(heldWrong(dip, turnOf(change)));
+    path.move(of(change, Freedom::X), of(change, Freedom::Z));
+    path.raiseWater(of(change, Freedom::WaterLevel));
+    return path.path();
+}
+
+// Lets the film grow for `seconds` more before the dip. It then has less left to grow.
+void growBefore(ChangedDip& dip, double seconds) {
+    solver::Settings& settings = dip.setup.settings;
+    if (seconds == 0 || !grows(settings)) {
+        return;
+    }
+    const double length = grownLength(seconds, settings);
+    const double limit = (1 + settings.growthLimit) / length - 1;
+    settings.growthRate *= limit / settings.growthLimit; // with the same time constant
+    settings.growthLimit = limit;
+    dip.filmLength *= length;
+}
+
 } // namespace
 
 double toleranceOf(const ToleranceSettings& settings, Contributor contributor) {
@@ -82,9 +138,13 @@ double toleranceOf(const ToleranceSettings& settings, Contributor contributor) {
     case Contributor::Speed:
         return settings.speed / percent;
     case Contributor::Relaxation:
+        return settings.relaxation / percent;
+    case Contributor::PathAngle:
+        return settings.pathAngle.value();
+    case Contributor::Timing:
         break;
     }
-    return settings.relaxation / percent;
+    return settings.timing.value();
 }
 
 QString contributorText(Contributor contributor) {
@@ -112,9 +172,13 @@ QString contributorText(Contributor contributor) {
     case Contributor::Speed:
         return Text::tr("Speed");
     case Contributor::Relaxation:
+        return Text::tr("Relaxation");
+    case Contributor::PathAngle:
+        return Text::tr("Angle of the path");
+    case Contributor::Timing:
         break;
     }
-    return Text::tr("Relaxation");
+    return Text::tr("Start of the dip");
 }
 
 QString contributorUnit(Contributor contributor) {
@@ -123,11 +187,14 @@ QString contributorUnit(Contributor contributor) {
     case Contributor::TurnY:
     case Contributor::TurnZ:
     case Contributor::FilmTurn:
+    case Contributor::PathAngle:
         return QStringLiteral("°");
     case Contributor::Swell:
     case Contributor::Speed:
     case Contributor::Relaxation:
         return QStringLiteral("%");
+    case Contributor::Timing:
+        return QStringLiteral("s");
     default:
         return QStringLiteral("mm");
     }
@@ -135,8 +202,9 @@ QString contributorUnit(Contributor contributor) {
 
 QString contributorKey(Contributor contributor) {
     static const std::array<const char*, contributorCount> keys{
-        "position_x",      "position_z", "turn_x", "turn_y",      "turn_z", "film_position_x",
-        "film_position_z", "film_turn",  "swell",  "water_level", "speed",  "relaxation"};
+        "position_x",      "position_z",      "turn_x",     "turn_y", "turn_z",
+        "film_position_x", "film_position_z", "film_turn",  "swell",  "water_level",
+        "speed",           "relaxation",      "path_angle", "timing"};
     return QString::fromLatin1(keys.at(std::size_t(contributor)));
 }
 
@@ -181,6 +249,16 @@ DipChange changeBy(Contributor contributor, const Immersion& immersion) {
     case Contributor::Relaxation:
         of(change, Freedom::Relaxation) = percent;
         break;
+    case Contributor::PathAngle:
+        of(change, Freedom::PathAngle) = 1;
+        break;
+    case Contributor::Timing: {
+        const Eigen::Vector3d water = waterVelocity(immersion.path);
+        of(change, Freedom::X) = -water.x();
+        of(change, Freedom::Z) = -water.z();
+        of(change, Freedom::Growth) = 1;
+        break;
+    }
     }
     return change;
 }
@@ -193,18 +271,26 @@ ChangedDip changed(const NominalDip& dip, const DipChange& change) {
     result.immersion.offset[1] = result.immersion.offset[1] + Millimetres(z);
     setup.motion.start[0] += x;
     setup.motion.start[2] += z;
-    turn(result, dip.model.mesh,
-         {of(change, Freedom::TurnX), of(change, Freedom::TurnY), of(change, Freedom::TurnZ)});
-    // The body must at least reach the water.
-    setup.motion.travel =
-        std::max(setup.motion.travel + of(change, Freedom::WaterLevel), startHeight);
-    scale(setup.film, 1 + of(change, Freedom::Swell));
+    result.immersion.path.angle =
+        result.immersion.path.angle + Degrees(of(change, Freedom::PathAngle));
+    turn(result, dip.model.mesh, turnOf(change));
+    if (dip.setup.path.isStraightDown()) {
+        // The body must at least reach the water.
+        setup.motion.travel =
+            std::max(setup.motion.travel + of(change, Freedom::WaterLevel), startHeight);
+    } else {
+        setup.path = changedPath(dip, change);
+        setup.motion.travel = setup.path.poses.back().travelled;
+    }
+    result.filmLength = 1 + of(change, Freedom::Swell);
+    growBefore(result, of(change, Freedom::Growth));
+    scale(setup.film, result.filmLength);
     setup.motion.speed *= 1 + of(change, Freedom::Speed);
     setup.settings.relaxationTime *= 1 + of(change, Freedom::Relaxation);
     return result;
 }
 
-bool matters(Freedom freedom, const solver::Settings& settings) {
+bool matters(Freedom freedom, const solver::Settings& settings, const DipPath& path) {
     const bool isProduction = solver::isProductionFilm(settings.lattice, settings.support);
     const bool relaxes =
         isProduction && settings.relaxationTime > 0 && std::isfinite(settings.relaxationTime);
@@ -212,7 +298,24 @@ bool matters(Freedom freedom, const solver::Settings& settings) {
     case Freedom::Relaxation:
         return relaxes;
     case Freedom::Speed:
-        return !isProduction || relaxes || (settings.growthRate > 0 && settings.growthLimit > 0);
+        return !isProduction || relaxes || grows(settings) ||
+               path.waterSpeed != MillimetresPerSecond(0);
+    case Freedom::PathAngle:
+        return path.kind != PathKind::Straight;
+    case Freedom::Growth:
+        return grows(settings);
+    default:
+        return true;
+    }
+}
+
+bool isListed(Contributor contributor, const solver::Settings& settings, const DipPath& path) {
+    switch (contributor) {
+    case Contributor::PathAngle:
+        return matters(Freedom::PathAngle, settings, path);
+    case Contributor::Timing:
+        return path.waterSpeed != MillimetresPerSecond(0) ||
+               matters(Freedom::Growth, settings, path);
     default:
         return true;
     }

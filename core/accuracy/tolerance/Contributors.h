@@ -3,6 +3,7 @@
 
 #include "model/TexturedMesh.h"
 #include "settings/Immersion.h"
+#include "settings/ProcessSettings.h"
 #include "settings/ToleranceSettings.h"
 
 #include <dipwright/FilmSolver.h>
@@ -27,13 +28,15 @@ enum class Contributor : std::uint8_t {
     WaterLevel,
     Speed,
     Relaxation,
+    PathAngle,
+    Timing,
 };
-inline constexpr std::size_t contributorCount = 12;
+inline constexpr std::size_t contributorCount = 14;
 inline constexpr Contributor contributorAt(std::size_t number) {
     return Contributor(number);
 }
 
-// Returns the tolerance in the contributor's unit: mm, degrees or per cent.
+// Returns the tolerance in the contributor's unit: mm, degrees, per cent or s.
 double toleranceOf(const ToleranceSettings& settings, Contributor contributor);
 // Return the name and the unit for the user: "Position of the part along X", "mm".
 QString contributorText(Contributor contributor);
@@ -53,8 +56,10 @@ enum class Freedom : std::uint8_t {
     WaterLevel, // additional depth of the dip, mm
     Speed,      // change as a fraction of the speed
     Relaxation, // change as a fraction of the relaxation time
+    PathAngle,  // change of the path's angle (settings/DipPath.h), degrees
+    Growth,     // how much longer the film has grown before the dip begins, s
 };
-inline constexpr std::size_t freedomCount = 9;
+inline constexpr std::size_t freedomCount = 11;
 // The deviation of a dip, one value for each Freedom.
 using DipChange = Eigen::Matrix<double, int(freedomCount), 1>;
 inline double& of(DipChange& change, Freedom freedom) {
@@ -66,7 +71,7 @@ inline double of(const DipChange& change, Freedom freedom) {
 
 // Returns the deviation caused by one unit of a contributor. Linear, because turns are small. The
 // film turns about its own centre; a body away from that centre therefore also changes its
-// position.
+// position. If the dip begins late, the water has carried the film on.
 DipChange changeBy(Contributor contributor, const Immersion& immersion);
 
 // A dip as planned, and its film.
@@ -74,17 +79,23 @@ struct NominalDip {
     const TexturedMesh& model; // imported model, mm
     const Immersion& immersion;
     const solver::DipSetup& setup; // setup of the dip's simulation
+    const ProcessSettings& process;
 };
 
 // A dip that deviates from the nominal one.
 struct ChangedDip {
     Immersion immersion;    // pose in which the dip's film lies on the body
     solver::DipSetup setup; // setup with the same film points as the nominal dip
+    double filmLength = 1;  // of the film at the beginning of the dip, relative to the nominal film
 };
-// Applies a deviation to a dip.
+// Applies a deviation to a dip. Throws Error if the path cannot be travelled with its changed
+// angle.
 ChangedDip changed(const NominalDip& dip, const DipChange& change);
 
 // Tells whether a deviation of this kind has any effect on a dip.
-bool matters(Freedom freedom, const solver::Settings& settings);
+bool matters(Freedom freedom, const solver::Settings& settings, const DipPath& path);
+// Tells whether a contributor is listed for a dip: the angle of a path if the path has one, the
+// timing if it has an effect, and all others.
+bool isListed(Contributor contributor, const solver::Settings& settings, const DipPath& path);
 
 } // namespace dipwright

@@ -50,14 +50,13 @@ public:
              const Done& done) const {
         std::vector<ChangedDip> others;
         for (const DipChange& change : changes) {
-            others.push_back(changed({dip_.model, dip_.immersion, setup_}, change));
+            others.push_back(changed({dip_.model, dip_.immersion, setup_, dip_.process}, change));
         }
         const DippedBody body{dip_.model, dip_.immersion, dip_.process,
                               std::shared_ptr<const PosedBody>(dip_.own, &dip_.own->body())};
         layDips(body, others, dip_.module, progress,
                 [&](std::size_t number, std::shared_ptr<const LaidFilm> laid) {
-                    const double swell = 1 + of(changes[number], Freedom::Swell);
-                    done(number, places_.touched(*laid, swell));
+                    done(number, places_.touched(*laid, others[number].filmLength));
                 });
     }
 
@@ -106,13 +105,14 @@ Sensitivity sensitivity(const ColourPlaces& places, std::size_t compared,
     return found;
 }
 
-std::vector<Contribution> contributionsOf(const ToleranceSettings& settings) {
+std::vector<Contribution> contributionsOf(const ToleranceSettings& settings, const DipPath& path,
+                                          const solver::Settings& film) {
     std::vector<Contribution> contributions;
     for (std::size_t number = 0; number < contributorCount; ++number) {
         Contribution contribution;
         contribution.contributor = contributorAt(number);
         contribution.tolerance = toleranceOf(settings, contribution.contributor);
-        if (contribution.tolerance > 0) {
+        if (contribution.tolerance > 0 && isListed(contribution.contributor, film, path)) {
             contributions.push_back(contribution);
         }
     }
@@ -127,7 +127,7 @@ Effects effectsOf(const std::vector<Contribution>& contributions, const Immersio
                                             changeBy(contributions[column].contributor, immersion);
     }
     for (std::size_t row = 0; row < freedomCount; ++row) {
-        if (!matters(Freedom(row), settings)) {
+        if (!matters(Freedom(row), settings, immersion.path)) {
             effects.row(Eigen::Index(row)).setZero();
         }
     }
@@ -365,7 +365,8 @@ DipTolerances dipTolerances(const TolerancedDip& dip, const ToleranceSettings& s
     const ColourPlaces places(*dip.own, all, dip.isPainted);
     const OtherDips dips(dip, places);
 
-    const std::vector<Contribution> contributions = contributionsOf(settings);
+    const std::vector<Contribution> contributions =
+        contributionsOf(settings, dip.immersion.path, dips.settings());
     const Effects effects = effectsOf(contributions, dip.immersion, dips.settings());
     const DipChange steps = effects.rowwise().norm();
     const double ways = 2 * double((steps.array() > 0).count());

@@ -50,8 +50,9 @@ struct SampledSpread {
 // lands. If the colour deviates along one line only, it lands within the spread in 95 % of dips; if
 // it deviates equally in all directions, in 98 %; otherwise in between.
 struct DipTolerances {
-    std::vector<Contribution> contributions; // for each contributor with a tolerance, in enum order
-    std::vector<float> places;               // spread of each compared place, mm, or unpaintedPlace
+    std::vector<Contribution>
+        contributions;         // for each listed contributor with a tolerance, in enum order
+    std::vector<float> places; // spread of each compared place, mm, or unpaintedPlace
     // For each contribution, in order: its squared effect at each compared place, mm².
     std::vector<std::vector<float>> squares;
     std::vector<float> pieces; // spread of each triangle of toleranceMesh(), mm, or unpaintedPlace

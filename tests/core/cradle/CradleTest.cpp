@@ -41,6 +41,22 @@ std::shared_ptr<const LaidFilm> halfPainted() {
     return laid;
 }
 
+ProcessSettings deep(std::optional<Millimetres> depth) {
+    ProcessSettings process;
+    process.depth = depth;
+    return process;
+}
+
+// Returns the same film on a ball that moves on a path.
+std::shared_ptr<const LaidFilm> halfPaintedOn(const DipPath& path,
+                                              std::optional<Millimetres> depth = {}) {
+    Immersion immersion;
+    immersion.path = path;
+    const ProcessSettings process = deep(depth);
+    return layFilm(std::make_shared<const PosedBody>(posedBody(ball().mesh, immersion, process)),
+                   test::viscousOnSphere(test::a4Grid(), radius, pi / 2), process);
+}
+
 // Returns an earlier dip with the ball the other way up. Its film lies round the ball's top, up to
 // `angle` from the pole.
 LaidFilm paintedFromAbove(double angle) {
@@ -164,6 +180,78 @@ private slots:
         for (const Eigen::Vector3f& place : cradle.mesh.positions) {
             QVERIFY(place.y() > 10 + 3);
         }
+    }
+
+    // In a slanted dip, the ball meets the film as in a straight dip.
+    void makeCradle_slantedDip_isTheSame() {
+        DipPath path;
+        path.kind = PathKind::Slanted;
+        const auto laid = halfPaintedOn(path);
+        QCOMPARE(cradleStl(cradleOf(*laid)), cradleStl(ballsCradle()));
+    }
+
+    // Where the cradle goes under water, the ball is below it.
+    void makeCradle_tiltedEntry_staysClearOfTheFilm() {
+        DipPath path;
+        path.kind = PathKind::Tilt;
+        path.angle = Degrees(12);
+        const auto laid = halfPaintedOn(path);
+        const Cradle cradle = cradleOf(*laid);
+        QVERIFY2(!cradle.mesh.triangles.empty(), qPrintable(cradle.notes.join(u'\n')));
+        isSound(cradle);
+        std::size_t underWater = 0;
+        for (const PathMoment& moment : momentsOf(laid->body().path, 2)) {
+            const Eigen::Vector3d middle = moment.poseToWorld * Eigen::Vector3d(0, radius, 0);
+            for (const Eigen::Vector3f& place : cradle.mesh.positions) {
+                const Eigen::Vector3d at = moment.poseToWorld * place.cast<double>();
+                if (at.y() <= 0) {
+                    const double aside = std::hypot(at.x() - middle.x(), at.z() - middle.z());
+                    QVERIFY2(aside < radius, qPrintable(QString::number(aside)));
+                    ++underWater;
+                }
+            }
+        }
+        QVERIFY(underWater > 1000);
+        path.angle = Degrees(40);
+        const Cradle none = cradleOf(*halfPaintedOn(path));
+        QVERIFY(none.mesh.triangles.empty());
+        QVERIFY(none.notes.front().contains(QStringLiteral("no cradle")));
+    }
+
+    // The box rolls from 8° to level, 32 mm deep. So the plate is highest over the box where its
+    // outer corner stays 10 mm above the water while it is tilted.
+    void makeCradle_smallRoll_raisesThePlate() {
+        const Eigen::Vector3d size(40, 30, 40);
+        const TexturedMesh box = test::plainModel(boxMesh(size), Qt::white);
+        Immersion immersion;
+        immersion.path.kind = PathKind::Roll;
+        immersion.path.angle = Degrees(8);
+        const auto laid = layFilm(
+            std::make_shared<const PosedBody>(posedBody(box.mesh, immersion, ProcessSettings())),
+            test::flatUnderBox(test::a4Grid(), size), {});
+        const Cradle cradle = cradleOf(*laid);
+        QVERIFY2(!cradle.mesh.triangles.empty(), qPrintable(cradle.notes.join(u'\n')));
+        isSound(cradle);
+        const double tilt = radians(Degrees(8));
+        const double outer = 40 * 99 / 142.5 + 9.1; // the pins along X, and their rims
+        const double middle = 20 * std::sin(tilt) + 15 * std::cos(tilt) - 32; // over the water
+        const double bottom =
+            15 + (10 - middle + outer * std::sin(tilt)) / std::cos(tilt); // over the box's bottom
+        const double top = double(boundingBox(cradle.mesh).max().y());
+        QVERIFY2(std::abs(top - 5 - bottom) < 0.1,
+                 qPrintable(QStringLiteral("%1, expected %2").arg(top - 5).arg(bottom)));
+        QVERIFY(bottom > 43 + 1); // in a straight dip
+    }
+
+    void makeCradle_farRoll_isEmptyAndNoted() {
+        DipPath path;
+        path.kind = PathKind::Roll;
+        path.angle = Degrees(150);
+        const Cradle cradle =
+            cradleOf(*halfPaintedOn(path, Millimetres(20)), settings(), deep(Millimetres(20)));
+        QVERIFY(cradle.mesh.triangles.empty());
+        QCOMPARE(cradle.notes.size(), 1);
+        QVERIFY(cradle.notes.front().contains(QStringLiteral("no cradle")));
     }
 
     // The upper half of a lying ring overhangs the ring's hole, but the ring still comes out of the

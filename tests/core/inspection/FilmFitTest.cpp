@@ -5,6 +5,7 @@
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include "base/Error.h"
+#include "dip/Dip.h"
 #include "inspection/JointFit.h"
 #include "inspection/SimulatedPlaces.h"
 #include "solver/SolverRegistry.h"
@@ -64,6 +65,18 @@ FitRequest wanted() {
             {}};
 }
 
+// Returns an egg that enters the water tilted by 25° and is levelled on its way down.
+Project tiltedEgg() {
+    Project egg = test::eggToFit(1.3, 4);
+    egg.film.relaxationTime = Seconds(hidden.relaxation);
+    egg.process.depth = Millimetres(40);
+    DipPath& path = egg.immersions.front().path;
+    path.kind = PathKind::Tilt;
+    path.angle = Degrees(25);
+    path.heading = Degrees(30);
+    return egg;
+}
+
 #define VERIFY_NEAR(value, wanted, allowed)                                                        \
     QVERIFY2(std::abs((value) - (wanted)) <= (allowed),                                            \
              qPrintable(QStringLiteral("%1, expected %2").arg(value).arg(wanted)))
@@ -94,6 +107,57 @@ private slots:
         QVERIFY(fitted.afterMillimetres < 0.03);
         QCOMPARE(fitted.film.swellX, found(fitted, FitQuantity::SwellX).after);
         VERIFY_NEAR(fitted.immersions.front().rotation[1].value(), hidden.turn, 0.1);
+    }
+
+    void fitFilm_tiltedEntry_findsTheHiddenValues() {
+        const double swell = tiltedEgg().film.swellX;
+        const test::Hidden values{swell, swell, hidden.relaxation, hidden.shiftX, hidden.shiftZ,
+                                  0,     2};
+        const solver::SolverModule& solver = registry().module(QStringLiteral("pbd-cpu"));
+        const test::PhotographedPart part(tiltedEgg(), values, 4, solver);
+        const FitRequest request{
+            {FitQuantity::ShiftX, FitQuantity::ShiftZ, FitQuantity::Depth}, false, {}};
+        const FilmFit fitted = fitFilm(part.project(), part.field(),
+                                       part.pairs(cameras(), 24, 12, 0.0, 1), request, solver, {});
+        tell(fitted);
+        VERIFY_NEAR(found(fitted, FitQuantity::ShiftX).after, hidden.shiftX, 0.03);
+        VERIFY_NEAR(found(fitted, FitQuantity::ShiftZ).after, hidden.shiftZ, 0.03);
+        VERIFY_NEAR(found(fitted, FitQuantity::Depth).after, 42.0, 0.3);
+        QVERIFY(fitted.afterMillimetres < 0.1 * fitted.beforeMillimetres);
+        QVERIFY(fitted.immersions.front().path == part.project().immersions.front().path);
+        VERIFY_NEAR(fitted.depth->value(), 42.0, 0.3);
+    }
+
+    // A fit is worth something only if the job then repeats the fitted dip. On a path, turning the
+    // part or dipping it deeper changes its motion.
+    void fittedDips_changedTiltedDip_isTheDipOfTheFittedProject() {
+        const Project egg = tiltedEgg();
+        const TriangleMesh& mesh = egg.model->mesh;
+        const auto field = cachedDistanceField(mesh, 32, {});
+        const auto setupOf = [&](const Project& project) {
+            const Immersion& immersion = project.immersions.front();
+            const PosedBody body = posedBody(mesh, immersion, project.process, 24);
+            const FilledField filled(body, *field);
+            return dipSetup(body, filled, immersion, project.film, project.process);
+        };
+        const FittedDips dips(egg, {setupOf(egg)});
+        const ChangedDip changed = dips.dip(
+            0, {{FitQuantity::ShiftX}, {FitQuantity::Turn}, {FitQuantity::Depth}}, {1.5, 4, -3});
+        Project fitted = egg;
+        fitted.immersions.front() = changed.immersion;
+        fitted.process.depth = Millimetres(37);
+        const solver::DipSetup wanted = setupOf(fitted);
+        QCOMPARE(changed.immersion.offset[0].value(), 1.5);
+        QVERIFY(std::abs(changed.immersion.rotation[1].value() - 4) < 1e-9);
+        QVERIFY(std::abs(changed.setup.motion.travel - wanted.motion.travel) < 1e-6);
+        QCOMPARE(changed.setup.path.poses.size(), wanted.path.poses.size());
+        for (std::size_t pose = 0; pose < wanted.path.poses.size(); ++pose) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                QVERIFY(std::abs(changed.setup.path.poses[pose].pivot[axis] -
+                                 wanted.path.poses[pose].pivot[axis]) < 1e-6);
+            }
+        }
+        QCOMPARE(dips.before({FitQuantity::Depth}), 40.0);
     }
 
     // Another solver, in double precision with a residual of 1e-9, stands for the tank.

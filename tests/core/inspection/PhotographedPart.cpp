@@ -78,6 +78,9 @@ PhotographedPart::PhotographedPart(Project believed, const Hidden& hidden, doubl
     immersion.offset[0] = immersion.offset[0] + Millimetres(hidden.shiftX);
     immersion.offset[1] = immersion.offset[1] + Millimetres(hidden.shiftZ);
     immersion.rotation[1] = immersion.rotation[1] + Degrees(hidden.turn);
+    if (hidden.deeper != 0) {
+        real.process.depth = *believed_.process.depth + Millimetres(hidden.deeper);
+    }
     truly_ = dipped(real, tank);
     meant_ = dipped(believed_, program);
     real_ = real.film;
@@ -87,7 +90,8 @@ PhotographedPart::PhotographedPart(Project believed, const Hidden& hidden, doubl
 std::shared_ptr<const LaidFilm> PhotographedPart::dipped(const Project& project,
                                                          const solver::SolverModule& module) const {
     const Immersion& immersion = project.immersions.front();
-    auto body = std::make_shared<const PosedBody>(posedBody(project.model->mesh, immersion));
+    auto body = std::make_shared<const PosedBody>(
+        posedBody(project.model->mesh, immersion, project.process));
     DippedFilm film =
         simulateDip(*body, *field_, immersion, project.film, project.process, module, {}, {});
     return layFilm(std::move(body), std::move(film), project.process);

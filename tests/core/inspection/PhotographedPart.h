@@ -12,6 +12,7 @@ struct Hidden {
     double swellX = 1, swellY = 1;
     double relaxation = 0; // s
     double shiftX = 0, shiftZ = 0, turn = 0;
+    double deeper = 0; // mm, than the project's depth
 };
 
 // The direction to a camera: degrees around the vertical and degrees above the horizon.

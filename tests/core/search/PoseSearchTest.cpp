@@ -318,6 +318,41 @@ private slots:
         QVERIFY(painted > 0);
     }
 
+    void searchPoses_tankWithLimits_ranksPosesThatExceedThemLast_data() {
+        QTest::addColumn<int>("immersions");
+        QTest::addColumn<int>("confirmed");
+        QTest::newRow("one dip") << 1 << 0;
+        QTest::newRow("one dip, confirmed") << 1 << 1;
+        QTest::newRow("two dips") << 2 << 0;
+    }
+    // On its edge, the board goes 42 mm deep. On a broad face it goes only 8 mm deep.
+    void searchPoses_tankWithLimits_ranksPosesThatExceedThemLast() {
+        QFETCH(int, immersions);
+        QFETCH(int, confirmed);
+        SearchSubject subject = board_;
+        subject.tank.emplace();
+        subject.tank->waterDepth = Millimetres(30);
+        SearchSettings settings = sidesOnly(immersions);
+        settings.confirmed = confirmed;
+        const SearchResult found = search(subject, settings);
+        const auto isFlat = [](const RankedPoses& poses) {
+            return std::all_of(
+                poses.immersions.begin(), poses.immersions.end(),
+                [](const Immersion& immersion) { return std::abs(downOf(immersion).x()) > 0.99; });
+        };
+        bool areLast = false;
+        for (const RankedPoses& poses : found.ranking) {
+            QCOMPARE(poses.tankFaults.isEmpty(), isFlat(poses));
+            QVERIFY(!areLast || !poses.tankFaults.isEmpty());
+            areLast = !poses.tankFaults.isEmpty();
+        }
+        QVERIFY(isFlat(found.ranking.front()));
+        QVERIFY(areLast);
+        const QString told = found.ranking.back().tankFaults.front();
+        QVERIFY2(told.contains(QStringLiteral("goes 42.0 mm under water")), qPrintable(told));
+        QCOMPARE(told.startsWith(QStringLiteral("Dip ")), immersions == 2);
+    }
+
     void searchPoses_cancelled_keepsTheBest() {
         Progress progress;
         progress.cancelToken.cancel();

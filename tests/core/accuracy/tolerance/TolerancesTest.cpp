@@ -28,6 +28,8 @@ ToleranceSettings exact() {
     none.filmTurn = Degrees(0);
     none.swell = none.speed = none.relaxation = 0;
     none.waterLevel = Millimetres(0);
+    none.pathAngle = Degrees(0);
+    none.timing = Seconds(0);
     none.samples = 0;
     return none;
 }
@@ -241,9 +243,112 @@ private slots:
         VERIFY_NEAR(one / other, 1.0, 0.05);
     }
 
+    // The higher the water, the earlier the part meets the film, and the less far it has travelled
+    // sideways by then. All other deviations have the same effect as in a straight dip, because the
+    // film moves with the box as soon as they touch.
+    void jobTolerances_slantedDip_movesColoursByTheClosedForms() {
+        Project slanted = box();
+        DipPath& path = slanted.immersions.front().path;
+        path.kind = PathKind::Slanted;
+        path.angle = Degrees(60);
+        const JobResult result = resultOf(slanted);
+        ToleranceSettings level = exact();
+        level.waterLevel = Millimetres(0.6);
+        const double along = 0.6 / std::tan(radians(path.angle));
+        eachOfTheBottom(result, tolerances(result, level),
+                        [&](auto, double spread) { VERIFY_NEAR(spread, along, 5e-3); });
+        ToleranceSettings turn = exact();
+        turn.turn[1] = Degrees(1);
+        eachOfTheBottom(result, tolerances(result, turn),
+                        [](const Eigen::Vector2d& at, double spread) {
+                            VERIFY_NEAR(spread, at.norm() * pi / 180, 5e-3);
+                        });
+        ToleranceSettings position = exact();
+        position.position = {Millimetres(0.6), Millimetres(0.8)};
+        eachOfTheBottom(result, tolerances(result, position),
+                        [](auto, double spread) { VERIFY_NEAR(spread, 1.0, 5e-3); });
+        // From 0.5 mm above the water.
+        ToleranceSettings angle = exact();
+        angle.pathAngle = Degrees(1);
+        const double beside = 0.5 / std::pow(std::sin(radians(path.angle)), 2) * pi / 180;
+        const DipTolerances found = tolerances(result, angle);
+        QCOMPARE(found.contributions.size(), std::size_t(1));
+        eachOfTheBottom(result, found,
+                        [&](auto, double spread) { VERIFY_NEAR(spread, beside, 1e-3); });
+    }
+
+    // The part begins 0.5 mm above the film, which floats past below it.
+    void jobTolerances_flowingWater_movesColoursByItsWay() {
+        Project flowing = box();
+        DipPath& path = flowing.immersions.front().path;
+        path.heading = Degrees(30);
+        path.waterSpeed = MillimetresPerSecond(4);
+        const JobResult result = resultOf(flowing);
+        ToleranceSettings timing = exact();
+        timing.timing = Seconds(0.2);
+        const DipTolerances late = tolerances(result, timing);
+        QCOMPARE(late.contributions.front().contributor, Contributor::Timing);
+        eachOfTheBottom(result, late, [](auto, double spread) { VERIFY_NEAR(spread, 0.8, 5e-3); });
+        ToleranceSettings speed = exact();
+        speed.speed = 20 * percent;
+        const double seconds = 0.5 / flowing.process.dipSpeed.value();
+        const double way = 4 * seconds * (1 / 0.8 - 1 / 1.2) / 2;
+        eachOfTheBottom(result, tolerances(result, speed),
+                        [&](auto, double spread) { VERIFY_NEAR(spread, way, 2e-3); });
+    }
+
+    // The ball turns about its centre while it goes down. If it is tilted further by an angle δ
+    // when it touches the film, the film there moves by the arc radius·δ. It touches 0.5 mm below
+    // the beginning of its way of 52.5 mm; the tilt falls evenly on this way.
+    void jobTolerances_tiltedEntry_movesColoursByTheArc() {
+        Project tilted = ball();
+        DipPath& path = tilted.immersions.front().path;
+        path.kind = PathKind::Tilt;
+        path.angle = Degrees(20);
+        const JobResult result = resultOf(tilted);
+        const double left = 52 / 52.5;
+        const double tilt = left * radians(path.angle);
+        const Eigen::Vector3d first = radius * Eigen::Vector3d(std::sin(tilt), -std::cos(tilt), 0);
+        const auto nearFirst = [&](const ToleranceSettings& settings) {
+            const DipTolerances found = tolerances(result, settings);
+            const std::vector<SurfacePoint> places = tolerancePlaces(*tilted.model);
+            std::vector<float> spreads;
+            for (std::size_t place = 0; place < places.size(); ++place) {
+                const Eigen::Vector3f at = position(tilted.model->mesh, places[place]);
+                if ((at.cast<double>() - first).norm() < 5) {
+                    spreads.push_back(found.places[place]);
+                }
+            }
+            return spreadOf(spreads).median;
+        };
+        ToleranceSettings angle = exact();
+        angle.pathAngle = Degrees(1);
+        const double arc = left * radius * pi / 180;
+        VERIFY_NEAR(nearFirst(angle), arc, 0.05 * arc);
+        // In higher water the ball touches the film earlier.
+        ToleranceSettings level = exact();
+        level.waterLevel = Millimetres(2);
+        const double earlier = radius * radians(path.angle) * 2 / 52.5;
+        VERIFY_NEAR(nearFirst(level), earlier, 0.05 * earlier);
+    }
+
+    // Film that grows by 1 % in a second, for a second longer, is 1 % longer.
+    void jobTolerances_timingOfGrowingFilm_hasTheEffectOfSwell() {
+        Project growing = box();
+        growing.film.growthRate = percent;
+        growing.film.growthLimit = 1;
+        const JobResult result = resultOf(growing);
+        ToleranceSettings settings = exact();
+        settings.timing = Seconds(0.5);
+        eachOfTheBottom(result, tolerances(result, settings),
+                        [](const Eigen::Vector2d& at, double spread) {
+                            VERIFY_NEAR(spread, 0.5 * percent * at.norm(), 2e-3);
+                        });
+    }
+
     void jobTolerances_contributions_addUpToOne() {
         const DipTolerances& found = everythingOff();
-        QCOMPARE(found.contributions.size(), contributorCount);
+        QCOMPARE(found.contributions.size(), contributorCount - 2); // no path, no timing
         double sum = 0;
         for (const Contribution& contribution : found.contributions) {
             sum += contribution.share;

@@ -1,7 +1,6 @@
-#include "pipeline/TankFit.h"
+#include "dip/TankFit.h"
 
 #include "dip/Pose.h"
-#include "project/Project.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -83,15 +82,15 @@ Eigen::Vector3d pathOriginInTank(const Immersion& immersion, Seconds time) {
            time.value() * waterVelocity(immersion.path);
 }
 
-QStringList tankFaults(const Project& project, const Immersion& immersion,
-                       const TriangleMesh& posed, const solver::BodyPath& path) {
-    if (!project.profiles.tank) {
+QStringList tankFaults(const std::optional<TankProfile>& profile, const ProcessSettings& process,
+                       const Immersion& immersion, const TriangleMesh& posed,
+                       const solver::BodyPath& path) {
+    if (!profile) {
         return {};
     }
-    const TankProfile& tank = *project.profiles.tank;
-    const Demand demand = path.isStraightDown()
-                              ? straightDemand(posed, immersion, project.process)
-                              : demandOnPath(path, posed, immersion, project.process);
+    const TankProfile& tank = *profile;
+    const Demand demand = path.isStraightDown() ? straightDemand(posed, immersion, process)
+                                                : demandOnPath(path, posed, immersion, process);
     QStringList faults;
     const Eigen::Vector2d half(tank.width.value() / 2, tank.length.value() / 2);
     if (!Eigen::AlignedBox2d(-half, half).contains(demand.outline)) {

@@ -1,0 +1,108 @@
+#include "accuracy/tolerance/ChangedPath.h"
+
+#include "dip/BodyPath.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dipwright {
+namespace {
+
+Eigen::Map<Eigen::Vector3d> vectorOf(std::array<double, 3>& values) {
+    return Eigen::Map<Eigen::Vector3d>(values.data());
+}
+Eigen::Map<const Eigen::Vector3d> vectorOf(const std::array<double, 3>& values) {
+    return Eigen::Map<const Eigen::Vector3d>(values.data());
+}
+
+void setRotation(solver::PathPose& pose, const Eigen::Quaterniond& rotation) {
+    pose.rotation = {rotation.w(), rotation.x(), rotation.y(), rotation.z()};
+}
+
+} // namespace
+
+ChangedPath::ChangedPath(solver::BodyPath path, const TriangleMesh& body)
+    : path_(std::move(path)), body_(body) {}
+
+void ChangedPath::speedUp(double speed, const Eigen::Vector3d& water) {
+    for (solver::PathPose& pose : path_.poses) {
+        const double seconds = pose.seconds / speed;
+        vectorOf(pose.pivot) += (pose.seconds - seconds) * water;
+        pose.seconds = seconds;
+    }
+}
+
+void ChangedPath::holdDifferently(const Eigen::Isometry3d& held) {
+    vectorOf(path_.pivot) = held.inverse() * vectorOf(path_.pivot);
+    const Eigen::Quaterniond turn(held.linear());
+    for (solver::PathPose& pose : path_.poses) {
+        setRotation(pose, (rotationOf(pose) * turn).normalized());
+    }
+}
+
+void ChangedPath::move(double x, double z) {
+    for (solver::PathPose& pose : path_.poses) {
+        vectorOf(pose.pivot) += Eigen::Vector3d(x, 0, z);
+    }
+}
+
+double ChangedPath::lowest(const solver::PathPose& pose) const {
+    const Eigen::RowVector3d up = rotationOf(pose).toRotationMatrix().row(1);
+    const Eigen::Vector3d pivot = vectorOf(path_.pivot);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3f& place : body_.positions) {
+        least = std::min(least, up.dot(place.cast<double>() - pivot));
+    }
+    return least + pose.pivot[1];
+}
+
+void ChangedPath::raiseWater(double level) {
+    level = std::max(level, lowest(path_.poses.back()));
+    for (solver::PathPose& pose : path_.poses) {
+        pose.pivot[1] -= level;
+    }
+    if (level > 0) {
+        extendBackwards(level);
+    }
+}
+
+// Extends the first part of the path backwards until the body was higher by `height`.
+void ChangedPath::extendBackwards(double height) {
+    constexpr double least = 1e-3; // mm; if the body sinks less, it does not come from above
+    const solver::PathPose &first = path_.poses[0], &second = path_.poses[1];
+    const double sinks = lowest(first) - lowest(second);
+    if (sinks < least) {
+        return;
+    }
+    const double share = height / sinks;
+    solver::PathPose before = first;
+    before.seconds -= share * (second.seconds - first.seconds);
+    vectorOf(before.pivot) -= share * (vectorOf(second.pivot) - vectorOf(first.pivot));
+    Eigen::AngleAxisd back(rotationOf(first) * rotationOf(second).conjugate());
+    back.angle() *= share;
+    setRotation(before, (back * rotationOf(first)).normalized());
+    path_.poses.insert(path_.poses.begin(), before);
+    for (solver::PathPose& pose : path_.poses) {
+        pose.seconds -= before.seconds;
+    }
+}
+
+solver::BodyPath ChangedPath::path() const {
+    solver::BodyPath result = path_;
+    double radius = 0;
+    for (const Eigen::Vector3f& place : body_.positions) {
+        radius = std::max(radius, (place.cast<double>() - vectorOf(path_.pivot)).norm());
+    }
+    for (std::size_t number = 0; number < result.poses.size(); ++number) {
+        solver::PathPose& pose = result.poses[number];
+        pose.travelled = 0;
+        if (number > 0) {
+            const solver::PathPose& last = result.poses[number - 1];
+            pose.travelled = last.travelled + (vectorOf(pose.pivot) - vectorOf(last.pivot)).norm() +
+                             radius * rotationOf(last).angularDistance(rotationOf(pose));
+        }
+    }
+    return result;
+}
+
+} // namespace dipwright

@@ -1,0 +1,122 @@
+// Tests the limits of a tank and its machine.
+#include "dip/TankFit.h"
+
+#include "dip/Pose.h"
+#include "geometry/Shapes.h"
+
+#include <QTest>
+
+using namespace dipwright;
+
+namespace {
+
+struct TankDip {
+    ProcessSettings process;
+    Immersion immersion;
+    std::optional<TankProfile> tank;
+};
+
+// A box of 40 × 20 × 30 mm over a large film, in a tank without limits.
+TankDip boxInTank() {
+    TankDip dip;
+    dip.process.depth = Millimetres(20);
+    dip.process.dipSpeed = MillimetresPerSecond(5);
+    TankProfile tank;
+    tank.name = QStringLiteral("Bath");
+    tank.width = Millimetres(400);
+    tank.length = Millimetres(600);
+    dip.tank = tank;
+    return dip;
+}
+
+QString faults(const TankDip& dip) {
+    const TriangleMesh mesh = boxMesh({40, 20, 30});
+    const TriangleMesh posed = transformed(mesh, poseTransform(mesh, dip.immersion));
+    return tankFaults(dip.tank, dip.process, dip.immersion, posed,
+                      bodyPath(posed, dip.immersion, dip.process))
+        .join(u'\n');
+}
+
+} // namespace
+
+class TankFitTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void tankFaults_withoutLimits_areNone() {
+        TankDip dip = boxInTank();
+        QCOMPARE(faults(dip), QString());
+        dip.tank->width = Millimetres(30);
+        QVERIFY(faults(dip).contains(QStringLiteral("past the edge of the tank “Bath”")));
+        dip.tank.reset();
+        QCOMPARE(faults(dip), QString());
+    }
+
+    void tankFaults_straightDip_comparesDepthReachAndSpeed() {
+        TankDip dip = boxInTank();
+        TankProfile& tank = *dip.tank;
+        dip.immersion.offset = {Millimetres(30), Millimetres(-40)};
+        tank.waterDepth = Millimetres(20);
+        tank.reach = Millimetres(50);
+        tank.speed = MillimetresPerSecond(5);
+        QCOMPARE(faults(dip), QString());
+        tank.waterDepth = Millimetres(19);
+        QVERIFY(faults(dip).contains(QStringLiteral("goes 20.0 mm under water")));
+        tank.waterDepth.reset();
+        tank.reach = Millimetres(49);
+        QVERIFY(faults(dip).contains(QStringLiteral("moves 50.0 mm sideways")));
+        tank.reach.reset();
+        tank.speed = MillimetresPerSecond(4);
+        QVERIFY(faults(dip).contains(QStringLiteral("moves at up to 5.0 mm/s")));
+    }
+
+    // A box that turns by 90° about the vertical, in 20.5 mm of its way down at 5 mm/s.
+    void tankFaults_turningPart_comparesTheTurn() {
+        TankDip dip = boxInTank();
+        dip.immersion.path.turn = Degrees(90);
+        dip.tank->turnSpeed = DegreesPerSecond(22.5);
+        QCOMPARE(faults(dip), QString());
+        dip.tank->turnSpeed = DegreesPerSecond(20);
+        QVERIFY2(faults(dip).contains(QStringLiteral("turns at up to 2")), qPrintable(faults(dip)));
+    }
+
+    // From 0.5 mm above the water to a depth of 20 mm, at 45°.
+    void tankFaults_slantedDip_comparesTheSidewaysTravel() {
+        TankDip dip = boxInTank();
+        dip.immersion.path.kind = PathKind::Slanted;
+        dip.immersion.path.angle = Degrees(45);
+        dip.tank->reach = Millimetres(19);
+        QVERIFY2(faults(dip).contains(QStringLiteral("moves 20.5 mm sideways")),
+                 qPrintable(faults(dip)));
+        dip.tank->reach = Millimetres(21);
+        QCOMPARE(faults(dip), QString());
+    }
+
+    // The film flows as fast as the part travels sideways. So the part goes straight down through
+    // the film, but the machine moves it sideways.
+    void tankFaults_flowingWater_comparesTheMachinesMotion() {
+        TankDip dip = boxInTank();
+        DipPath& path = dip.immersion.path;
+        path.kind = PathKind::Slanted;
+        path.angle = Degrees(45);
+        path.waterSpeed = MillimetresPerSecond(5); // as fast as the dip, which takes 4.1 s
+        dip.tank->reach = Millimetres(20);
+        dip.tank->speed = MillimetresPerSecond(7);
+        const QString found = faults(dip);
+        QVERIFY2(found.contains(QStringLiteral("moves 20.5 mm sideways")), qPrintable(found));
+        QVERIFY2(found.contains(QStringLiteral("moves at up to 7.1 mm/s")), qPrintable(found));
+    }
+
+    // A box that enters tilted covers more of the water until it is level.
+    void tankFaults_tiltedEntry_comparesTheWholePath() {
+        TankDip dip = boxInTank();
+        dip.tank->width = Millimetres(41);
+        QCOMPARE(faults(dip), QString());
+        dip.immersion.path.kind = PathKind::Tilt;
+        dip.immersion.path.angle = Degrees(20);
+        QVERIFY(faults(dip).contains(QStringLiteral("past the edge of the tank")));
+    }
+};
+
+QTEST_GUILESS_MAIN(TankFitTest)
+#include "TankFitTest.moc"
