@@ -132,6 +132,26 @@
         <source>water at %1 mm/s, heading %2°</source>
         <translation>Wasser mit %1 mm/s, Richtung %2°</translation>
     </message>
+    <message>
+        <source>A path by poses needs at least two poses</source>
+        <translation>Ein Weg durch Lagen braucht mindestens zwei Lagen</translation>
+    </message>
+    <message>
+        <source>The first pose of a path must have the time 0 s and the depth 0 mm, at which the part touches the water</source>
+        <translation>Die erste Lage eines Wegs muss die Zeit 0 s und die Tiefe 0 mm haben, in der das Teil das Wasser berührt</translation>
+    </message>
+    <message>
+        <source>Pose %1 of the path must be later than the pose before it</source>
+        <translation>Lage %1 des Wegs muss später sein als die Lage davor</translation>
+    </message>
+    <message>
+        <source>The last pose of a path must have the depth of the dip and no turn; to turn the part at the end of the dip, change its rotation</source>
+        <translation>Die letzte Lage eines Wegs muss die Tiefe des Tauchvorgangs und keine Drehung haben; um das Teil am Ende des Tauchvorgangs zu drehen, ändern Sie seine Drehung</translation>
+    </message>
+    <message>
+        <source>through %1 poses</source>
+        <translation>durch %1 Lagen</translation>
+    </message>
 </context>
 <context>
     <name>Certainty</name>
@@ -383,6 +403,10 @@
     <message>
         <source>%1, at depth %2</source>
         <translation>%1, in %2 Tiefe</translation>
+    </message>
+    <message>
+        <source>Pose %1 of the path</source>
+        <translation>Lage %1 des Wegs</translation>
     </message>
 </context>
 <context>
@@ -795,6 +819,10 @@
     <message>
         <source>Try poses</source>
         <translation>Lagen ausprobieren</translation>
+    </message>
+    <message>
+        <source>Add pose to path</source>
+        <translation>Lage zum Weg hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -2015,6 +2043,14 @@
         <source>the settings in this section are %1</source>
         <translation>die Einstellungen dieses Abschnitts sind %1</translation>
     </message>
+    <message>
+        <source>%1 is not allowed here; expected a list of at most %2 entries</source>
+        <translation>%1 ist hier nicht erlaubt; erwartet wird eine Liste mit höchstens %2 Einträgen</translation>
+    </message>
+    <message>
+        <source>In the poses of a path only the depth may be null; it then is the depth of the dip</source>
+        <translation>In den Lagen eines Wegs darf nur die Tiefe null sein; sie ist dann die Tiefe des Tauchvorgangs</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -3037,10 +3073,6 @@
         <translation>Wie schnell sich das Teil ins Wasser senkt. Auf einem schrägen Weg fährt die Maschine schneller, weil sich das Teil auch zur Seite bewegt.</translation>
     </message>
     <message>
-        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film; set a depth (Dipping &gt; Depth) at which the part is not yet under water. The rotation above is the part&apos;s rotation at the end of the dip.</source>
-        <translation>Wie sich das Teil ins Wasser bewegt. Schräg: nach unten und zur Seite. Kippen: Eine Seite taucht zuerst ein, und das Teil wird beim Absenken gerade gestellt. Rollen: bis zur Tauchtiefe nach unten, dann zur Seite über den Film gerollt; dafür eine Tiefe einstellen (Tauchen &gt; Tiefe), bei der das Teil noch nicht unter Wasser ist. Die Drehung oben ist die Drehung des Teils am Ende des Tauchvorgangs.</translation>
-    </message>
-    <message>
         <source>Slanted: the angle between the path and the water, 10° to 170°. Tilt: how far the part is tilted when the dip begins, at most 85°. Roll: the angle through which it rolls. Slanted above 90°, or a negative tilt or roll, is against the heading.</source>
         <translation>Schräg: der Winkel zwischen Weg und Wasser, 10° bis 170°. Kippen: wie weit das Teil am Anfang gekippt ist, höchstens 85°. Rollen: der Winkel, um den es rollt. Schräg über 90° sowie negatives Kippen oder Rollen gehen gegen die Richtung.</translation>
     </message>
@@ -3075,6 +3107,26 @@
     <message>
         <source>How much earlier or later than intended the dip may begin. Has an effect only if the water flows or the film grows.</source>
         <translation>Wie viel früher oder später als vorgesehen der Tauchvorgang beginnen darf. Wirkt nur, wenn das Wasser fließt oder der Film wächst.</translation>
+    </message>
+    <message>
+        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film; set a depth (Dipping &gt; Depth) at which the part is not yet under water. Poses: through poses that you set, beginning with those of the present path. The rotation above is the part&apos;s rotation at the end of the dip.</source>
+        <translation>Wie sich das Teil ins Wasser bewegt. Schräg: nach unten und zur Seite. Kippen: Eine Seite taucht zuerst ein, und das Teil wird beim Absenken waagerecht gestellt. Rollen: nach unten bis zur Tiefe des Tauchvorgangs, dann seitwärts über den Film gerollt; stellen Sie eine Tiefe ein (Tauchen &gt; Tiefe), in der das Teil noch nicht unter Wasser ist. Lagen: durch Lagen, die Sie einstellen, am Anfang die des jetzigen Wegs. Die Drehung oben ist die Drehung des Teils am Ende des Tauchvorgangs.</translation>
+    </message>
+    <message>
+        <source>Through poses</source>
+        <translation>Durch Lagen</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>The acceleration with which the part reaches its speed on the path and stops. The dip takes longer than without a limit.</source>
+        <translation>Die Beschleunigung, mit der das Teil auf dem Weg seine Geschwindigkeit erreicht und anhält. Der Tauchvorgang dauert länger als ohne Grenze.</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Keine Grenze</translation>
     </message>
 </context>
 <context>
@@ -3777,6 +3829,14 @@
         <source>°/s</source>
         <translation>°/s</translation>
     </message>
+    <message>
+        <source> in/s²</source>
+        <translation> in/s²</translation>
+    </message>
+    <message>
+        <source> mm/s²</source>
+        <translation> mm/s²</translation>
+    </message>
 </context>
 <context>
     <name>Verdict</name>
@@ -4268,6 +4328,18 @@
     <message>
         <source>Moved to %1 along %2 (hold Shift for steps of %3)</source>
         <translation>Auf %1 längs %2 verschoben (mit Umschalt in Schritten von %3)</translation>
+    </message>
+    <message>
+        <source>Pose %1: depth %2</source>
+        <translation>Lage %1: Tiefe %2</translation>
+    </message>
+    <message>
+        <source>Pose %1: moved by %2 along %3</source>
+        <translation>Lage %1: um %2 entlang %3 bewegt</translation>
+    </message>
+    <message>
+        <source>Move pose of path</source>
+        <translation>Lage des Wegs bewegen</translation>
     </message>
 </context>
 <context>
@@ -7163,6 +7235,73 @@ zuerst eintaucht</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::PathKeyFields</name>
+    <message>
+        <source>Add pose</source>
+        <translation>Lage hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove pose</source>
+        <translation>Lage entfernen</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>The poses that the part takes in turn. The view shows the chosen pose; its rings and arrows change it.</source>
+        <translation>Die Lagen, die das Teil nacheinander einnimmt. Die Ansicht zeigt die gewählte Lage; ihre Ringe und Pfeile ändern sie.</translation>
+    </message>
+    <message>
+        <source>Adds a pose between the chosen one and the next.</source>
+        <translation>Fügt eine Lage zwischen der gewählten und der nächsten ein.</translation>
+    </message>
+    <message>
+        <source>Removes the chosen pose. The first and the last one stay.</source>
+        <translation>Entfernt die gewählte Lage. Die erste und die letzte bleiben.</translation>
+    </message>
+    <message>
+        <source>When the part takes this pose, since the dip began.</source>
+        <translation>Wann das Teil diese Lage einnimmt, seit Beginn des Tauchvorgangs.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point. In the first pose it touches the water, in the last one it is at the depth of the dip.</source>
+        <translation>Tiefe des tiefsten Punkts des Teils. In der ersten Lage berührt er das Wasser, in der letzten ist er in der Tiefe des Tauchvorgangs.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>How far the part has moved along %1 from its offset.</source>
+        <translation>Wie weit sich das Teil von seinem Versatz entlang %1 bewegt hat.</translation>
+    </message>
+    <message>
+        <source>Moved along %1</source>
+        <translation>Bewegt entlang %1</translation>
+    </message>
+    <message>
+        <source>How far the part is turned about %1 from its rotation at the end of the dip; about X first, then Y, then Z.</source>
+        <translation>Wie weit das Teil um %1 gedreht ist, gerechnet von seiner Drehung am Ende des Tauchvorgangs; zuerst um X, dann Y, dann Z.</translation>
+    </message>
+    <message>
+        <source>Turned about %1</source>
+        <translation>Gedreht um %1</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>%1: %2 s, depth %3</source>
+        <translation>%1: %2 s, Tiefe %3</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PhotoView</name>
     <message>
         <source>Lines: residuals, enlarged %1 times</source>
@@ -8404,6 +8543,10 @@ Unterschiede</translation>
         <source>Production is the accurate film model and the default. Model of 2020 is the published film model, for comparison.</source>
         <translation>Produktion ist das genaue Filmmodell und der Standard. Modell von 2020 ist das veröffentlichte Filmmodell, zum Vergleich.</translation>
     </message>
+    <message>
+        <source>Change poses of path</source>
+        <translation>Lagen des Wegs ändern</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::QueueDialog</name>
@@ -9028,12 +9171,12 @@ mm je mm</translation>
         <translation>Wartet, bis der Tauchvorgang des Projekts fertig ist</translation>
     </message>
     <message>
-        <source>Try tilted entries</source>
-        <translation>Gekippte Eintritte probieren</translation>
+        <source>Try paths</source>
+        <translation>Wege probieren</translation>
     </message>
     <message>
-        <source>Also tries tilted entries of the best poses: the part enters the water tilted and is levelled on the way down. So air can escape, and the film reaches further. Takes about twice as long.</source>
-        <translation>Probiert auch gekippte Eintritte der besten Lagen: Das Teil taucht gekippt ein und wird beim Absenken waagerecht gestellt. So kann Luft entweichen, und der Film reicht weiter. Dauert etwa doppelt so lang.</translation>
+        <source>Also tries paths for the best poses: the part enters the water tilted and is levelled on the way down, goes down slanted, or, if a depth is set, rolls. So air can escape, and the film reaches further. Takes about twice as long.</source>
+        <translation>Probiert für die besten Lagen auch Wege: Das Teil taucht gekippt ein und wird beim Absenken waagerecht gestellt, geht schräg nach unten oder rollt, wenn eine Tiefe eingestellt ist. So kann Luft entweichen, und der Film reicht weiter. Dauert etwa doppelt so lange.</translation>
     </message>
 </context>
 <context>

@@ -132,6 +132,26 @@
         <source>water at %1 mm/s, heading %2°</source>
         <translation>água a %1 mm/s, direção %2°</translation>
     </message>
+    <message>
+        <source>A path by poses needs at least two poses</source>
+        <translation>Um percurso por poses precisa de pelo menos duas poses</translation>
+    </message>
+    <message>
+        <source>The first pose of a path must have the time 0 s and the depth 0 mm, at which the part touches the water</source>
+        <translation>A primeira pose de um percurso deve ter o tempo 0 s e a profundidade 0 mm, em que a peça toca a água</translation>
+    </message>
+    <message>
+        <source>Pose %1 of the path must be later than the pose before it</source>
+        <translation>A pose %1 do percurso deve vir depois da pose anterior</translation>
+    </message>
+    <message>
+        <source>The last pose of a path must have the depth of the dip and no turn; to turn the part at the end of the dip, change its rotation</source>
+        <translation>A última pose de um percurso deve ter a profundidade da imersão e nenhum giro; para girar a peça no fim da imersão, mude sua rotação</translation>
+    </message>
+    <message>
+        <source>through %1 poses</source>
+        <translation>por %1 poses</translation>
+    </message>
 </context>
 <context>
     <name>Certainty</name>
@@ -383,6 +403,10 @@
     <message>
         <source>%1, at depth %2</source>
         <translation>%1, a %2 de profundidade</translation>
+    </message>
+    <message>
+        <source>Pose %1 of the path</source>
+        <translation>Pose %1 do percurso</translation>
     </message>
 </context>
 <context>
@@ -795,6 +819,10 @@
     <message>
         <source>Try poses</source>
         <translation>Experimentar poses</translation>
+    </message>
+    <message>
+        <source>Add pose to path</source>
+        <translation>Adicionar pose ao percurso</translation>
     </message>
 </context>
 <context>
@@ -2015,6 +2043,14 @@
         <source>the settings in this section are %1</source>
         <translation>as configurações desta seção são %1</translation>
     </message>
+    <message>
+        <source>%1 is not allowed here; expected a list of at most %2 entries</source>
+        <translation>%1 não é permitido aqui; espera-se uma lista de no máximo %2 entradas</translation>
+    </message>
+    <message>
+        <source>In the poses of a path only the depth may be null; it then is the depth of the dip</source>
+        <translation>Nas poses de um percurso só a profundidade pode ser null; ela é então a profundidade da imersão</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -3037,10 +3073,6 @@
         <translation>Com que velocidade a peça desce na água. Em um percurso inclinado a máquina se move mais depressa, porque a peça também vai para o lado.</translation>
     </message>
     <message>
-        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film; set a depth (Dipping &gt; Depth) at which the part is not yet under water. The rotation above is the part&apos;s rotation at the end of the dip.</source>
-        <translation>Como a peça se move para dentro da água. Inclinado: para baixo e para o lado. Tombar: um lado entra primeiro, e a peça é nivelada enquanto desce. Rolar: desce até a profundidade da imersão e depois rola de lado sobre a película; defina uma profundidade (Imersão &gt; Profundidade) em que a peça ainda não está toda debaixo d&apos;água. A rotação acima é a rotação da peça no fim da imersão.</translation>
-    </message>
-    <message>
         <source>Slanted: the angle between the path and the water, 10° to 170°. Tilt: how far the part is tilted when the dip begins, at most 85°. Roll: the angle through which it rolls. Slanted above 90°, or a negative tilt or roll, is against the heading.</source>
         <translation>Inclinado: o ângulo entre o percurso e a água, de 10° a 170°. Tombar: quanto a peça está tombada quando a imersão começa, no máximo 85°. Rolar: o ângulo em que ela rola. Inclinado acima de 90°, ou um tombamento ou rolamento negativo, vai contra a direção.</translation>
     </message>
@@ -3075,6 +3107,26 @@
     <message>
         <source>How much earlier or later than intended the dip may begin. Has an effect only if the water flows or the film grows.</source>
         <translation>Quanto antes ou depois do previsto a imersão pode começar. Só tem efeito se a água corre ou a película cresce.</translation>
+    </message>
+    <message>
+        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film; set a depth (Dipping &gt; Depth) at which the part is not yet under water. Poses: through poses that you set, beginning with those of the present path. The rotation above is the part&apos;s rotation at the end of the dip.</source>
+        <translation>Como a peça se move para dentro da água. Inclinado: para baixo e de lado. Tombar: um lado entra primeiro e a peça é nivelada enquanto desce. Rolar: para baixo até a profundidade da imersão e depois rolada de lado sobre a película; defina uma profundidade (Imersão &gt; Profundidade) em que a peça ainda não esteja debaixo da água. Poses: por poses que você define, a começar pelas do percurso atual. A rotação acima é a rotação da peça no fim da imersão.</translation>
+    </message>
+    <message>
+        <source>Through poses</source>
+        <translation>Por poses</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Aceleração</translation>
+    </message>
+    <message>
+        <source>The acceleration with which the part reaches its speed on the path and stops. The dip takes longer than without a limit.</source>
+        <translation>A aceleração com que a peça chega à sua velocidade no percurso e para. A imersão dura mais que sem limite.</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Sem limite</translation>
     </message>
 </context>
 <context>
@@ -3777,6 +3829,14 @@
         <source>°/s</source>
         <translation>°/s</translation>
     </message>
+    <message>
+        <source> in/s²</source>
+        <translation> pol/s²</translation>
+    </message>
+    <message>
+        <source> mm/s²</source>
+        <translation> mm/s²</translation>
+    </message>
 </context>
 <context>
     <name>Verdict</name>
@@ -4268,6 +4328,18 @@
     <message>
         <source>Moved to %1 along %2 (hold Shift for steps of %3)</source>
         <translation>Movido para %1 ao longo de %2 (segure Shift para passos de %3)</translation>
+    </message>
+    <message>
+        <source>Pose %1: depth %2</source>
+        <translation>Pose %1: profundidade %2</translation>
+    </message>
+    <message>
+        <source>Pose %1: moved by %2 along %3</source>
+        <translation>Pose %1: movida %2 ao longo de %3</translation>
+    </message>
+    <message>
+        <source>Move pose of path</source>
+        <translation>Mover pose do percurso</translation>
     </message>
 </context>
 <context>
@@ -7163,6 +7235,73 @@ desce primeiro</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::PathKeyFields</name>
+    <message>
+        <source>Add pose</source>
+        <translation>Adicionar pose</translation>
+    </message>
+    <message>
+        <source>Remove pose</source>
+        <translation>Remover pose</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Poses</translation>
+    </message>
+    <message>
+        <source>The poses that the part takes in turn. The view shows the chosen pose; its rings and arrows change it.</source>
+        <translation>As poses que a peça assume uma após a outra. A vista mostra a pose escolhida; seus anéis e setas a mudam.</translation>
+    </message>
+    <message>
+        <source>Adds a pose between the chosen one and the next.</source>
+        <translation>Adiciona uma pose entre a escolhida e a seguinte.</translation>
+    </message>
+    <message>
+        <source>Removes the chosen pose. The first and the last one stay.</source>
+        <translation>Remove a pose escolhida. A primeira e a última ficam.</translation>
+    </message>
+    <message>
+        <source>When the part takes this pose, since the dip began.</source>
+        <translation>Quando a peça assume esta pose, desde o início da imersão.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Depth of the part&apos;s lowest point. In the first pose it touches the water, in the last one it is at the depth of the dip.</source>
+        <translation>Profundidade do ponto mais baixo da peça. Na primeira pose ele toca a água, na última está na profundidade da imersão.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidade</translation>
+    </message>
+    <message>
+        <source>How far the part has moved along %1 from its offset.</source>
+        <translation>Quanto a peça se moveu ao longo de %1 a partir de seu deslocamento.</translation>
+    </message>
+    <message>
+        <source>Moved along %1</source>
+        <translation>Movida ao longo de %1</translation>
+    </message>
+    <message>
+        <source>How far the part is turned about %1 from its rotation at the end of the dip; about X first, then Y, then Z.</source>
+        <translation>Quanto a peça está girada em torno de %1 a partir de sua rotação no fim da imersão; primeiro em torno de X, depois Y, depois Z.</translation>
+    </message>
+    <message>
+        <source>Turned about %1</source>
+        <translation>Girada em torno de %1</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>fim</translation>
+    </message>
+    <message>
+        <source>%1: %2 s, depth %3</source>
+        <translation>%1: %2 s, profundidade %3</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::PhotoView</name>
     <message>
         <source>Lines: residuals, enlarged %1 times</source>
@@ -8404,6 +8543,10 @@ diferenças</translation>
         <source>Production is the accurate film model and the default. Model of 2020 is the published film model, for comparison.</source>
         <translation>Produção é o modelo de película preciso e o padrão. Modelo de 2020 é o modelo de película publicado, para comparação.</translation>
     </message>
+    <message>
+        <source>Change poses of path</source>
+        <translation>Alterar poses do percurso</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::QueueDialog</name>
@@ -9028,12 +9171,12 @@ mm por mm</translation>
         <translation>Aguardando o fim da imersão do projeto</translation>
     </message>
     <message>
-        <source>Try tilted entries</source>
-        <translation>Tentar entradas tombadas</translation>
+        <source>Try paths</source>
+        <translation>Tentar percursos</translation>
     </message>
     <message>
-        <source>Also tries tilted entries of the best poses: the part enters the water tilted and is levelled on the way down. So air can escape, and the film reaches further. Takes about twice as long.</source>
-        <translation>Tenta também entradas tombadas das melhores poses: a peça entra tombada na água e é nivelada durante a descida. Assim o ar pode escapar, e a película alcança mais. Leva cerca do dobro do tempo.</translation>
+        <source>Also tries paths for the best poses: the part enters the water tilted and is levelled on the way down, goes down slanted, or, if a depth is set, rolls. So air can escape, and the film reaches further. Takes about twice as long.</source>
+        <translation>Tenta também percursos para as melhores poses: a peça entra tombada na água e é nivelada na descida, desce inclinada ou, se uma profundidade está definida, rola. Assim o ar pode escapar, e a película alcança mais longe. Demora cerca do dobro.</translation>
     </message>
 </context>
 <context>

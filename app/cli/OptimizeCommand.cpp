@@ -223,8 +223,8 @@ public:
         count(seedOption, QStringLiteral("The seed of the random directions, 0 to 1000000."),
               usual.seed);
         syntax.addOption(
-            {pathsOption, QStringLiteral("Also tries tilted entries of the best poses. The part "
-                                         "is levelled on the way down.")});
+            {pathsOption, QStringLiteral("Also tries paths for the best poses: tilted and "
+                                         "slanted entries, and rolls if a depth is set.")});
         syntax.addOption({weightOption,
                           QStringLiteral("The weight of a measure, or of zone_a, zone_b or zone_c, "
                                          "instead of the project's weight. May be repeated."),

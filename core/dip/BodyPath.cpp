@@ -165,7 +165,7 @@ QString pathText(const DipPath& path) {
                      .arg(degrees(path.angle), degrees(path.heading));
         break;
     case PathKind::Poses:
-        words << Text::tr("through %n pose(s)", nullptr, int(path.keys.size()));
+        words << Text::tr("through %1 poses").arg(path.keys.size());
         break;
     }
     if (path.kind != PathKind::Poses && path.turn != Degrees(0)) {

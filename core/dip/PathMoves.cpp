@@ -325,6 +325,11 @@ void requireTravellable(const DipPath& path, const Immersion& immersion) {
                         .arg(180 - flattest),
                     immersion.name);
     }
+    if (path.kind == PathKind::Roll && std::abs(angle) > 360) {
+        throw Error(Text::tr("A part that rolls by more than 360° lays film on its own film; choose "
+                             "an angle of at most 360°"),
+                    immersion.name);
+    }
     if (path.kind == PathKind::Poses) {
         requireKeys(path, immersion);
     }

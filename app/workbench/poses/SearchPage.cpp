@@ -83,11 +83,11 @@ QWidget* SearchPage::makeSettings() {
     form->addRow(tr("Dips"), immersions_);
     form->addRow(tr("Simulate"), simulated_);
     form->addRow(tr("Seed"), seed_);
-    paths_->setText(tr("Try tilted entries"));
+    paths_->setText(tr("Try paths"));
     paths_->setToolTip(
-        tr("Also tries tilted entries of the best poses: the part enters the water tilted "
-           "and is levelled on the way down. So air can escape, and the film reaches "
-           "further. Takes about twice as long."));
+        tr("Also tries paths for the best poses: the part enters the water tilted and is "
+           "levelled on the way down, goes down slanted, or, if a depth is set, rolls. So air "
+           "can escape, and the film reaches further. Takes about twice as long."));
     paths_->setObjectName(QStringLiteral("searchedPaths"));
     form->addRow(paths_);
     auto* more = new QToolButton;

@@ -243,6 +243,8 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(bodyPath(posedBox(), immersion, process), Error);
         QVERIFY_EXCEPTION_THROWN(
             bodyPath(posedBox(), onPath(PathKind::Slanted, 5), ProcessSettings()), Error);
+        QVERIFY_EXCEPTION_THROWN(
+            bodyPath(posedBox(), onPath(PathKind::Roll, -400), ProcessSettings()), Error);
     }
 
     void bodyPath_inertValues_goStraightDown() {
