@@ -1,9 +1,10 @@
 // Measures the film on users' models. Prints the table of docs/film-model.md, "Models", one line
 // per dip.
 //
-//   models_bench [points=COLUMNSxROWS | automatic] [found] [turned] [solver=ID] [against=ID]
-//   JOB.dipw …
+//   models_bench [points=COLUMNSxROWS | automatic] [unrefined] [found] [turned] [solver=ID]
+//   [against=ID] JOB.dipw …
 //
+// unrefined: keeps the first cells; no dip is repeated with smaller ones.
 // turned: measures the first dip also turned by 35°, 20° and −15°, a pose that nobody chose.
 // found: measures the job's own poses and the two poses that a pose search finds.
 // against: also dips with another solver, and prints how many pixels of the sheets differ.
@@ -29,7 +30,7 @@ namespace {
 struct Options {
     QStringList jobs;
     int columns = 0, rows = 0; // 0: the job's own numbers
-    bool isAutomatic = false, areFound = false, isTurned = false;
+    bool isAutomatic = false, isUnrefined = false, areFound = false, isTurned = false;
     QString solver, against; // names (ids) of solvers
 };
 
@@ -39,6 +40,7 @@ Options parsed(int argc, char** argv) {
     options.areFound = arguments.take("found");
     options.isTurned = arguments.take("turned");
     options.isAutomatic = arguments.take("automatic");
+    options.isUnrefined = arguments.take("unrefined");
     options.solver = QString::fromStdString(arguments.value("solver"));
     options.against = QString::fromStdString(arguments.value("against"));
     std::sscanf(arguments.value("points").c_str(), "%dx%d", &options.columns, &options.rows);
@@ -54,6 +56,9 @@ Project withOptions(Project job, const Options& options) {
     }
     if (options.isAutomatic) {
         job.film.resolution = FilmResolution::Automatic;
+    }
+    if (options.isUnrefined) {
+        job.film.work = 0;
     }
     if (options.columns > 0) {
         job.film.resolution = FilmResolution::Points;
