@@ -141,16 +141,32 @@
         <translation>Die erste Lage eines Wegs muss die Zeit 0 s und die Tiefe 0 mm haben, in der das Teil das Wasser berührt</translation>
     </message>
     <message>
-        <source>Pose %1 of the path must be later than the pose before it</source>
-        <translation>Lage %1 des Wegs muss später sein als die Lage davor</translation>
-    </message>
-    <message>
         <source>The last pose of a path must have the depth of the dip and no turn; to turn the part at the end of the dip, change its rotation</source>
         <translation>Die letzte Lage eines Wegs muss die Tiefe des Tauchvorgangs und keine Drehung haben; um das Teil am Ende des Tauchvorgangs zu drehen, ändern Sie seine Drehung</translation>
     </message>
     <message>
         <source>through %1 poses</source>
         <translation>durch %1 Lagen</translation>
+    </message>
+    <message>
+        <source>On its path the part travels and turns more than %1 m in all; use fewer poses or smaller turns</source>
+        <translation>Auf seinem Weg bewegt und dreht sich das Teil insgesamt um mehr als %1 m; nehmen Sie weniger Lagen oder kleinere Drehungen</translation>
+    </message>
+    <message>
+        <source>acceleration at most %1 mm/s²</source>
+        <translation>Beschleunigung höchstens %1 mm/s²</translation>
+    </message>
+    <message>
+        <source>Pose %1 of the path must be at least %2 s later than the pose before it</source>
+        <translation>Lage %1 des Wegs muss mindestens %2 s später sein als die Lage davor</translation>
+    </message>
+    <message>
+        <source>The poses of the path turn the part too far in all; use fewer poses or smaller turns</source>
+        <translation>Die Lagen des Wegs drehen das Teil insgesamt zu weit; nehmen Sie weniger Lagen oder kleinere Drehungen</translation>
+    </message>
+    <message>
+        <source>A part that rolls by more than 360° lays film on its own film; choose an angle of at most 360°</source>
+        <translation>Ein Teil, das um mehr als 360° rollt, legt Film auf seinen eigenen Film; wählen Sie einen Winkel von höchstens 360°</translation>
     </message>
 </context>
 <context>
@@ -823,6 +839,10 @@
     <message>
         <source>Add pose to path</source>
         <translation>Lage zum Weg hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove pose from path</source>
+        <translation>Lage aus dem Weg entfernen</translation>
     </message>
 </context>
 <context>
@@ -2050,6 +2070,10 @@
     <message>
         <source>In the poses of a path only the depth may be null; it then is the depth of the dip</source>
         <translation>In den Lagen eines Wegs darf nur die Tiefe null sein; sie ist dann die Tiefe des Tauchvorgangs</translation>
+    </message>
+    <message>
+        <source>In the poses of a path, times are at most %1 s, lengths %2 mm and turns %3°</source>
+        <translation>In den Lagen eines Wegs sind Zeiten höchstens %1 s, Längen höchstens %2 mm und Drehungen höchstens %3°</translation>
     </message>
 </context>
 <context>
@@ -4328,18 +4352,6 @@
     <message>
         <source>Moved to %1 along %2 (hold Shift for steps of %3)</source>
         <translation>Auf %1 längs %2 verschoben (mit Umschalt in Schritten von %3)</translation>
-    </message>
-    <message>
-        <source>Pose %1: depth %2</source>
-        <translation>Lage %1: Tiefe %2</translation>
-    </message>
-    <message>
-        <source>Pose %1: moved by %2 along %3</source>
-        <translation>Lage %1: um %2 entlang %3 bewegt</translation>
-    </message>
-    <message>
-        <source>Move pose of path</source>
-        <translation>Lage des Wegs bewegen</translation>
     </message>
 </context>
 <context>
@@ -7261,10 +7273,6 @@ zuerst eintaucht</translation>
         <translation>Entfernt die gewählte Lage. Die erste und die letzte bleiben.</translation>
     </message>
     <message>
-        <source>When the part takes this pose, since the dip began.</source>
-        <translation>Wann das Teil diese Lage einnimmt, seit Beginn des Tauchvorgangs.</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Zeit</translation>
     </message>
@@ -7299,6 +7307,10 @@ zuerst eintaucht</translation>
     <message>
         <source>%1: %2 s, depth %3</source>
         <translation>%1: %2 s, Tiefe %3</translation>
+    </message>
+    <message>
+        <source>When the part takes this pose, since the dip began. With a limit of the acceleration the part may take it later.</source>
+        <translation>Wann das Teil diese Lage einnimmt, seit Beginn des Tauchvorgangs. Mit einer Grenze der Beschleunigung nimmt das Teil sie vielleicht später ein.</translation>
     </message>
 </context>
 <context>

@@ -141,16 +141,32 @@
         <translation>A primeira pose de um percurso deve ter o tempo 0 s e a profundidade 0 mm, em que a peça toca a água</translation>
     </message>
     <message>
-        <source>Pose %1 of the path must be later than the pose before it</source>
-        <translation>A pose %1 do percurso deve vir depois da pose anterior</translation>
-    </message>
-    <message>
         <source>The last pose of a path must have the depth of the dip and no turn; to turn the part at the end of the dip, change its rotation</source>
         <translation>A última pose de um percurso deve ter a profundidade da imersão e nenhum giro; para girar a peça no fim da imersão, mude sua rotação</translation>
     </message>
     <message>
         <source>through %1 poses</source>
         <translation>por %1 poses</translation>
+    </message>
+    <message>
+        <source>On its path the part travels and turns more than %1 m in all; use fewer poses or smaller turns</source>
+        <translation>Em seu percurso a peça se move e gira mais de %1 m ao todo; use menos poses ou giros menores</translation>
+    </message>
+    <message>
+        <source>acceleration at most %1 mm/s²</source>
+        <translation>aceleração de no máximo %1 mm/s²</translation>
+    </message>
+    <message>
+        <source>Pose %1 of the path must be at least %2 s later than the pose before it</source>
+        <translation>A pose %1 do percurso deve vir pelo menos %2 s depois da pose anterior</translation>
+    </message>
+    <message>
+        <source>The poses of the path turn the part too far in all; use fewer poses or smaller turns</source>
+        <translation>As poses do percurso giram a peça demais ao todo; use menos poses ou giros menores</translation>
+    </message>
+    <message>
+        <source>A part that rolls by more than 360° lays film on its own film; choose an angle of at most 360°</source>
+        <translation>Uma peça que rola mais de 360° deita película sobre sua própria película; escolha um ângulo de no máximo 360°</translation>
     </message>
 </context>
 <context>
@@ -274,7 +290,7 @@
     </message>
     <message>
         <source>%1: no cradle is possible, because on this path it would touch the film on the water; tilt or roll the part less, dip it less deep, or hold it by hand</source>
-        <translation>%1: nenhum berço é possível, porque neste percurso ele tocaria a película na água; incline ou role menos a peça, mergulhe-a menos fundo ou segure-a com a mão</translation>
+        <translation>%1: nenhum berço é possível, porque neste percurso ele tocaria a película na água; tombe ou role menos a peça, mergulhe-a menos fundo ou segure-a com a mão</translation>
     </message>
 </context>
 <context>
@@ -823,6 +839,10 @@
     <message>
         <source>Add pose to path</source>
         <translation>Adicionar pose ao percurso</translation>
+    </message>
+    <message>
+        <source>Remove pose from path</source>
+        <translation>Remover pose do percurso</translation>
     </message>
 </context>
 <context>
@@ -2051,6 +2071,10 @@
         <source>In the poses of a path only the depth may be null; it then is the depth of the dip</source>
         <translation>Nas poses de um percurso só a profundidade pode ser null; ela é então a profundidade da imersão</translation>
     </message>
+    <message>
+        <source>In the poses of a path, times are at most %1 s, lengths %2 mm and turns %3°</source>
+        <translation>Nas poses de um percurso, os tempos são de no máximo %1 s, os comprimentos de %2 mm e os giros de %3°</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -3098,7 +3122,7 @@
     </message>
     <message>
         <source>How far the angle of a slanted, tilted or rolling dip may be from its set value. Has no effect on other dips.</source>
-        <translation>Quanto o ângulo de uma imersão oblíqua, inclinada ou com rolamento pode desviar do valor ajustado. Não tem efeito em outras imersões.</translation>
+        <translation>Quanto o ângulo de uma imersão inclinada, tombada ou rolada pode desviar do valor ajustado. Não tem efeito em outras imersões.</translation>
     </message>
     <message>
         <source>Start of the dip</source>
@@ -4328,18 +4352,6 @@
     <message>
         <source>Moved to %1 along %2 (hold Shift for steps of %3)</source>
         <translation>Movido para %1 ao longo de %2 (segure Shift para passos de %3)</translation>
-    </message>
-    <message>
-        <source>Pose %1: depth %2</source>
-        <translation>Pose %1: profundidade %2</translation>
-    </message>
-    <message>
-        <source>Pose %1: moved by %2 along %3</source>
-        <translation>Pose %1: movida %2 ao longo de %3</translation>
-    </message>
-    <message>
-        <source>Move pose of path</source>
-        <translation>Mover pose do percurso</translation>
     </message>
 </context>
 <context>
@@ -7261,10 +7273,6 @@ desce primeiro</translation>
         <translation>Remove a pose escolhida. A primeira e a última ficam.</translation>
     </message>
     <message>
-        <source>When the part takes this pose, since the dip began.</source>
-        <translation>Quando a peça assume esta pose, desde o início da imersão.</translation>
-    </message>
-    <message>
         <source>Time</source>
         <translation>Tempo</translation>
     </message>
@@ -7299,6 +7307,10 @@ desce primeiro</translation>
     <message>
         <source>%1: %2 s, depth %3</source>
         <translation>%1: %2 s, profundidade %3</translation>
+    </message>
+    <message>
+        <source>When the part takes this pose, since the dip began. With a limit of the acceleration the part may take it later.</source>
+        <translation>Quando a peça assume esta pose, desde o início da imersão. Com um limite de aceleração, a peça pode assumi-la mais tarde.</translation>
     </message>
 </context>
 <context>

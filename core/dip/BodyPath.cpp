@@ -123,6 +123,12 @@ solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
         }
     }
     path.poses = posesOf(moves, shape.radius());
+    if (path.poses.back().travelled > 2 * farthestTravel) {
+        throw Error(Text::tr("On its path the part travels and turns more than %1 m in all; use "
+                             "fewer poses or smaller turns")
+                        .arg(2 * farthestTravel / 1000),
+                    immersion.name);
+    }
     return path;
 }
 
@@ -177,6 +183,10 @@ QString pathText(const DipPath& path) {
     }
     if (path.kind != PathKind::Poses && path.slowSpeed) {
         words << Text::tr("slow at the beginning and the end");
+    }
+    if (path.acceleration) {
+        words << Text::tr("acceleration at most %1 mm/s²")
+                     .arg(locale.toString(path.acceleration->value(), 'g', 4));
     }
     return words.join(QStringLiteral(", "));
 }

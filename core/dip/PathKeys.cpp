@@ -10,8 +10,6 @@ namespace dipwright {
 
 namespace {
 
-constexpr int keysOfPath = 5;
-
 double rounded(double value, double parts) {
     return std::round(value * parts) / parts + 0.0; // + 0.0 turns −0 into 0
 }
@@ -24,17 +22,31 @@ double lowestOf(const TriangleMesh& posed, const Eigen::Isometry3d& place) {
     return lowest + place.translation().y();
 }
 
+// `near`: the angles of the next pose, radians; receives those of this one.
 PathKey keyAt(const solver::BodyPath& path, double seconds, const TriangleMesh& posed,
-              const std::array<Degrees, 3>& near) {
+              Eigen::Vector3d& near) {
     const Eigen::Isometry3d place = placeOnPath(path, travelledAfter(path, seconds));
     const Eigen::Vector3d middle(path.pivot[0], path.pivot[1], path.pivot[2]);
     const Eigen::Vector3d pivot = place * middle;
+    near = anglesNear(place.linear(), near);
     PathKey key;
     key.time = Seconds(rounded(seconds, 100));
     key.depth = Millimetres(rounded(std::max(0.0, -lowestOf(posed, place)), 100));
     key.beside = {Millimetres(rounded(pivot.x(), 100)), Millimetres(rounded(pivot.z(), 100))};
-    key.turn = rotationAngles(place.linear(), near);
+    for (int axis = 0; axis < 3; ++axis) {
+        key.turn[std::size_t(axis)] = Degrees(rounded(near[axis] * 180 / pi, 10));
+    }
     return key;
+}
+
+// Returns enough equal times for turns of at most 60° between them.
+int keysFor(const solver::BodyPath& path) {
+    constexpr int fewest = 5;
+    double turned = 0;
+    for (std::size_t i = 1; i < path.poses.size(); ++i) {
+        turned += rotationOf(path.poses[i - 1]).angularDistance(rotationOf(path.poses[i]));
+    }
+    return std::max(fewest, 1 + int(std::ceil(turned / (pi / 3))));
 }
 
 } // namespace
@@ -60,16 +72,34 @@ DipPath asPoses(const TriangleMesh& posed, const Immersion& immersion,
         return result;
     }
     const double end = path.poses.back().seconds;
-    std::array<Degrees, 3> near{};
-    for (int i = keysOfPath - 1; i >= 0; --i) { // backwards, since the last one is not turned
-        result.keys.insert(result.keys.begin(),
-                           keyAt(path, end * i / (keysOfPath - 1), posed, near));
-        near = result.keys.front().turn;
+    Eigen::Vector3d near(0, 0, 0);
+    const int last = keysFor(path) - 1;
+    for (int i = last; i >= 0; --i) { // backwards, since the last one is not turned
+        result.keys.insert(result.keys.begin(), keyAt(path, end * i / last, posed, near));
     }
     result.keys.front().depth = Millimetres(0);
     result.keys.back().depth.reset();
     result.keys.back().turn = {};
     return result;
+}
+
+std::vector<double> timesOfKeys(const TriangleMesh& posed, const Immersion& immersion,
+                                const ProcessSettings& process) {
+    std::vector<double> times;
+    for (const PathKey& key : immersion.path.keys) {
+        times.push_back(key.time.value());
+    }
+    if (immersion.path.acceleration) {
+        Immersion still = immersion; // without a flow, a limit of the acceleration keeps the way
+        still.path.waterSpeed = {};
+        const solver::BodyPath limited = bodyPath(posed, still, process);
+        still.path.acceleration.reset();
+        const solver::BodyPath planned = bodyPath(posed, still, process);
+        for (double& time : times) {
+            time = secondsOnPath(limited, travelledAfter(planned, time));
+        }
+    }
+    return times;
 }
 
 PathKey middleKey(const PathKey& before, const PathKey& after, Millimetres depth) {

@@ -69,9 +69,19 @@ KeyValues between(const KeyValues& from, const KeyValues& fromRate, const KeyVal
            seconds * ((cube - 2 * square + share) * fromRate + (cube - square) * toRate);
 }
 
+// Returns into how many parts, between which the part moves evenly, the way between two poses is
+// divided.
+int partsBetween(const PathKey& from, const PathKey& to) {
+    constexpr int least = 12;
+    double turned = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        turned += std::abs(radians(to.turn[axis] - from.turn[axis]));
+    }
+    return std::max(least, 2 * partsOf(turned));
+}
+
 // The moves through the poses that the user set.
 std::vector<Move> keyedMoves(const PathShape& shape, const DipPath& path, double depth) {
-    constexpr int leastParts = 12;
     std::vector<KeyValues> values;
     for (const PathKey& key : path.keys) {
         values.push_back(valuesOf(key, depth));
@@ -88,8 +98,7 @@ std::vector<Move> keyedMoves(const PathShape& shape, const DipPath& path, double
     for (std::size_t i = 1; i < values.size(); ++i) {
         const double begin = path.keys[i - 1].time.value();
         const double seconds = path.keys[i].time.value() - begin;
-        const double turned = radians(Degrees((values[i] - values[i - 1]).tail<3>().lpNorm<1>()));
-        const int parts = std::max(leastParts, 2 * partsOf(turned));
+        const int parts = partsBetween(path.keys[i - 1], path.keys[i]);
         for (int part = 1; part <= parts; ++part) {
             const double share = double(part) / parts;
             add(begin + share * seconds,
@@ -304,11 +313,23 @@ void requireKeys(const DipPath& path, const Immersion& immersion) {
         refuse(Text::tr("The first pose of a path must have the time 0 s and the depth 0 mm, at "
                         "which the part touches the water"));
     }
+    constexpr double leastWait = 0.01; // s
+    // The solvers take at most 10,000 poses; a limit of the acceleration divides each part of the
+    // path into up to 13.
+    const int mostParts = path.acceleration ? 750 : 9000;
+    int parts = 0;
     for (std::size_t i = 1; i < path.keys.size(); ++i) {
-        if (!(path.keys[i].time > path.keys[i - 1].time)) {
-            refuse(
-                Text::tr("Pose %1 of the path must be later than the pose before it").arg(i + 1));
+        if (!((path.keys[i].time - path.keys[i - 1].time).value() > leastWait * (1 - 1e-9))) {
+            refuse(Text::tr("Pose %1 of the path must be at least %2 s later than the pose before "
+                            "it")
+                       .arg(i + 1)
+                       .arg(leastWait));
         }
+        parts += partsBetween(path.keys[i - 1], path.keys[i]);
+    }
+    if (parts > mostParts) {
+        refuse(Text::tr("The poses of the path turn the part too far in all; use fewer poses or "
+                        "smaller turns"));
     }
     if (path.keys.back().depth || path.keys.back().turn != std::array<Degrees, 3>{}) {
         refuse(Text::tr("The last pose of a path must have the depth of the dip and no turn; to "
@@ -326,9 +347,10 @@ void requireTravellable(const DipPath& path, const Immersion& immersion) {
                     immersion.name);
     }
     if (path.kind == PathKind::Roll && std::abs(angle) > 360) {
-        throw Error(Text::tr("A part that rolls by more than 360° lays film on its own film; choose "
-                             "an angle of at most 360°"),
-                    immersion.name);
+        throw Error(
+            Text::tr("A part that rolls by more than 360° lays film on its own film; choose "
+                     "an angle of at most 360°"),
+            immersion.name);
     }
     if (path.kind == PathKind::Poses) {
         requireKeys(path, immersion);

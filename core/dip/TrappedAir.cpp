@@ -45,8 +45,8 @@ TrappedAir trappedAir(const PosedBody& body) {
         }
     } else {
         for (const AirPocket& pocket : body.air.all()) {
-            first = std::min(first,
-                             startHeight + pocket.level - double(boundingBox(mesh).min().y()));
+            first =
+                std::min(first, startHeight + pocket.level - double(boundingBox(mesh).min().y()));
         }
     }
     if (first < never) {

@@ -478,6 +478,20 @@ PathKey keyOf(const QJsonArray& row, const QString& path) {
         }
         return row.at(part).toDouble();
     };
+    constexpr double latest = 10'000, deepest = 5000, farthest = 5000, mostTurn = 720;
+    const std::array<double, 7> limits{latest,   deepest,  farthest, farthest,
+                                       mostTurn, mostTurn, mostTurn};
+    for (int part = 0; part < row.size(); ++part) {
+        if (std::abs(row.at(part).toDouble()) > limits[std::size_t(part)]) {
+            throw Error(
+                Text::tr("In the poses of a path, times are at most %1 s, lengths %2 mm and "
+                         "turns %3°")
+                    .arg(latest)
+                    .arg(farthest)
+                    .arg(mostTurn),
+                path);
+        }
+    }
     PathKey key;
     key.time = Seconds(at(0));
     key.depth.reset();

@@ -160,7 +160,23 @@ std::vector<Immersion> withPaths(const Immersion& immersion, const ProcessSettin
 constexpr std::size_t dippedWithPaths =
     12; // of the entries that withPaths() returns, for each pose
 
-// Returns the paths near that of a pose that withPaths() made.
+// Returns a path's angle within the range in which the path can be travelled.
+Degrees travellable(PathKind kind, Degrees angle) {
+    switch (kind) {
+    case PathKind::Slanted:
+        return std::clamp(angle, Degrees(10), Degrees(170));
+    case PathKind::Tilt:
+        return std::clamp(angle, Degrees(-85), Degrees(85));
+    case PathKind::Roll:
+        return std::clamp(angle, Degrees(-360), Degrees(360));
+    case PathKind::Straight:
+    case PathKind::Poses:
+        break;
+    }
+    return angle;
+}
+
+// Returns the paths near a slanted, tilted or rolling one.
 std::vector<Immersion> nearPaths(const Immersion& immersion) {
     std::vector<Immersion> result;
     for (const double side : {-1.0, 1.0}) {
@@ -173,12 +189,14 @@ std::vector<Immersion> nearPaths(const Immersion& immersion) {
         const bool isSlanted = immersion.path.kind == PathKind::Slanted;
         next.path.angle =
             isSlanted ? next.path.angle + Degrees(10 * side) : next.path.angle * (1 + 0.25 * side);
+        next.path.angle = travellable(next.path.kind, next.path.angle);
         result.push_back(next);
     }
     return result;
 }
 
-// Returns the settings that apply to every pose: the flow of the water and the slow entry.
+// Returns the settings that apply to every pose: the flow of the water,
+// the slow entry and the limit of the acceleration.
 DipPath commonPath(const SearchSubject& subject) {
     DipPath path = subject.immersions.empty() ? DipPath() : subject.immersions.front().path;
     const DipPath usual;
@@ -211,6 +229,11 @@ QByteArray searchKey(const SearchSubject& subject, const SearchSettings& setting
         << settings.seed;
     for (const double weight : settings.aims.zoneWeights) {
         out << weight;
+    }
+    if (const DipPath path = commonPath(subject); !path.isStraightDown()) {
+        out << path.heading.value() << path.waterSpeed.value() << path.slowWay.value()
+            << path.slowSpeed.value_or(MillimetresPerSecond(0)).value()
+            << path.acceleration.value_or(MillimetresPerSecondSquared(0)).value();
     }
     return sha256(text).toHex();
 }
@@ -268,8 +291,9 @@ public:
             requirePaths();
         }
         progress_(fieldShare, Text::tr("Rating directions by the part's shape"));
-        candidates_ = poseCandidates(preview_, triangleWeights(subject, preview_, settings),
-                                     subject.film, subject.process, settings, progress);
+        weights_ = triangleWeights(subject, preview_, settings);
+        candidates_ =
+            poseCandidates(preview_, weights_, subject.film, subject.process, settings, progress);
         for (PoseCandidate& candidate : candidates_.all) {
             candidate.immersion.path = common_;
         }
@@ -614,13 +638,21 @@ private:
         rank();
     }
 
-    // Returns those of the dips that cover most by the body's shape, in the order of coverage.
+    // Returns those of the dips that cover most by the body's shape, weighted like the search's
+    // directions, in the order of coverage.
     std::vector<Immersion> bestPreviewed(std::vector<Immersion> dips) const {
         std::vector<std::pair<double, std::size_t>> order(dips.size());
         parallelFor(std::size_t(0), dips.size(), [&](std::size_t index) {
             progress_.cancelToken.throwIfCancelled();
-            order[index] = {-preview_.at(dips[index], subject_.film, subject_.process).share,
-                            index};
+            const PreviewedCoverage coverage =
+                preview_.at(dips[index], subject_.film, subject_.process);
+            double covered = 0;
+            for (std::size_t triangle = 0; triangle < coverage.covered.size(); ++triangle) {
+                covered += coverage.covered[triangle] != 0
+                               ? double(preview_.areas()[triangle]) * double(weights_[triangle])
+                               : 0;
+            }
+            order[index] = {-covered, index};
         });
         std::sort(order.begin(), order.end());
         order.resize(std::min(order.size(), dippedWithPaths));
@@ -804,6 +836,7 @@ private:
     PoseDips coarse_;
     DipPath common_;
     CoveragePreview preview_;
+    std::vector<float> weights_; // of the preview's triangles
     PoseCandidates candidates_;
     std::vector<Judged> own_;   // the job's own poses
     std::vector<Judged> poses_; // dips of candidates_.chosen; null until dipped

@@ -142,6 +142,38 @@ std::vector<MotionPoint> motionPoints(const DipMotion& motion) {
     return points;
 }
 
+namespace {
+
+// Returns a path without moves that a controller would skip because they are shorter than its
+// resolution: short ones join the next move; for a wait the part goes slowly down and up again.
+std::vector<MotionPose> carriedOut(const std::vector<MotionPose>& path) {
+    constexpr double leastWay = 0.005, leastTurn = 0.005 * pi / 180; // mm, radians
+    constexpr Seconds leastWait(0.2);
+    std::vector<MotionPose> poses{path.front()};
+    Seconds rested = path.front().time; // when the part was last at the last pose
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const MotionPose& last = poses.back();
+        const bool moves = (path[i].place - last.place).norm() > leastWay ||
+                           last.turn.angularDistance(path[i].turn) > leastTurn;
+        if (!moves && i + 1 < path.size()) {
+            rested = path[i].time;
+            continue;
+        }
+        if (const Seconds wait = rested - last.time; wait > leastWait) {
+            const MotionPose from = last;
+            const Eigen::Vector3d down =
+                holdSpeed.value() * wait.value() / 2 * Eigen::Vector3d::UnitZ();
+            poses.push_back({from.time + wait / 2, from.place - down, from.turn});
+            poses.push_back({rested, from.place, from.turn});
+        }
+        poses.push_back(path[i]);
+        rested = path[i].time;
+    }
+    return poses;
+}
+
+} // namespace
+
 std::vector<MotionPose> motionPoses(const DipMotion& motion) {
     // A part that waits goes down and up slowly, because controllers use different units for a
     // dwell.
@@ -150,7 +182,7 @@ std::vector<MotionPose> motionPoses(const DipMotion& motion) {
     const Eigen::Vector3d lift(0, 0, (motion.park - motion.start).value());
     std::vector<MotionPose> poses{{Seconds(0), first.place + lift, first.turn}};
     const Seconds begin(lift.z() / motion.approach.value());
-    for (const MotionPose& pose : motion.path) {
+    for (const MotionPose& pose : carriedOut(motion.path)) {
         poses.push_back({begin + pose.time, pose.place, pose.turn});
     }
     const auto add = [&](Seconds lasts, const Eigen::Vector3d& place) {

@@ -49,13 +49,11 @@ TriangleMesh posedModel(const Project& project, const Immersion& immersion) {
 void fillPoses(Project& project, const Project& before) {
     for (std::size_t dip = 0; dip < project.immersions.size(); ++dip) {
         DipPath& path = project.immersions[dip].path;
-        if (path.kind != PathKind::Poses || !path.keys.empty() || dip >= before.immersions.size()) {
+        if (path.kind != PathKind::Poses || dip >= before.immersions.size() ||
+            before.immersions[dip].path.kind == PathKind::Poses) {
             continue;
         }
         Immersion source = before.immersions[dip];
-        if (source.path.kind == PathKind::Poses) {
-            source.path = {};
-        }
         try {
             path.keys = asPoses(posedModel(before, source), source, before.process).keys;
         } catch (const Error&) { // that path cannot be travelled
@@ -66,15 +64,30 @@ void fillPoses(Project& project, const Project& before) {
 }
 
 void addPathKey(Document& document, std::size_t dip, std::size_t before) {
-    const Project& project = document.project();
-    const double height = boundingBox(posedModel(project, project.immersions[dip])).sizes().y();
-    const Millimetres depth(dipDepth(project.process, height));
+    const Millimetres depth = depthOf(document.project(), dip);
     document.edit(QCoreApplication::translate("ImmersionEdits", "Add pose to path"), {},
                   [&](Project& changed) {
                       std::vector<PathKey>& keys = changed.immersions[dip].path.keys;
                       keys.insert(keys.begin() + std::ptrdiff_t(before) + 1,
                                   middleKey(keys[before], keys[before + 1], depth));
                   });
+}
+
+void removePathKey(Document& document, std::size_t dip, std::size_t key) {
+    document.edit(QCoreApplication::translate("ImmersionEdits", "Remove pose from path"), {},
+                  [&](Project& project) {
+                      std::vector<PathKey>& keys = project.immersions[dip].path.keys;
+                      keys.erase(keys.begin() + std::ptrdiff_t(key));
+                  });
+}
+
+Millimetres depthOf(const Project& project, std::size_t dip) {
+    const ProcessSettings& process = project.process;
+    return process.depth
+               ? *process.depth
+               : Millimetres(dipDepth(
+                     process,
+                     boundingBox(posedModel(project, project.immersions[dip])).sizes().y()));
 }
 
 void swapImmersions(Document& document) {

@@ -12,11 +12,14 @@ void removeImmersion(Document& document, std::size_t number);
 void setImmersions(Document& document, const std::vector<Immersion>& immersions);
 // Does the same to try poses: tries in a row become one undo step.
 void tryImmersions(Document& document, const std::vector<Immersion>& immersions);
-// Gives each dip whose path has the kind PathKind::Poses but no poses those of its path in
+// Gives each dip whose path goes through poses, but did not in `before`, poses of its path in
 // `before`.
 void fillPoses(Project& project, const Project& before);
 // Adds a pose to the path of a dip, between the pose `before` and the next.
 void addPathKey(Document& document, std::size_t dip, std::size_t before);
+void removePathKey(Document& document, std::size_t dip, std::size_t key);
+// Returns the depth of a dip.
+Millimetres depthOf(const Project& project, std::size_t dip);
 // Swaps the two dips. Marks for the seam stay with their dip.
 void swapImmersions(Document& document);
 

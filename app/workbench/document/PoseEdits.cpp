@@ -3,6 +3,8 @@
 #include "dip/Pose.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 
 namespace dipwright {
 
@@ -18,6 +20,17 @@ Immersion turned(const Immersion& immersion, int axis, double degrees, const Sho
     }
     const Eigen::Matrix3d seen = shown.turn.transpose() * turn * shown.turn;
     result.rotation = rotationAngles(seen * rotationMatrix(immersion.rotation), immersion.rotation);
+    return result;
+}
+
+Immersion moved(const Immersion& immersion, int axis, double millimetres, const ShownPose& shown) {
+    constexpr double farthest = 5000; // as in the project file (core/project/Schema.cpp)
+    Immersion result = immersion;
+    std::array<Millimetres, 2>& place =
+        shown.key ? result.path.keys[*shown.key].beside : result.offset;
+    Millimetres& part = place[axis == 0 ? 0 : 1];
+    part = Millimetres(
+        std::clamp(std::round(10 * (part.value() + millimetres)) / 10, -farthest, farthest));
     return result;
 }
 

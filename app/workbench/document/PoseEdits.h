@@ -20,6 +20,10 @@ struct ShownPose {
 // in the view. The angles are rounded to 0.1°.
 Immersion turned(const Immersion& immersion, int axis, double degrees, const ShownPose& shown = {});
 
+// Returns `immersion` with its body, or the shown pose of its path, moved along X (axis 0) or Z
+// (axis 2) by `millimetres`, rounded to 0.1 mm.
+Immersion moved(const Immersion& immersion, int axis, double millimetres, const ShownPose& shown);
+
 // Returns `immersion` turned so that the face with the normal `outward` (model coordinates) points
 // down at the end of the dip. Uses the smallest rotation. The angles are rounded to 0.1°.
 Immersion withFaceDown(const Immersion& immersion, const Eigen::Vector3d& outward);

@@ -149,8 +149,7 @@ void MainWindow::connectPanels() {
     });
     connect(parts_.properties, &PropertyPanel::shownPrintChanged, &scene_,
             &DipScene::setShownPrint);
-    connect(parts_.properties, &PropertyPanel::pathKeyChosen, &playback_,
-            &DipPlayback::setPathKey);
+    connect(parts_.properties, &PropertyPanel::pathKeyChosen, &playback_, &DipPlayback::setPathKey);
     connect(&scene_, &DipScene::deeperFilmWanted, &deeperFilm_, &DeeperFilm::start);
     connect(&deeperFilm_, &DeeperFilm::done, &scene_, &DipScene::setDeeperFilm);
     connect(parts_.properties, &PropertyPanel::tolerancesAsked, actions_.tolerances,

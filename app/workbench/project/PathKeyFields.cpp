@@ -40,26 +40,33 @@ PathKeyFields::PathKeyFields(LengthUnit unit, QWidget* parent)
     buttons->addWidget(remove_);
     form->addRow(buttons);
     const auto addRow = [&](const QString& label, NumberBox* box) { form->addRow(label, box); };
-    time_ = addBox(Unit::Time, QStringLiteral("keyTime"),
-                   tr("When the part takes this pose, since the dip began."));
+    time_ = addBox(
+        Unit::Time, QStringLiteral("keyTime"),
+        tr("When the part takes this pose, since the dip began. With a limit of the acceleration "
+           "the part may take it later."),
+        [](PathKey& key, double value) { key.time = Seconds(value); });
     addRow(tr("Time"), time_);
     depth_ = addBox(Unit::Length, QStringLiteral("keyDepth"),
                     tr("Depth of the part's lowest point. In the first pose it touches the water, "
-                       "in the last one it is at the depth of the dip."));
+                       "in the last one it is at the depth of the dip."),
+                    [](PathKey& key, double value) { key.depth = Millimetres(value); });
     addRow(tr("Depth"), depth_);
     for (std::size_t part = 0; part < 2; ++part) {
         const QString axis(QLatin1Char("XZ"[part]));
         beside_[part] =
             addBox(Unit::Length, QStringLiteral("keyBeside") + axis,
-                   tr("How far the part has moved along %1 from its offset.").arg(axis));
+                   tr("How far the part has moved along %1 from its offset.").arg(axis),
+                   [part](PathKey& key, double value) { key.beside[part] = Millimetres(value); });
         addRow(tr("Moved along %1").arg(axis), beside_[part]);
     }
     for (std::size_t part = 0; part < 3; ++part) {
         const QString axis(QLatin1Char("XYZ"[part]));
-        turn_[part] = addBox(Unit::Angle, QStringLiteral("keyTurn") + axis,
-                             tr("How far the part is turned about %1 from its rotation at the end "
-                                "of the dip; about X first, then Y, then Z.")
-                                 .arg(axis));
+        turn_[part] =
+            addBox(Unit::Angle, QStringLiteral("keyTurn") + axis,
+                   tr("How far the part is turned about %1 from its rotation at the end "
+                      "of the dip; about X first, then Y, then Z.")
+                       .arg(axis),
+                   [part](PathKey& key, double value) { key.turn[part] = Degrees(value); });
         addRow(tr("Turned about %1").arg(axis), turn_[part]);
     }
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
@@ -68,14 +75,12 @@ PathKeyFields::PathKeyFields(LengthUnit unit, QWidget* parent)
     });
     connect(add_, &QPushButton::clicked, this,
             [this] { emit addAsked(std::clamp(list_->currentRow(), 0, int(keys_.size()) - 2)); });
-    connect(remove_, &QPushButton::clicked, this, [this] {
-        std::vector<PathKey> keys = keys_;
-        keys.erase(keys.begin() + list_->currentRow());
-        emit changed(keys);
-    });
+    connect(remove_, &QPushButton::clicked, this,
+            [this] { emit removeAsked(list_->currentRow()); });
 }
 
-NumberBox* PathKeyFields::addBox(Unit unit, const QString& name, const QString& text) {
+NumberBox* PathKeyFields::addBox(Unit unit, const QString& name, const QString& text,
+                                 const std::function<void(PathKey&, double)>& set) {
     auto* box = new NumberBox;
     box->setObjectName(name);
     box->setAccessibleName(text);
@@ -86,7 +91,9 @@ NumberBox* PathKeyFields::addBox(Unit unit, const QString& name, const QString& 
     const double most = unit == Unit::Angle ? mostTurn : unit == Unit::Time ? latest : farthest;
     const double factor = shownPerStored(unit, unit_);
     box->setRange(-most * factor, most * factor);
-    connect(box, &QDoubleSpinBox::valueChanged, this, &PathKeyFields::readFields);
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, set, factor](double value) {
+        change([&](PathKey& key) { set(key, value / factor); });
+    });
     connect(box, &QDoubleSpinBox::editingFinished, this, &PathKeyFields::left);
     connect(box, &NumberBox::refused, this, &PathKeyFields::refused);
     return box;
@@ -100,9 +107,10 @@ QString PathKeyFields::textOf(std::size_t key) const {
         .arg(QLocale().toString(pose.time.value(), 'g', 6), depth);
 }
 
-void PathKeyFields::show(const std::vector<PathKey>& keys) {
+void PathKeyFields::show(const std::vector<PathKey>& keys, Millimetres depth) {
     const int before = list_->currentRow();
     keys_ = keys;
+    dipDepth_ = depth;
     {
         const QSignalBlocker quiet(list_);
         while (list_->count() > int(keys.size())) {
@@ -130,7 +138,10 @@ void PathKeyFields::showChosen() {
     const int row = list_->currentRow();
     const int last = int(keys_.size()) - 1;
     const bool isChosen = row >= 0, isInner = row > 0 && row < last;
-    add_->setEnabled(last > 0 && keys_.size() < mostPathKeys);
+    const auto before = std::size_t(std::clamp(row, 0, std::max(last - 1, 0)));
+    const bool hasRoom =
+        last > 0 && (keys_[before + 1].time - keys_[before].time).value() > 2 * leastWait;
+    add_->setEnabled(hasRoom && keys_.size() < mostPathKeys);
     remove_->setEnabled(isInner);
     const double factor = shownPerStored(Unit::Length, unit_);
     const PathKey key = isChosen ? keys_[std::size_t(row)] : PathKey();
@@ -145,7 +156,7 @@ void PathKeyFields::showChosen() {
                         isInner ? keys_[std::size_t(row + 1)].time.value() - leastWait : latest);
     }
     set(*time_, key.time.value(), row > 0);
-    set(*depth_, key.depth.value_or(Millimetres(0)).value() * factor, isInner);
+    set(*depth_, key.depth.value_or(dipDepth_).value() * factor, isInner);
     for (std::size_t part = 0; part < 2; ++part) {
         set(*beside_[part], key.beside[part].value() * factor, isChosen);
     }
@@ -154,25 +165,12 @@ void PathKeyFields::showChosen() {
     }
 }
 
-void PathKeyFields::readFields() {
-    const int row = list_->currentRow();
-    if (row < 0) {
-        return;
+void PathKeyFields::change(const std::function<void(PathKey&)>& set) {
+    if (const int row = list_->currentRow(); row >= 0) {
+        std::vector<PathKey> keys = keys_;
+        set(keys[std::size_t(row)]);
+        emit changed(keys);
     }
-    std::vector<PathKey> keys = keys_;
-    PathKey& key = keys[std::size_t(row)];
-    const double factor = shownPerStored(Unit::Length, unit_);
-    key.time = Seconds(time_->value());
-    if (key.depth) {
-        key.depth = Millimetres(depth_->value() / factor);
-    }
-    for (std::size_t part = 0; part < 2; ++part) {
-        key.beside[part] = Millimetres(beside_[part]->value() / factor);
-    }
-    for (std::size_t part = 0; part < 3; ++part) {
-        key.turn[part] = Degrees(turn_[part]->value());
-    }
-    emit changed(keys);
 }
 
 } // namespace dipwright

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 #include <array>
+#include <functional>
 
 class QListWidget;
 class QPushButton;
@@ -20,25 +21,31 @@ class PathKeyFields : public QWidget {
 public:
     explicit PathKeyFields(LengthUnit unit, QWidget* parent = nullptr);
 
-    void show(const std::vector<PathKey>& keys); // emits changed() never, chosen() if it must
+    // `depth`: of the dip, which the poses without a depth of their own have. Emits only chosen(),
+    // if the chosen pose no longer exists.
+    void show(const std::vector<PathKey>& keys, Millimetres depth);
 
     void choose(int key);
 
 signals:
     void changed(const std::vector<dipwright::PathKey>& keys);
     void addAsked(int before); // a pose between `before` and the next one
-    void chosen(int key);      // -1: none
-    void left();               // a field lost the focus
+    void removeAsked(int key);
+    void chosen(int key); // -1: none
+    void left();          // a field lost the focus
     void refused(const QString& sentence);
 
 private:
-    NumberBox* addBox(Unit unit, const QString& name, const QString& text);
+    // set(pose, value): stores a value in the units of the project file.
+    NumberBox* addBox(Unit unit, const QString& name, const QString& text,
+                      const std::function<void(PathKey&, double)>& set);
     void showChosen();
-    void readFields();
+    void change(const std::function<void(PathKey&)>& set); // the chosen pose
     QString textOf(std::size_t key) const;
 
     LengthUnit unit_;
     std::vector<PathKey> keys_;
+    Millimetres dipDepth_{0};
     QListWidget* list_;
     QPushButton *add_, *remove_;
     NumberBox *time_, *depth_;

@@ -339,6 +339,8 @@ void PropertyPanel::addPathKeys(QFormLayout& form) {
         addPathKey(*document_, dip, std::size_t(before));
         fields->choose(before + 1);
     });
+    connect(fields, &PathKeyFields::removeAsked, this,
+            [this, dip](int key) { removePathKey(*document_, dip, std::size_t(key)); });
     connect(fields, &PathKeyFields::chosen, this, &PropertyPanel::pathKeyChosen);
     connect(fields, &PathKeyFields::refused, this, &PropertyPanel::failed);
     connect(fields, &PathKeyFields::left, this, [this] {
@@ -349,7 +351,8 @@ void PropertyPanel::addPathKeys(QFormLayout& form) {
     refreshers_.push_back([this, &form, fields, dip] {
         const DipPath& path = document_->project().immersions[dip].path;
         const bool isShown = path.kind == PathKind::Poses && path.keys.size() >= 2;
-        fields->show(isShown ? path.keys : std::vector<PathKey>());
+        fields->show(isShown ? path.keys : std::vector<PathKey>(),
+                     isShown ? depthOf(document_->project(), dip) : Millimetres(0));
         form.setRowVisible(fields, isShown);
     });
 }

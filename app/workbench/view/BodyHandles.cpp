@@ -9,7 +9,7 @@ namespace dipwright {
 namespace {
 
 // The limits of the project file (core/project/Schema.cpp).
-constexpr double mostOffset = 5000, leastDepth = 0.1, mostDepth = 5000;
+constexpr double leastDepth = 0.1, mostDepth = 5000;
 
 Millimetres placed(double millimetres, double least, double most) {
     return Millimetres(std::clamp(std::round(10 * millimetres) / 10, least, most));
@@ -52,55 +52,40 @@ void BodyHandles::turn(int axis, double degrees) {
 
 void BodyHandles::move(int axis, double millimetres) {
     hold();
-    if (shownBefore_.key && !(axis == 1 && *shownBefore_.key + 1 == before_->path.keys.size())) {
-        moveKey(axis, millimetres);
-        return;
-    }
     Document& document = *session_.document();
+    const std::size_t dip = session_.immersion();
     const QString steps = shownLength(arrowStep, unit_);
     if (axis == 1) {
-        if (depthBefore_) {
-            const Millimetres depth =
-                placed(depthBefore_->value() - millimetres, leastDepth, mostDepth);
-            document.edit(tr("Change depth"), QStringLiteral("depth"),
-                          [&](Project& project) { project.process.depth = depth; });
-            emit told(tr("Depth %1 (hold Shift for steps of %2)")
-                          .arg(shownLength(depth.value(), unit_), steps));
-        }
+        moveDown(millimetres);
         return;
     }
+    const Immersion after = moved(*before_, axis, millimetres, shownBefore_);
+    document.edit(tr("Move part"), QStringLiteral("move"),
+                  [&](Project& project) { project.immersions[dip] = after; });
     const std::size_t part = axis == 0 ? 0 : 1;
-    const Millimetres offset =
-        placed(before_->offset[part].value() + millimetres, -mostOffset, mostOffset);
-    document.edit(tr("Move part"), QStringLiteral("move"), [&](Project& project) {
-        project.immersions[session_.immersion()].offset[part] = offset;
-    });
+    const Millimetres now =
+        shownBefore_.key ? after.path.keys[*shownBefore_.key].beside[part] : after.offset[part];
     emit told(tr("Moved to %1 along %2 (hold Shift for steps of %3)")
-                  .arg(shownLength(offset.value(), unit_), axisName(axis), steps));
+                  .arg(shownLength(now.value(), unit_), axisName(axis), steps));
 }
 
-void BodyHandles::moveKey(int axis, double millimetres) {
-    const std::size_t number = *shownBefore_.key;
-    PathKey key = before_->path.keys[number];
-    QString text;
-    if (axis == 1) {
-        if (number == 0 || !key.depth) {
-            return; // the first pose is at the water
-        }
-        key.depth = placed(key.depth->value() - millimetres, -mostOffset, mostDepth);
-        text = tr("Pose %1: depth %2").arg(number + 1).arg(shownLength(key.depth->value(), unit_));
-    } else {
-        Millimetres& beside = key.beside[axis == 0 ? 0 : 1];
-        beside = placed(beside.value() + millimetres, -mostOffset, mostOffset);
-        text = tr("Pose %1: moved by %2 along %3")
-                   .arg(number + 1)
-                   .arg(shownLength(beside.value(), unit_), axisName(axis));
+void BodyHandles::moveDown(double millimetres) {
+    const bool isInnerKey = shownBefore_.key && *shownBefore_.key + 1 < before_->path.keys.size();
+    const std::optional<Millimetres> from =
+        isInnerKey ? before_->path.keys[*shownBefore_.key].depth : depthBefore_;
+    if (!from) {
+        return;
     }
-    session_.document()->edit(tr("Move pose of path"), QStringLiteral("move"),
-                              [&](Project& project) {
-                                  project.immersions[session_.immersion()].path.keys[number] = key;
-                              });
-    emit told(text);
+    const Millimetres depth = placed(from->value() - millimetres, leastDepth, mostDepth);
+    session_.document()->edit(tr("Change depth"), QStringLiteral("depth"), [&](Project& project) {
+        if (isInnerKey) {
+            project.immersions[session_.immersion()].path.keys[*shownBefore_.key].depth = depth;
+        } else {
+            project.process.depth = depth;
+        }
+    });
+    emit told(tr("Depth %1 (hold Shift for steps of %2)")
+                  .arg(shownLength(depth.value(), unit_), shownLength(arrowStep, unit_)));
 }
 
 void BodyHandles::finish() {

@@ -30,7 +30,7 @@ signals:
 private:
     void turn(int axis, double degrees);
     void move(int axis, double millimetres);
-    void moveKey(int axis, double millimetres);
+    void moveDown(double millimetres);
     void hold();
     void finish();
 

@@ -57,11 +57,10 @@ void BodyMenu::turn(const QAction& action) {
 void BodyMenu::move(const QAction& action) {
     const auto step = action.data().value<BodyStep>();
     edit(tr("Move part"), [&](Immersion& immersion) {
-        Millimetres& offset = immersion.offset[step.axis == 0 ? 0 : 1];
         if (step.way == 0) {
             immersion.offset = {};
         } else {
-            offset = offset + Millimetres(step.way * arrowStep);
+            immersion = moved(immersion, step.axis, step.way * arrowStep, scene_.shownPose());
         }
     });
 }

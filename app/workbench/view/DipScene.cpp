@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "dip/FilmMarks.h"
+#include "dip/PathKeys.h"
 #include "dip/Pose.h"
 #include "film/FilmGrid.h"
 #include "pipeline/PrintedBody.h"
@@ -214,7 +215,8 @@ double DipScene::depthAt(double travelled) const {
     return -lowest;
 }
 
-void DipScene::placeBody(const Immersion& immersion, double descent, const solver::BodyPath* own) {
+void DipScene::placeBody(const Immersion& immersion, double descent, const solver::BodyPath* own,
+                         std::optional<std::size_t> key) {
     if (!project_.model) {
         return;
     }
@@ -224,56 +226,51 @@ void DipScene::placeBody(const Immersion& immersion, double descent, const solve
     placedPose_ = pose;
     const double travel = placedOn_.isStraightDown() ? descent : placedOn_.poses.back().travelled;
     modelToWorld_ = poseToWorld(placedOn_, immersion, std::min(descent, travel)) * pose;
+    shownPose_ = {key, Eigen::Matrix3d::Identity()};
+    if (!placedOn_.isStraightDown()) {
+        shownPose_.turn = placeOnPath(placedOn_, std::min(descent, travel)).linear();
+    }
     view_.setBodyTransform(modelToWorld_);
     const BoundingBox& box = modelBox_;
     const Eigen::Vector3f centre = (modelToWorld_ * box.center().cast<double>()).cast<float>();
     const double radius = 0.58 * double(box.diagonal().norm());
     const bool isHeld = handles_ && !brushed_ && moment_ == Moment::Setup; // while it can be placed
     view_.setRotationRings(isHeld, centre, radius);
-    const bool hasDepth = shownPose_.key ? *shownPose_.key > 0 : project_.process.depth.has_value();
+    const std::vector<PathKey>& keys = immersion.path.keys;
+    const bool isInnerKey = key && *key + 1 < keys.size();
+    const bool hasDepth =
+        isInnerKey ? *key > 0 && keys[*key].depth.has_value() : project_.process.depth.has_value();
     view_.setMoveArrows({isHeld, isHeld && hasDepth, isHeld}, centre, 1.08 * radius, 1.4 * radius);
     setBodyRoom(Eigen::Translation3d(poseToWorld(immersion, 0)) * pose);
 }
 
-solver::BodyPath DipScene::timedPath(const Immersion& immersion) const {
-    Immersion timed = immersion;
-    timed.path.acceleration.reset();
-    const TriangleMesh& mesh = project_.model->mesh;
-    try {
-        return bodyPath(transformed(mesh, poseTransform(mesh, timed)), timed, project_.process);
-    } catch (const Error&) { // the run says what is wrong
-        return {};
-    }
-}
-
 void DipScene::placeBeforeDip() {
     const Immersion& immersion = project_.immersions[immersion_];
-    const std::vector<PathKey>& keys = immersion.path.keys;
-    shownPose_ = {};
+    double travelled = 0;
+    std::optional<std::size_t> key;
     if (immersion.path.kind == PathKind::Poses && pathKey_ >= 0 &&
-        std::size_t(pathKey_) < keys.size()) {
-        const solver::BodyPath path = timedPath(immersion);
-        if (!path.isStraightDown()) {
-            shownPose_.key = std::size_t(pathKey_);
-            placeBody(immersion, travelledAfter(path, keys[*shownPose_.key].time.value()), &path);
-            return;
+        std::size_t(pathKey_) < immersion.path.keys.size()) {
+        const TriangleMesh& mesh = project_.model->mesh;
+        const Eigen::Isometry3d pose = poseTransform(mesh, immersion);
+        if (const solver::BodyPath& path = pathOf(immersion, pose); !path.isStraightDown()) {
+            key = std::size_t(pathKey_);
+            const double time =
+                timesOfKeys(transformed(mesh, pose), immersion, project_.process)[*key];
+            travelled = travelledAfter(path, time);
         }
     }
-    placeBody(immersion, 0);
-    if (!placedOn_.isStraightDown()) {
-        shownPose_.turn = placeOnPath(placedOn_, 0).linear();
-    }
+    placeBody(immersion, travelled, nullptr, key);
 }
 
 std::vector<double> DipScene::travelledAtPoses() const {
     std::vector<double> travelled;
-    if (result_ && immersion_ < result_->immersions.size() && project_.model) {
-        const Immersion& immersion = result_->immersions[immersion_].immersion;
-        if (immersion.path.kind == PathKind::Poses) {
-            const solver::BodyPath path = timedPath(immersion);
-            for (const PathKey& key : immersion.path.keys) {
-                travelled.push_back(path.isStraightDown() ? 0
-                                                          : travelledAfter(path, key.time.value()));
+    if (result_ && immersion_ < result_->immersions.size()) {
+        const ImmersionResult& result = result_->immersions[immersion_];
+        const solver::BodyPath& path = result.body->path;
+        if (result.immersion.path.kind == PathKind::Poses && !path.isStraightDown()) {
+            for (const double time :
+                 timesOfKeys(result.body->mesh, result.immersion, result_->project.process)) {
+                travelled.push_back(travelledAfter(path, time));
             }
         }
     }

@@ -65,7 +65,7 @@ public:
     // While the path goes through poses: the pose in which the body is shown before the dip; −1:
     // the first moment of the dip.
     void setPathKey(int key);
-    // The pose in which the body is shown before the dip, for turned() and moved().
+    // The pose in which the body is shown before the dip, for PoseEdits.h.
     const ShownPose& shownPose() const { return shownPose_; }
     void setShowHandles(bool show);
     // While the user has a brush, there are no handles, which would catch its strokes.
@@ -110,14 +110,14 @@ private:
         std::variant<std::monostate, FlatFilm, std::shared_ptr<const DipRecording>, Dipped>;
 
     // `own`: the path of a result, without the offset; null: that of the project as it is.
+    // `key`: the pose of the path that is shown before the dip.
     void placeBody(const Immersion& immersion, double descent,
-                   const solver::BodyPath* own = nullptr);
+                   const solver::BodyPath* own = nullptr,
+                   std::optional<std::size_t> key = std::nullopt);
     // Returns the part's path without its offset. `pose` is poseTransform() of the immersion.
     const solver::BodyPath& pathOf(const Immersion& immersion, const Eigen::Isometry3d& pose);
     // Places the body as before the dip, or in the chosen pose of its path.
     void placeBeforeDip();
-    // The path of the pose frame without its acceleration: it takes each pose at its time.
-    solver::BodyPath timedPath(const Immersion& immersion) const;
     void setBodyRoom(const Eigen::Isometry3d& modelToSetup);
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
                   const std::vector<float>& positions);

@@ -140,6 +140,42 @@ private slots:
         }
     }
 
+    // The turns of a pose are about the fixed axes X, then Y, then Z, after the dip's rotation.
+    void bodyPath_posesOfATurnedPart_turnAfterItsRotation() {
+        const TriangleMesh box = boxMesh({60, 20, 30});
+        Immersion immersion;
+        immersion.rotation = {Degrees(20), Degrees(-50), Degrees(75)};
+        immersion.path.kind = PathKind::Poses;
+        immersion.path.keys = {key(0, 0), key(3, 4), key(8, std::nullopt)};
+        immersion.path.keys[1].turn = {Degrees(10), Degrees(-25), Degrees(40)};
+        const Eigen::Isometry3d pose = poseTransform(box, immersion);
+        const solver::BodyPath path = pathOfModel(
+            bodyPath(transformed(box, pose), immersion, ProcessSettings()), pose, immersion);
+        using Eigen::AngleAxisd, Eigen::Vector3d;
+        const auto about = [](double degrees, const Vector3d& axis) {
+            return AngleAxisd(degrees * pi / 180, axis).toRotationMatrix();
+        };
+        const Eigen::Matrix3d wanted = about(40, Vector3d::UnitZ()) *
+                                       about(-25, Vector3d::UnitY()) *
+                                       about(10, Vector3d::UnitX()) * about(75, Vector3d::UnitZ()) *
+                                       about(-50, Vector3d::UnitY()) * about(20, Vector3d::UnitX());
+        const Eigen::Matrix3d found = placeOnPath(path, travelledAfter(path, 3)).linear();
+        QVERIFY((found - wanted).norm() < 1e-3);
+    }
+
+    // More than a whole turn keeps its direction.
+    void asPoses_turnOfMoreThanOnce_keepsItsDirection() {
+        const TriangleMesh box = posedBox();
+        Immersion keyed = onPath(PathKind::Straight, 0, 540);
+        keyed.path = asPoses(box, keyed, ProcessSettings());
+        for (std::size_t i = 1; i < keyed.path.keys.size(); ++i) {
+            const double turned =
+                (keyed.path.keys[i].turn[1] - keyed.path.keys[i - 1].turn[1]).value();
+            QVERIFY2(turned > 0 && turned < 61, qPrintable(QString::number(turned)));
+        }
+        QVERIFY(std::abs(keyed.path.keys[0].turn[1].value() + 540) < 0.2);
+    }
+
     // Between two poses no value goes beyond those of the poses.
     void bodyPath_poses_neverPassTheirValues() {
         const Immersion immersion = throughPoses();

@@ -191,6 +191,28 @@ private slots:
         }
     }
 
+    // Controllers skip moves of no length, so a wait of 3 s is a slow move down and up.
+    void motionPoses_wait_isCarriedOut() {
+        DipMotion waits = motion();
+        const auto add = [&](double seconds, double height) {
+            waits.path.push_back({Seconds(seconds), {0, 0, height}});
+        };
+        add(0, 0.5);
+        add(2, -10);
+        add(3, -10);
+        add(4, -10.0002);
+        add(5, -10);
+        add(8, -20);
+        const std::vector<MotionPose> poses = motionPoses(waits);
+        const double begin = poses[1].time.value();
+        QCOMPARE(poses[2].place.z(), -10.0);
+        QCOMPARE(poses[3].time.value() - begin, 3.5);
+        QVERIFY(poses[3].place.z() < -10.05);
+        QCOMPARE(poses[4].time.value() - begin, 5.0);
+        QCOMPARE(poses[4].place.z(), -10.0);
+        QCOMPARE(poses[5].place.z(), -20.0);
+    }
+
     // A part that only turns about the vertical while it goes down needs two axes.
     void filledTemplate_turnAboutTheVertical_movesTwoAxes() {
         DipMotion moved = motion();
