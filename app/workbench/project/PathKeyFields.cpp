@@ -26,6 +26,7 @@ PathKeyFields::PathKeyFields(LengthUnit unit, QWidget* parent)
       remove_(new QPushButton(icon(QStringLiteral("remove")), tr("Remove pose"))) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     list_->setObjectName(QStringLiteral("pathKeys"));
     list_->setAccessibleName(tr("Poses"));
     list_->setToolTip(tr("The poses that the part takes in turn. The view shows the chosen pose; "
