@@ -15,6 +15,9 @@ Eigen::Map<const Eigen::Vector3d> vectorOf(const std::array<double, 3>& values) 
     return Eigen::Map<const Eigen::Vector3d>(values.data());
 }
 
+// mm; a hold counts as a short way, since the travel of a path must grow
+constexpr double leastWay = 1e-5;
+
 void setRotation(solver::PathPose& pose, const Eigen::Quaterniond& rotation) {
     pose.rotation = {rotation.w(), rotation.x(), rotation.y(), rotation.z()};
 }
@@ -98,8 +101,9 @@ solver::BodyPath ChangedPath::path() const {
         pose.travelled = 0;
         if (number > 0) {
             const solver::PathPose& last = result.poses[number - 1];
-            pose.travelled = last.travelled + (vectorOf(pose.pivot) - vectorOf(last.pivot)).norm() +
-                             radius * rotationOf(last).angularDistance(rotationOf(pose));
+            const double way = (vectorOf(pose.pivot) - vectorOf(last.pivot)).norm() +
+                               radius * rotationOf(last).angularDistance(rotationOf(pose));
+            pose.travelled = last.travelled + std::max(way, leastWay);
         }
     }
     return result;

@@ -89,6 +89,15 @@ void eachOfTheBottom(const JobResult& result, const DipTolerances& found, const 
     QVERIFY(looked > 5000);
 }
 
+// Returns a pose of a path by poses: time in s, depth in mm, and turn about Z in degrees.
+PathKey key(double seconds, std::optional<double> depth, double turn) {
+    PathKey key;
+    key.time = Seconds(seconds);
+    key.depth = depth ? std::optional(Millimetres(*depth)) : std::nullopt;
+    key.turn[2] = Degrees(turn);
+    return key;
+}
+
 #define VERIFY_NEAR(value, wanted, allowed)                                                        \
     QVERIFY2(std::abs((value) - (wanted)) <= (allowed),                                            \
              qPrintable(QStringLiteral("%1, expected %2").arg(value).arg(wanted)))
@@ -330,6 +339,20 @@ private slots:
         level.waterLevel = Millimetres(2);
         const double earlier = radius * radians(path.angle) * 2 / 52.5;
         VERIFY_NEAR(nearFirst(level), earlier, 0.05 * earlier);
+    }
+
+    // The box waits for half a second below the water, then sinks on.
+    void jobTolerances_pathWithWaits_hasTheEffectsOfAStraightDip() {
+        Project waiting = box();
+        DipPath& path = waiting.immersions.front().path;
+        path.kind = PathKind::Poses;
+        path.keys = {key(0, 0, 0), key(1, 0.6, 0), key(1.5, 0.6, 0), key(2, std::nullopt, 0)};
+        const JobResult result = resultOf(waiting);
+        ToleranceSettings settings = exact();
+        settings.position = {Millimetres(0.6), Millimetres(0.8)};
+        const DipTolerances found = tolerances(result, settings);
+        QCOMPARE(found.contributions.size(), std::size_t(2));
+        eachOfTheBottom(result, found, [](auto, double spread) { VERIFY_NEAR(spread, 1.0, 5e-3); });
     }
 
     // Film that grows by 1 % in a second, for a second longer, is 1 % longer.
