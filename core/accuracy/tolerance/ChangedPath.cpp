@@ -49,6 +49,13 @@ void ChangedPath::move(double x, double z) {
     }
 }
 
+void ChangedPath::turn(const Eigen::Quaterniond& by) {
+    for (solver::PathPose& pose : path_.poses) {
+        vectorOf(pose.pivot) = by * vectorOf(pose.pivot);
+        setRotation(pose, (by * rotationOf(pose)).normalized());
+    }
+}
+
 double ChangedPath::lowest(const solver::PathPose& pose) const {
     const Eigen::RowVector3d up = rotationOf(pose).toRotationMatrix().row(1);
     const Eigen::Vector3d pivot = vectorOf(path_.pivot);

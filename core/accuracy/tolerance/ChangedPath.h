@@ -21,6 +21,8 @@ public:
     // The part is held wrong: `held` moves it in its own coordinates. The machine's motion stays.
     void holdDifferently(const Eigen::Isometry3d& held);
     void move(double x, double z);
+    // The whole motion turns about the vertical through the film's centre.
+    void turn(const Eigen::Quaterniond& by);
     // Raises the water by `level` mm, but lowers it no further than to the lowest point at the end
     // of the dip. If the part would begin the dip too low, its motion is extended backwards.
     void raiseWater(double level);

@@ -306,6 +306,23 @@ private slots:
                         [&](auto, double spread) { VERIFY_NEAR(spread, way, 2e-3); });
     }
 
+    // The water carries the film 10 mm past below the part before they touch, so that the film's
+    // centre, about which the film turns, then lies beside the part.
+    void jobTolerances_filmTurnOnPath_turnsThePathAboutTheFilm() {
+        Project flowing = box();
+        const double way = 10;
+        const double seconds = 0.5 / flowing.process.dipSpeed.value();
+        flowing.immersions.front().path.waterSpeed = MillimetresPerSecond(way / seconds);
+        ToleranceSettings settings = exact();
+        settings.filmTurn = Degrees(1);
+        const JobResult result = resultOf(flowing);
+        eachOfTheBottom(result, tolerances(result, settings),
+                        [&](const Eigen::Vector2d& at, double spread) {
+                            const double arm = (at - Eigen::Vector2d(way, 0)).norm();
+                            VERIFY_NEAR(spread, arm * pi / 180, 1e-2);
+                        });
+    }
+
     // The ball turns about its centre while it goes down. If it is tilted further by an angle δ
     // when it touches the film, the film there moves by the arc radius·δ. It touches 0.5 mm below
     // the beginning of its way of 52.5 mm; the tilt falls evenly on this way.
