@@ -24,6 +24,22 @@ void setRotation(solver::PathPose& pose, const Eigen::Quaterniond& rotation) {
 
 } // namespace
 
+Degrees changedAngle(const DipPath& path, double degrees) {
+    const double angle = path.angle.value() + degrees;
+    switch (path.kind) { // the limits of bodyPath()
+    case PathKind::Slanted:
+        return Degrees(std::clamp(angle, 10.0, 170.0));
+    case PathKind::Tilt:
+        return Degrees(std::clamp(angle, -85.0, 85.0));
+    case PathKind::Roll:
+        return Degrees(std::clamp(angle, -360.0, 360.0));
+    case PathKind::Straight:
+    case PathKind::Poses:
+        break;
+    }
+    return path.angle;
+}
+
 ChangedPath::ChangedPath(solver::BodyPath path, const TriangleMesh& body)
     : path_(std::move(path)), body_(body) {}
 

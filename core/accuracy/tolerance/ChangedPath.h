@@ -3,12 +3,17 @@
 #pragma once
 
 #include "geometry/TriangleMesh.h"
+#include "settings/DipPath.h"
 
 #include <dipwright/FilmSolver.h>
 
 #include <Eigen/Geometry>
 
 namespace dipwright {
+
+// Returns the path's angle changed by `degrees`, but no further than to the limits of the angles
+// that can be travelled.
+Degrees changedAngle(const DipPath& path, double degrees);
 
 class ChangedPath {
 public:

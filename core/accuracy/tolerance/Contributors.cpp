@@ -124,7 +124,7 @@ solver::BodyPath withAngle(const NominalDip& dip, double degrees) {
         return dip.setup.path;
     }
     Immersion immersion = dip.immersion;
-    immersion.path.angle = immersion.path.angle + Degrees(degrees);
+    immersion.path.angle = changedAngle(immersion.path, degrees);
     const Eigen::Isometry3d toPose = poseTransform(dip.model.mesh, immersion);
     const TriangleMesh posed = transformed(dip.model.mesh, toPose);
     return pathOfModel(bodyPath(posed, immersion, dip.process), toPose, immersion);
@@ -318,7 +318,7 @@ ChangedDip changed(const NominalDip& dip, const DipChange& change) {
     setup.motion.start[0] += x;
     setup.motion.start[2] += z;
     result.immersion.path.angle =
-        result.immersion.path.angle + Degrees(of(change, Freedom::PathAngle));
+        changedAngle(result.immersion.path, of(change, Freedom::PathAngle));
     turn(result, dip.model.mesh, turnOf(change));
     turnFilm(result, dip.model.mesh, change);
     if (dip.setup.path.isStraightDown()) {
