@@ -15,11 +15,30 @@ Eigen::Map<const Eigen::Vector3d> vectorOf(const std::array<double, 3>& values) 
     return Eigen::Map<const Eigen::Vector3d>(values.data());
 }
 
+// mm; a hold counts as a short way, since the travel of a path must grow
+constexpr double leastWay = 1e-5;
+
 void setRotation(solver::PathPose& pose, const Eigen::Quaterniond& rotation) {
     pose.rotation = {rotation.w(), rotation.x(), rotation.y(), rotation.z()};
 }
 
 } // namespace
+
+Degrees changedAngle(const DipPath& path, double degrees) {
+    const double angle = path.angle.value() + degrees;
+    switch (path.kind) { // the limits of bodyPath()
+    case PathKind::Slanted:
+        return Degrees(std::clamp(angle, 10.0, 170.0));
+    case PathKind::Tilt:
+        return Degrees(std::clamp(angle, -85.0, 85.0));
+    case PathKind::Roll:
+        return Degrees(std::clamp(angle, -360.0, 360.0));
+    case PathKind::Straight:
+    case PathKind::Poses:
+        break;
+    }
+    return path.angle;
+}
 
 ChangedPath::ChangedPath(solver::BodyPath path, const TriangleMesh& body)
     : path_(std::move(path)), body_(body) {}
@@ -43,6 +62,13 @@ void ChangedPath::holdDifferently(const Eigen::Isometry3d& held) {
 void ChangedPath::move(double x, double z) {
     for (solver::PathPose& pose : path_.poses) {
         vectorOf(pose.pivot) += Eigen::Vector3d(x, 0, z);
+    }
+}
+
+void ChangedPath::turn(const Eigen::Quaterniond& by) {
+    for (solver::PathPose& pose : path_.poses) {
+        vectorOf(pose.pivot) = by * vectorOf(pose.pivot);
+        setRotation(pose, (by * rotationOf(pose)).normalized());
     }
 }
 
@@ -98,8 +124,9 @@ solver::BodyPath ChangedPath::path() const {
         pose.travelled = 0;
         if (number > 0) {
             const solver::PathPose& last = result.poses[number - 1];
-            pose.travelled = last.travelled + (vectorOf(pose.pivot) - vectorOf(last.pivot)).norm() +
-                             radius * rotationOf(last).angularDistance(rotationOf(pose));
+            const double way = (vectorOf(pose.pivot) - vectorOf(last.pivot)).norm() +
+                               radius * rotationOf(last).angularDistance(rotationOf(pose));
+            pose.travelled = last.travelled + std::max(way, leastWay);
         }
     }
     return result;

@@ -3,12 +3,17 @@
 #pragma once
 
 #include "geometry/TriangleMesh.h"
+#include "settings/DipPath.h"
 
 #include <dipwright/FilmSolver.h>
 
 #include <Eigen/Geometry>
 
 namespace dipwright {
+
+// Returns the path's angle changed by `degrees`, but no further than to the limits of the angles
+// that can be travelled.
+Degrees changedAngle(const DipPath& path, double degrees);
 
 class ChangedPath {
 public:
@@ -21,6 +26,8 @@ public:
     // The part is held wrong: `held` moves it in its own coordinates. The machine's motion stays.
     void holdDifferently(const Eigen::Isometry3d& held);
     void move(double x, double z);
+    // The whole motion turns about the vertical through the film's centre.
+    void turn(const Eigen::Quaterniond& by);
     // Raises the water by `level` mm, but lowers it no further than to the lowest point at the end
     // of the dip. If the part would begin the dip too low, its motion is extended backwards.
     void raiseWater(double level);

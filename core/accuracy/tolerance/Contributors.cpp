@@ -38,6 +38,15 @@ void scale(solver::FilmGrid& grid, double factor) {
     }
 }
 
+// Moves the body that goes straight down, or lies at the end of its path, to the immersion's pose.
+void placeBody(ChangedDip& dip, const TriangleMesh& body) {
+    const Eigen::Isometry3d toPose = poseTransform(body, dip.immersion);
+    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    Eigen::Map<RowMajor>(dip.setup.motion.rotation.data()) = toPose.linear();
+    Eigen::Map<Eigen::Vector3d>(dip.setup.motion.start.data()) =
+        toPose.translation() + poseToWorld(dip.immersion, 0);
+}
+
 // Turns the body about the centre of its bounding box. The centre keeps its path. The dip therefore
 // begins earlier if the turn lowers the body's lowest point, and later if the turn raises it.
 void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degrees) {
@@ -50,12 +59,44 @@ void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degr
     const double before = (poseTransform(body, dip.immersion) * centre).y();
     const Eigen::AngleAxisd by(angle, degrees.normalized());
     dip.immersion.rotation = turned(dip.immersion.rotation, by.toRotationMatrix());
-    const Eigen::Isometry3d toPose = poseTransform(body, dip.immersion);
-    using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    Eigen::Map<RowMajor>(dip.setup.motion.rotation.data()) = toPose.linear();
-    Eigen::Map<Eigen::Vector3d>(dip.setup.motion.start.data()) =
-        toPose.translation() + poseToWorld(dip.immersion, 0);
-    dip.setup.motion.travel += (toPose * centre).y() - before;
+    placeBody(dip, body);
+    dip.setup.motion.travel += (poseTransform(body, dip.immersion) * centre).y() - before;
+}
+
+// Returns the rotation of a dip that the turned film sees.
+Eigen::Quaterniond turnSeen(const DipChange& change) {
+    return Eigen::Quaterniond(Eigen::AngleAxisd(-radians(Degrees(of(change, Freedom::FilmTurn))),
+                                                Eigen::Vector3d::UnitY()));
+}
+
+// Turns a place on the water, X and Z.
+template <typename Length>
+std::array<Length, 2> turned(const std::array<Length, 2>& place, const Eigen::Quaterniond& by) {
+    const Eigen::Vector3d there = by * Eigen::Vector3d(place[0].value(), 0, place[1].value());
+    return {Length(there.x()), Length(there.z())};
+}
+
+// Turns the immersion with its whole path, as the turned film sees it.
+void turnFilm(ChangedDip& dip, const TriangleMesh& body, const DipChange& change) {
+    const double degrees = of(change, Freedom::FilmTurn);
+    if (degrees == 0) {
+        return;
+    }
+    const Eigen::Quaterniond by = turnSeen(change);
+    const Eigen::Matrix3d turn = by.toRotationMatrix();
+    Immersion& immersion = dip.immersion;
+    immersion.rotation = turned(immersion.rotation, turn);
+    immersion.offset = turned(immersion.offset, by);
+    // The turn by −degrees about Y leads from X to Z.
+    immersion.path.heading = immersion.path.heading + Degrees(degrees);
+    for (PathKey& key : immersion.path.keys) {
+        key.beside = turned(key.beside, by);
+        const Eigen::Vector3d was(radians(key.turn[0]), radians(key.turn[1]), radians(key.turn[2]));
+        const Eigen::Vector3d angles =
+            anglesNear(turn * rotationMatrix(key.turn) * turn.transpose(), was) * 180 / pi;
+        key.turn = {Degrees(angles.x()), Degrees(angles.y()), Degrees(angles.z())};
+    }
+    placeBody(dip, body);
 }
 
 Eigen::Vector3d turnOf(const DipChange& change) {
@@ -83,7 +124,7 @@ solver::BodyPath withAngle(const NominalDip& dip, double degrees) {
         return dip.setup.path;
     }
     Immersion immersion = dip.immersion;
-    immersion.path.angle = immersion.path.angle + Degrees(degrees);
+    immersion.path.angle = changedAngle(immersion.path, degrees);
     const Eigen::Isometry3d toPose = poseTransform(dip.model.mesh, immersion);
     const TriangleMesh posed = transformed(dip.model.mesh, toPose);
     return pathOfModel(bodyPath(posed, immersion, dip.process), toPose, immersion);
@@ -94,6 +135,7 @@ solver::BodyPath changedPath(const NominalDip& dip, const DipChange& change) {
     path.speedUp(1 + of(change, Freedom::Speed), waterVelocity(dip.immersion.path));
     path.holdDifferently(heldWrong(dip, turnOf(change)));
     path.move(of(change, Freedom::X), of(change, Freedom::Z));
+    path.turn(turnSeen(change));
     path.raiseWater(of(change, Freedom::WaterLevel));
     return path.path();
 }
@@ -233,6 +275,10 @@ DipChange changeBy(Contributor contributor, const Immersion& immersion) {
         of(change, Freedom::Z) = -1;
         break;
     case Contributor::FilmTurn:
+        if (!immersion.path.isStraightDown()) {
+            of(change, Freedom::FilmTurn) = 1;
+            break;
+        }
         of(change, Freedom::TurnY) = -1;
         of(change, Freedom::X) = -radians(Degrees(1)) * immersion.offset[1].value();
         of(change, Freedom::Z) = radians(Degrees(1)) * immersion.offset[0].value();
@@ -272,8 +318,9 @@ ChangedDip changed(const NominalDip& dip, const DipChange& change) {
     setup.motion.start[0] += x;
     setup.motion.start[2] += z;
     result.immersion.path.angle =
-        result.immersion.path.angle + Degrees(of(change, Freedom::PathAngle));
+        changedAngle(result.immersion.path, of(change, Freedom::PathAngle));
     turn(result, dip.model.mesh, turnOf(change));
+    turnFilm(result, dip.model.mesh, change);
     if (dip.setup.path.isStraightDown()) {
         // The body must at least reach the water.
         setup.motion.travel =
@@ -304,6 +351,8 @@ bool matters(Freedom freedom, const solver::Settings& settings, const DipPath& p
         return path.kind != PathKind::Straight;
     case Freedom::Growth:
         return grows(settings);
+    case Freedom::FilmTurn:
+        return !path.isStraightDown();
     default:
         return true;
     }

@@ -45,7 +45,8 @@ QString contributorUnit(Contributor contributor);
 QString contributorKey(Contributor contributor);
 
 // The independent ways in which a dip can deviate. A displaced film is not a separate way: it has
-// the same effect as a body displaced in the opposite direction.
+// the same effect as a body displaced in the opposite direction. A turned film is one on a path
+// only: the whole path then turns about the film's centre in the opposite direction.
 enum class Freedom : std::uint8_t {
     X, // position of the body relative to the film along X, mm
     Z,
@@ -58,8 +59,9 @@ enum class Freedom : std::uint8_t {
     Relaxation, // change as a fraction of the relaxation time
     PathAngle,  // change of the path's angle (settings/DipPath.h), degrees
     Growth,     // how much longer the film has grown before the dip begins, s
+    FilmTurn,   // rotation of the film about the vertical through its centre, degrees; on a path
 };
-inline constexpr std::size_t freedomCount = 11;
+inline constexpr std::size_t freedomCount = 12;
 // The deviation of a dip, one value for each Freedom.
 using DipChange = Eigen::Matrix<double, int(freedomCount), 1>;
 inline double& of(DipChange& change, Freedom freedom) {
@@ -70,8 +72,8 @@ inline double of(const DipChange& change, Freedom freedom) {
 }
 
 // Returns the deviation caused by one unit of a contributor. Linear, because turns are small. The
-// film turns about its own centre; a body away from that centre therefore also changes its
-// position. If the dip begins late, the water has carried the film on.
+// film turns about its own centre; in a straight dip, a body away from that centre therefore also
+// changes its position. If the dip begins late, the water has carried the film on.
 DipChange changeBy(Contributor contributor, const Immersion& immersion);
 
 // A dip as planned, and its film.

@@ -1,6 +1,7 @@
 #include "accuracy/tolerance/Tolerances.h"
 
 #include "accuracy/tolerance/ChangedDips.h"
+#include "accuracy/tolerance/ChangedPath.h"
 #include "accuracy/tolerance/ColourShift.h"
 #include "accuracy/tolerance/Draws.h"
 #include "base/Error.h"
@@ -44,6 +45,16 @@ public:
 
     const solver::Settings& settings() const { return setup_.settings; }
 
+    // Returns how many times the way between a deviation to one side and to the other by `step`
+    // is as large as the way that the path's limits allow.
+    double widening(Freedom freedom, double step) const {
+        if (freedom != Freedom::PathAngle) {
+            return 1;
+        }
+        const DipPath& path = dip_.immersion.path;
+        return 2 * step / (changedAngle(path, step) - changedAngle(path, -step)).value();
+    }
+
     // Simulates the changes and calls done(number, touched film) for each, in their order.
     template <typename Done>
     void run(const std::vector<DipChange>& changes, const Progress& progress,
@@ -75,7 +86,7 @@ struct Sensitivity {
 
 Sensitivity sensitivity(const ColourPlaces& places, std::size_t compared,
                         const std::vector<Eigen::Vector2f>& more,
-                        const std::vector<Eigen::Vector2f>& less) {
+                        const std::vector<Eigen::Vector2f>& less, double widening) {
     Sensitivity found;
     found.shifts.assign(places.count(), Eigen::Vector3f::Zero());
     parallelFor(std::size_t(0), places.count(), [&](std::size_t place) {
@@ -90,7 +101,7 @@ Sensitivity sensitivity(const ColourPlaces& places, std::size_t compared,
         if (hasLess) {
             shift -= places.linearShift(place, less[place]);
         }
-        shift /= hasMore && hasLess ? 2.0f : 1.0f;
+        shift *= hasMore && hasLess ? float(widening) / 2 : 1.0f;
     });
     std::array<std::size_t, 2> lost{}, gained{};
     for (std::size_t place = 0; place < compared; ++place) {
@@ -157,7 +168,9 @@ std::vector<Sensitivity> sensitivities(const OtherDips& dips, const ColourPlaces
         if (number % 2 == 0) {
             more = std::move(touched);
         } else {
-            found[freedoms[number / 2]] = sensitivity(places, compared, more, touched);
+            const std::size_t freedom = freedoms[number / 2];
+            const double widening = dips.widening(Freedom(freedom), steps[Eigen::Index(freedom)]);
+            found[freedom] = sensitivity(places, compared, more, touched, widening);
         }
     });
     return found;

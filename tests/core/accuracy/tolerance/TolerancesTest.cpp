@@ -89,6 +89,15 @@ void eachOfTheBottom(const JobResult& result, const DipTolerances& found, const 
     QVERIFY(looked > 5000);
 }
 
+// Returns a pose of a path by poses: time in s, depth in mm, and turn about Z in degrees.
+PathKey key(double seconds, std::optional<double> depth, double turn) {
+    PathKey key;
+    key.time = Seconds(seconds);
+    key.depth = depth ? std::optional(Millimetres(*depth)) : std::nullopt;
+    key.turn[2] = Degrees(turn);
+    return key;
+}
+
 #define VERIFY_NEAR(value, wanted, allowed)                                                        \
     QVERIFY2(std::abs((value) - (wanted)) <= (allowed),                                            \
              qPrintable(QStringLiteral("%1, expected %2").arg(value).arg(wanted)))
@@ -297,6 +306,23 @@ private slots:
                         [&](auto, double spread) { VERIFY_NEAR(spread, way, 2e-3); });
     }
 
+    // The water carries the film 10 mm past below the part before they touch, so that the film's
+    // centre, about which the film turns, then lies beside the part.
+    void jobTolerances_filmTurnOnPath_turnsThePathAboutTheFilm() {
+        Project flowing = box();
+        const double way = 10;
+        const double seconds = 0.5 / flowing.process.dipSpeed.value();
+        flowing.immersions.front().path.waterSpeed = MillimetresPerSecond(way / seconds);
+        ToleranceSettings settings = exact();
+        settings.filmTurn = Degrees(1);
+        const JobResult result = resultOf(flowing);
+        eachOfTheBottom(result, tolerances(result, settings),
+                        [&](const Eigen::Vector2d& at, double spread) {
+                            const double arm = (at - Eigen::Vector2d(way, 0)).norm();
+                            VERIFY_NEAR(spread, arm * pi / 180, 1e-2);
+                        });
+    }
+
     // The ball turns about its centre while it goes down. If it is tilted further by an angle δ
     // when it touches the film, the film there moves by the arc radius·δ. It touches 0.5 mm below
     // the beginning of its way of 52.5 mm; the tilt falls evenly on this way.
@@ -330,6 +356,20 @@ private slots:
         level.waterLevel = Millimetres(2);
         const double earlier = radius * radians(path.angle) * 2 / 52.5;
         VERIFY_NEAR(nearFirst(level), earlier, 0.05 * earlier);
+    }
+
+    // The box waits for half a second below the water, then sinks on.
+    void jobTolerances_pathWithWaits_hasTheEffectsOfAStraightDip() {
+        Project waiting = box();
+        DipPath& path = waiting.immersions.front().path;
+        path.kind = PathKind::Poses;
+        path.keys = {key(0, 0, 0), key(1, 0.6, 0), key(1.5, 0.6, 0), key(2, std::nullopt, 0)};
+        const JobResult result = resultOf(waiting);
+        ToleranceSettings settings = exact();
+        settings.position = {Millimetres(0.6), Millimetres(0.8)};
+        const DipTolerances found = tolerances(result, settings);
+        QCOMPARE(found.contributions.size(), std::size_t(2));
+        eachOfTheBottom(result, found, [](auto, double spread) { VERIFY_NEAR(spread, 1.0, 5e-3); });
     }
 
     // Film that grows by 1 % in a second, for a second longer, is 1 % longer.
