@@ -149,8 +149,7 @@ void MainWindow::connectPanels() {
     });
     connect(parts_.properties, &PropertyPanel::shownPrintChanged, &scene_,
             &DipScene::setShownPrint);
-    connect(parts_.properties, &PropertyPanel::pathKeyChosen, &playback_,
-            &DipPlayback::setPathKey);
+    connect(parts_.properties, &PropertyPanel::pathKeyChosen, &playback_, &DipPlayback::setPathKey);
     connect(&scene_, &DipScene::deeperFilmWanted, &deeperFilm_, &DeeperFilm::start);
     connect(&deeperFilm_, &DeeperFilm::done, &scene_, &DipScene::setDeeperFilm);
     connect(parts_.properties, &PropertyPanel::tolerancesAsked, actions_.tolerances,
@@ -202,6 +201,12 @@ void MainWindow::connectSession() {
         parts_.timeline->setPosition(parts_.timeline->frames());
         reader_.lookAtFilmPlace(rest);
     });
+    connect(parts_.results, &ResultsPanel::modelPlaceChosen, this,
+            [this](const Eigen::Vector3f& place) {
+                parts_.timeline->pause();
+                parts_.timeline->setPosition(parts_.timeline->frames());
+                reader_.lookAtModelPlace(place);
+            });
     connect(parts_.results, &ResultsPanel::fieldChosen, this, [this](const QString& path) {
         if (const std::optional<ProjectNode> node = nodeOfField(path)) {
             parts_.projectDock->show();
