@@ -3164,10 +3164,6 @@
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Stretch, mean and largest</source>
-        <translation>Dehnung, Mittel und größte</translation>
-    </message>
-    <message>
         <source>Area stretch, smallest and largest</source>
         <translation>Flächendehnung, kleinste und größte</translation>
     </message>
@@ -3266,6 +3262,18 @@
     <message>
         <source>Smallest film cell</source>
         <translation>Kleinste Filmzelle</translation>
+    </message>
+    <message>
+        <source>%1 on the model</source>
+        <translation>%1 am Modell</translation>
+    </message>
+    <message>
+        <source>Stretch: mean, 99 % below, largest</source>
+        <translation>Dehnung: Mittel, 99 % darunter, größte</translation>
+    </message>
+    <message>
+        <source>Place of the largest stretch</source>
+        <translation>Ort der größten Dehnung</translation>
     </message>
 </context>
 <context>
@@ -4319,6 +4327,18 @@
         <source>Programs and printers that do not know the spot colour use this colour instead.</source>
         <translation>Programme und Drucker, die die Sonderfarbe nicht kennen, verwenden stattdessen diese Farbe.</translation>
     </message>
+    <message>
+        <source>Printed size</source>
+        <translation>Gedruckte Größe</translation>
+    </message>
+    <message>
+        <source>The size of the layer on the part. It keeps its proportions, so it can be smaller than the width and height above.</source>
+        <translation>Die Größe der Ebene auf dem Teil. Sie behält ihre Proportionen und kann deshalb kleiner sein als die Breite und Höhe darüber.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ArtworkPainter</name>
@@ -4571,6 +4591,10 @@
     <message>
         <source>To keep a part, first find its corners on the page “Dipped part”. The places of the pairs must lie on the part itself, not on the print.</source>
         <translation>Um ein Teil zu behalten, suchen Sie zuerst seine Ecken auf der Seite „Getauchtes Teil“. Die Stellen der Paare müssen auf dem Teil selbst liegen, nicht auf dem Druck.</translation>
+    </message>
+    <message>
+        <source>Name of the person</source>
+        <translation>Name der Person</translation>
     </message>
 </context>
 <context>
@@ -6455,6 +6479,14 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <source>Right and up is better. The line joins the poses that no other pose beats in both measures.</source>
         <translation>Rechts und oben ist besser. Die Linie verbindet die Lagen, die keine andere in beiden Maßen übertrifft.</translation>
     </message>
+    <message>
+        <source>better →</source>
+        <translation>besser →</translation>
+    </message>
+    <message>
+        <source>%1: worst %2, best %3</source>
+        <translation>%1: schlechtester Wert %2, bester %3</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::MeasureTool</name>
@@ -6585,10 +6617,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Textur</translation>
     </message>
     <message>
-        <source>Choose a file: %1</source>
-        <translation>Wählen Sie eine Datei: %1</translation>
-    </message>
-    <message>
         <source>Reading the model …</source>
         <translation>Modell wird gelesen …</translation>
     </message>
@@ -6603,10 +6631,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>New project</source>
         <translation>Neues Projekt</translation>
-    </message>
-    <message>
-        <source>The model file of the part to dip.</source>
-        <translation>Die Modelldatei des Teils, das getaucht wird.</translation>
     </message>
     <message>
         <source>The model&apos;s own texture</source>
@@ -6667,6 +6691,14 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>Scales the model so that its largest dimension (along X, Y or Z) has this length.</source>
         <translation>Skaliert das Modell so, dass seine größte Abmessung (entlang X, Y oder Z) diese Länge hat.</translation>
+    </message>
+    <message>
+        <source>Choose a model file</source>
+        <translation>Modelldatei wählen</translation>
+    </message>
+    <message>
+        <source>The model file of the part to dip: %1.</source>
+        <translation>Die Modelldatei des Teils, das getaucht wird: %1.</translation>
     </message>
 </context>
 <context>
@@ -7386,9 +7418,16 @@ differences</source>
         <translation>Urteil,
 Unterschiede</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Does not meet a limit. %1</source>
-        <translation>Hält eine Grenze nicht ein. %1</translation>
+        <source>Does not meet a limit.</source>
+        <translation>Hält eine Grenze nicht ein.</translation>
     </message>
 </context>
 <context>
@@ -9387,6 +9426,10 @@ mm je mm</translation>
         <source>Shows both versions side by side in linked views. Dips that have no result yet are run first.</source>
         <translation>Zeigt beide Fassungen nebeneinander in gekoppelten Ansichten. Tauchvorgänge ohne Ergebnis werden zuerst gerechnet.</translation>
     </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>Schnappschuss</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SolverPage</name>
@@ -10550,6 +10593,14 @@ mm je mm</translation>
     <message>
         <source>Show the zones of the part. After Dip ▸ Tolerances, also show where the zones stay within their limits</source>
         <translation>Die Zonen des Teils zeigen. Nach Tauchen ▸ Toleranzen auch zeigen, wo die Zonen innerhalb ihrer Grenzen bleiben</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to part</source>
+        <translation>Auf das Teil &amp;zoomen</translation>
+    </message>
+    <message>
+        <source>Show the part as large as possible, without the film around it</source>
+        <translation>Das Teil so groß wie möglich zeigen, ohne den Film darum herum</translation>
     </message>
 </context>
 <context>

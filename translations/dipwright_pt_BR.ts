@@ -3164,10 +3164,6 @@
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>Stretch, mean and largest</source>
-        <translation>Estiramento, médio e maior</translation>
-    </message>
-    <message>
         <source>Area stretch, smallest and largest</source>
         <translation>Estiramento de área, menor e maior</translation>
     </message>
@@ -3266,6 +3262,18 @@
     <message>
         <source>Smallest film cell</source>
         <translation>Menor célula da película</translation>
+    </message>
+    <message>
+        <source>%1 on the model</source>
+        <translation>%1 no modelo</translation>
+    </message>
+    <message>
+        <source>Stretch: mean, 99 % below, largest</source>
+        <translation>Estiramento: médio, 99 % abaixo, maior</translation>
+    </message>
+    <message>
+        <source>Place of the largest stretch</source>
+        <translation>Lugar do maior estiramento</translation>
     </message>
 </context>
 <context>
@@ -4319,6 +4327,18 @@
         <source>Programs and printers that do not know the spot colour use this colour instead.</source>
         <translation>Programas e impressoras que não conhecem a cor especial usam esta cor no lugar dela.</translation>
     </message>
+    <message>
+        <source>Printed size</source>
+        <translation>Tamanho impresso</translation>
+    </message>
+    <message>
+        <source>The size of the layer on the part. It keeps its proportions, so it can be smaller than the width and height above.</source>
+        <translation>O tamanho da camada na peça. Ela mantém as proporções e, por isso, pode ser menor que a largura e a altura acima.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ArtworkPainter</name>
@@ -4571,6 +4591,10 @@
     <message>
         <source>To keep a part, first find its corners on the page “Dipped part”. The places of the pairs must lie on the part itself, not on the print.</source>
         <translation>Para guardar uma peça, procure antes os cantos dela na página “Peça mergulhada”. Os lugares dos pares devem estar na própria peça, não na impressão.</translation>
+    </message>
+    <message>
+        <source>Name of the person</source>
+        <translation>Nome da pessoa</translation>
     </message>
 </context>
 <context>
@@ -6455,6 +6479,14 @@ impresso em papel-cartão rígido e impermeável</translation>
         <source>Right and up is better. The line joins the poses that no other pose beats in both measures.</source>
         <translation>À direita e acima é melhor. A linha liga as poses que nenhuma outra supera em ambas as medidas.</translation>
     </message>
+    <message>
+        <source>better →</source>
+        <translation>melhor →</translation>
+    </message>
+    <message>
+        <source>%1: worst %2, best %3</source>
+        <translation>%1: pior %2, melhor %3</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::MeasureTool</name>
@@ -6585,10 +6617,6 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>Textura</translation>
     </message>
     <message>
-        <source>Choose a file: %1</source>
-        <translation>Escolha um arquivo: %1</translation>
-    </message>
-    <message>
         <source>Reading the model …</source>
         <translation>Lendo o modelo…</translation>
     </message>
@@ -6603,10 +6631,6 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>New project</source>
         <translation>Novo projeto</translation>
-    </message>
-    <message>
-        <source>The model file of the part to dip.</source>
-        <translation>O arquivo do modelo da peça a mergulhar.</translation>
     </message>
     <message>
         <source>The model&apos;s own texture</source>
@@ -6667,6 +6691,14 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>Scales the model so that its largest dimension (along X, Y or Z) has this length.</source>
         <translation>Redimensiona o modelo para que sua maior dimensão (ao longo de X, Y ou Z) tenha este comprimento.</translation>
+    </message>
+    <message>
+        <source>Choose a model file</source>
+        <translation>Escolha o arquivo do modelo</translation>
+    </message>
+    <message>
+        <source>The model file of the part to dip: %1.</source>
+        <translation>O arquivo do modelo da peça a mergulhar: %1.</translation>
     </message>
 </context>
 <context>
@@ -7386,9 +7418,16 @@ differences</source>
         <translation>Veredito,
 diferenças</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>e mais %n</numerusform>
+            <numerusform>e mais %n</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Does not meet a limit. %1</source>
-        <translation>Não cumpre um limite. %1</translation>
+        <source>Does not meet a limit.</source>
+        <translation>Não cumpre um limite.</translation>
     </message>
 </context>
 <context>
@@ -9387,6 +9426,10 @@ mm por mm</translation>
         <source>Shows both versions side by side in linked views. Dips that have no result yet are run first.</source>
         <translation>Mostra as duas versões lado a lado em vistas ligadas. As imersões ainda sem resultado são executadas antes.</translation>
     </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>Instantâneo</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SolverPage</name>
@@ -10550,6 +10593,14 @@ mm por mm</translation>
     <message>
         <source>Show the zones of the part. After Dip ▸ Tolerances, also show where the zones stay within their limits</source>
         <translation>Mostra as zonas da peça. Depois de Imersão ▸ Tolerâncias, mostra também onde as zonas ficam dentro dos seus limites</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to part</source>
+        <translation>&amp;Zoom na peça</translation>
+    </message>
+    <message>
+        <source>Show the part as large as possible, without the film around it</source>
+        <translation>Mostra a peça no maior tamanho possível, sem a película ao redor</translation>
     </message>
 </context>
 <context>

@@ -237,6 +237,10 @@ void DipView::fit() {
     change([](ViewScene& scene) { scene.fit(); });
 }
 
+void DipView::fitBody() {
+    change([](ViewScene& scene) { scene.fitBody(); });
+}
+
 void DipView::setCamera(const ViewCamera& camera) {
     change([camera](ViewScene& scene) { scene.setCamera(camera); });
 }

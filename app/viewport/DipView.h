@@ -135,6 +135,7 @@ public:
     // the camera.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
+    void fitBody(); // shows the body as large as possible
     // Sets whether fit() shows body and film, or only the body. If fit() placed the camera last,
     // the camera is fitted again.
     void setFilmFitted(bool fitted);

@@ -122,7 +122,7 @@ void ViewScene::setSize(const ViewSize& size) {
     axes->SetPadding(int(14 * ratio), int(14 * ratio));
     resized_ = true;
     if (fitted_) {
-        fit();
+        fitCamera();
     }
 }
 
@@ -200,12 +200,22 @@ void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outw
 }
 
 void ViewScene::fit() {
+    fitsBodyOnly_ = false;
+    fitCamera();
+}
+
+void ViewScene::fitBody() {
+    fitsBodyOnly_ = true;
+    fitCamera();
+}
+
+void ViewScene::fitCamera() {
     const double margin = 2 * TankActors::margin(filmSize_);
     const Eigen::Vector3f half(float(filmSize_.width() + margin) / 2, 1,
                                float(filmSize_.height() + margin) / 2);
     std::vector<Eigen::Vector3d> places;
     const BoundingBox body = body_.worldBox();
-    const bool hasFilm = fitsFilm_ || body.isEmpty();
+    const bool hasFilm = (fitsFilm_ && !fitsBodyOnly_) || body.isEmpty();
     for (const BoundingBox& box : {body, hasFilm ? BoundingBox(-half, half) : BoundingBox()}) {
         for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
             places.emplace_back(box.corner(BoundingBox::CornerType(corner)).cast<double>());
@@ -213,7 +223,7 @@ void ViewScene::fit() {
     }
     const double aspect =
         double(std::max(1, size_.size.width())) / std::max(1, size_.size.height());
-    fitCamera(camera(), places, aspect);
+    dipwright::fitCamera(camera(), places, aspect);
     renderer_->ResetCameraClippingRange();
     fitted_ = true;
     isMovedByUser_ = true;
@@ -222,7 +232,7 @@ void ViewScene::fit() {
 void ViewScene::setFilmFitted(bool fitted) {
     fitsFilm_ = fitted;
     if (fitted_) {
-        fit();
+        fitCamera();
     }
 }
 

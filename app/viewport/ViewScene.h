@@ -68,6 +68,7 @@ public:
     // visible.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
+    void fitBody();                                 // fits the body alone until the next fit()
     void turn(double rightPixels, double upPixels); // like a drag by these numbers of pixels
     void zoom(double factor);                       // keeps the centre in place
     // Keeps the surface point that is shown at the widget position `place` there.
@@ -78,6 +79,7 @@ public:
 
 private:
     ViewCamera cameraNow();
+    void fitCamera();
 
     PictureWindow& window_;
     vtkNew<vtkOpenGLRenderer> renderer_;
@@ -95,7 +97,8 @@ private:
     QSizeF filmSize_{210, 297};
     std::function<void()> pictureRequested_;
     bool fitsFilm_ = true;
-    bool fitted_ = false;  // the camera was placed by fit()
+    bool fitsBodyOnly_ = false;
+    bool fitted_ = false;  // the camera was placed by fit() or fitBody()
     bool resized_ = false; // the size has changed since the last picture
     bool isMovedByUser_ = true;
 };

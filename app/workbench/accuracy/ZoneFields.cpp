@@ -14,6 +14,8 @@ ZoneFields::ZoneFields(LengthUnit unit, QWidget* parent)
                          "most precisely. The surface without a mark is zone C."));
     extent_->setObjectName(QStringLiteral("zoneBrushExtent"));
     extent_->setAccessibleName(tr("Extent"));
+    extent_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    extent_->setMinimumContentsLength(8);
     extent_->addItem(tr("Spot"), int(ZoneExtent::Spot));
     extent_->addItem(tr("Whole face"), int(ZoneExtent::Face));
     extent_->addItem(tr("Whole material"), int(ZoneExtent::Material));

@@ -160,6 +160,8 @@ std::vector<WindowActions::Entry> WindowActions::cameraEntries() {
     using A = WindowActions;
     return {
         {&A::fit, "fit", "fit", tr("&Fit"), tr("Show all of the part and the film"), key("Ctrl+0")},
+        {&A::fitPart, "fitPart", "fit-part", tr("&Zoom to part"),
+         tr("Show the part as large as possible, without the film around it"), key("Ctrl+8")},
         {&A::oblique, "oblique", "view-oblique", tr("&Oblique"), tr("Look from above at an angle"),
          key("Ctrl+1")},
         {&A::front, "front", "view-front", tr("F&ront"), tr("Look from the front"), key("Ctrl+2")},
@@ -315,9 +317,9 @@ void WindowActions::enable(const WindowState& state) {
     const bool any = state.document != nullptr;
     const std::size_t immersions = any ? state.document->project().immersions.size() : 0;
     for (QAction* action :
-         {saveAs,  snapshots,  replaceModel, replaceTexture, fit,      oblique,   front,  right,
-          top,     back,       left,         bottom,         parallel, rings,     water,  body,
-          section, seeThrough, measure,      live,           zones,    findPoses, artwork}) {
+         {saveAs, snapshots, replaceModel, replaceTexture, fit,    fitPart,  oblique,   front,
+          right,  top,       back,         left,           bottom, parallel, rings,     water,
+          body,   section,   seeThrough,   measure,        live,   zones,    findPoses, artwork}) {
         action->setEnabled(any);
     }
     for (QActionGroup* group : {filmLook, bodyTurns, bodyMoves}) {

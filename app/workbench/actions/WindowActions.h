@@ -36,8 +36,8 @@ public:
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *artwork, *preferences;
     QAction *run, *cancel, *live, *numericalError, *tolerances, *findPoses, *play;
-    QAction *fit, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout, *saveLayout,
-        *parallel;
+    QAction *fit, *fitPart, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout,
+        *saveLayout, *parallel;
     QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *wearsFilm, *section,
         *seeThrough, *measure;
     QActionGroup* filmLook;              // each action's data is its FilmLook

@@ -62,8 +62,9 @@ void WindowMenus::makeEditMenu(QMenu& menu, const WindowActions& a) {
 }
 
 void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {
-    addGroups(menu, {{a.fit, a.oblique, a.front, a.right, a.top, a.back, a.left, a.bottom},
-                     {a.parallel}});
+    addGroups(menu,
+              {{a.fit, a.fitPart, a.oblique, a.front, a.right, a.top, a.back, a.left, a.bottom},
+               {a.parallel}});
     menu.addSeparator();
     film_ = menu.addMenu(icon(QStringLiteral("film")), tr("Film appearan&ce"));
     film_->addActions(a.filmLook->actions());
@@ -100,7 +101,7 @@ void WindowMenus::makeViewToolBar(QMainWindow& window, const WindowActions& a) {
     QToolBar* bar = window.addToolBar(tr("View"));
     bar->setObjectName(QStringLiteral("viewToolBar"));
     bar->setIconSize({22, 22});
-    bar->addActions({a.fit, a.oblique, a.front, a.right, a.top, a.parallel});
+    bar->addActions({a.fit, a.fitPart, a.oblique, a.front, a.right, a.top, a.parallel});
     bar->addSeparator();
     auto* film = new QToolButton;
     film->setIcon(icon(QStringLiteral("film")));

@@ -1,5 +1,6 @@
 #include "workbench/artwork/ArtworkPage.h"
 
+#include "artwork/EditArtwork.h"
 #include "workbench/widgets/Icons.h"
 #include "workbench/widgets/NumberBox.h"
 
@@ -12,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QPlainTextEdit>
@@ -304,6 +306,12 @@ void ArtworkPage::makePlaceFields(QFormLayout& form) {
                          [](ArtworkLayer& l, double value) { l.size[0] = Millimetres(value); });
     size_[1] = addNumber(form, "layerHeight", tr("Height"), within, smallestLayer, largestLayer, mm,
                          [](ArtworkLayer& l, double value) { l.size[1] = Millimetres(value); });
+    shownSize_ = new QLabel;
+    shownSize_->setObjectName(QStringLiteral("layerShownSize"));
+    shownSize_->setAccessibleName(tr("Printed size"));
+    shownSize_->setToolTip(tr("The size of the layer on the part. It keeps its proportions, so it "
+                              "can be smaller than the width and height above."));
+    form.addRow(tr("Printed size"), shownSize_);
     turn_ = addNumber(form, "layerTurn", tr("Rotation"), tr("Counterclockwise, seen from outside."),
                       -360, 360, tr("°"),
                       [](ArtworkLayer& l, double value) { l.turn = Degrees(value); });
@@ -402,6 +410,15 @@ void ArtworkPage::showFields() {
     showRow(axis_, isProjected);
     showRow(size_[0], !isEverywhere);
     showRow(size_[1], !isEverywhere);
+    const bool keepsProportions = layer.repeat.value() <= 0;
+    showRow(shownSize_, keepsProportions);
+    if (keepsProportions) {
+        const std::array<Millimetres, 2> shown = shownSize(layer);
+        const auto length = [](Millimetres side) {
+            return QLocale().toString(side.value(), 'f', 1);
+        };
+        shownSize_->setText(tr("%1 × %2 mm").arg(length(shown[0]), length(shown[1])));
+    }
     if (text_->toPlainText() != layer.text) { // keeps the cursor where the user types
         text_->setPlainText(layer.text);
     }

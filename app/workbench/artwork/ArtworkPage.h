@@ -76,6 +76,7 @@ private:
     QSpinBox* seed_;
     QDoubleSpinBox *opacity_, *turn_, *repeat_;
     std::array<QDoubleSpinBox*, 2> size_{};
+    QLabel* shownSize_; // the size at which the layer is printed
     std::array<QDoubleSpinBox*, 3> place_{};
     QComboBox *placement_, *axis_;
     QLineEdit* spot_;

@@ -81,6 +81,7 @@ QWidget* SnapshotsDialog::makeComparison() {
     against_->setToolTip(tr("Compared with"));
     connect(against_, &QComboBox::currentIndexChanged, this, &SnapshotsDialog::compare);
     table_->setAccessibleName(tr("Differences"));
+    table_->setHorizontalHeaderLabels({tr("Setting"), tr("Snapshot"), tr("Current")});
     table_->verticalHeader()->hide();
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);

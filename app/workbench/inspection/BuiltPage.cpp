@@ -66,8 +66,9 @@ QWidget* BuiltPage::makeKeepBar() {
     row->setContentsMargins(0, 0, 0, 0);
     acceptedBy_->setObjectName(QStringLiteral("acceptedBy"));
     acceptedBy_->setMaxLength(100);
-    acceptedBy_->setPlaceholderText(tr("Name of the person who accepts the part"));
+    acceptedBy_->setPlaceholderText(tr("Name of the person"));
     acceptedBy_->setAccessibleName(tr("Accepted by"));
+    acceptedBy_->setToolTip(tr("Name of the person who accepts the part"));
     keep_ = new QPushButton(tr("&Keep part"));
     keep_->setObjectName(QStringLiteral("keepPart"));
     keep_->setToolTip(tr("Stores the measured error of this part with the job"));

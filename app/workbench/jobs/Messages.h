@@ -25,6 +25,7 @@ public:
     }
     void logAndSay(const QString& sentence);
     void notice(const QString& text) { emit noticed(text); }
+    void inform(const QString& text) { emit informed(text); }
     void fail(const QString& title, const std::exception_ptr& failure);
     // Asks whether these files may be read. `who` is a sentence that says who names them and ends
     // in a colon. `allowed` is called later if the user agrees.
@@ -36,7 +37,9 @@ public:
 signals:
     void logged(const QString& line); // stored in the log
     void said(const QString& sentence, int milliseconds);
-    void noticed(const QString& text); // shown until it is closed; empty: closes the last one
+    // A warning, shown until it is closed; empty: closes the last one.
+    void noticed(const QString& text);
+    void informed(const QString& text); // good news, shown until it is closed
     void failed(const QString& title, const QString& sentence);
     void askedToRead(const QString& title, const QString& who, const QStringList& files,
                      const std::function<void()>& allowed);

@@ -17,6 +17,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <algorithm>
 
 namespace dipwright {
 
@@ -46,7 +47,16 @@ DocumentController::DocumentController(const WindowActions& actions, DocumentSes
     on(actions.packJobs, &DocumentController::packJobs);
     connect(&workbench.queue(), &JobQueue::ended, this, [this](const QString& sentence) {
         messages_.log(sentence);
-        messages_.notice(sentence);
+        const auto& projects = workbench_.queue().projects();
+        const bool areAllDone =
+            std::all_of(projects.begin(), projects.end(), [](const QueuedProject& project) {
+                return project.state == QueuedState::Done;
+            });
+        if (areAllDone) {
+            messages_.inform(sentence);
+        } else {
+            messages_.notice(sentence);
+        }
     });
 }
 

@@ -9,8 +9,19 @@
 
 #include <QAction>
 #include <QFileDialog>
+#include <QFileInfo>
 
 namespace dipwright {
+
+QString textureFolder(const ModelOrigin& origin) {
+    for (const QString& file : {origin.texture, origin.source}) {
+        const QFileInfo folder(QFileInfo(file).absolutePath());
+        if (!file.isEmpty() && folder.isDir()) {
+            return folder.absoluteFilePath();
+        }
+    }
+    return {};
+}
 
 EditController::EditController(const WindowActions& actions, ProjectTree& tree,
                                const PropertyPanel& properties, DipView& view,
@@ -57,8 +68,9 @@ void EditController::askModel() {
 }
 
 void EditController::askTexture() {
-    const QString path =
-        QFileDialog::getOpenFileName(&window_, tr("Replace texture"), {}, pictureFileFilter());
+    const QString path = QFileDialog::getOpenFileName(
+        &window_, tr("Replace texture"), textureFolder(session_.document()->project().modelOrigin),
+        pictureFileFilter());
     if (!path.isEmpty()) {
         replaceTexture(path);
     }

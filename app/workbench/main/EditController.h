@@ -9,9 +9,14 @@ class QWidget;
 
 namespace dipwright {
 
+struct ModelOrigin;
 class ProjectTree;
 class PropertyPanel;
 class WindowActions;
+
+// Returns the folder in which to look for another texture: that of the present texture, else that
+// of the model's file. Empty if neither exists.
+QString textureFolder(const ModelOrigin& origin);
 
 class EditController : public QObject {
     Q_OBJECT

@@ -201,6 +201,12 @@ void MainWindow::connectSession() {
         parts_.timeline->setPosition(parts_.timeline->frames());
         reader_.lookAtFilmPlace(rest);
     });
+    connect(parts_.results, &ResultsPanel::modelPlaceChosen, this,
+            [this](const Eigen::Vector3f& place) {
+                parts_.timeline->pause();
+                parts_.timeline->setPosition(parts_.timeline->frames());
+                reader_.lookAtModelPlace(place);
+            });
     connect(parts_.results, &ResultsPanel::fieldChosen, this, [this](const QString& path) {
         if (const std::optional<ProjectNode> node = nodeOfField(path)) {
             parts_.projectDock->show();

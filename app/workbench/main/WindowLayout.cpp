@@ -20,7 +20,9 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QVBoxLayout>
+#include <cstdlib>
 
 namespace dipwright {
 
@@ -28,6 +30,22 @@ namespace {
 
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
+
+// Makes the dock's menu entry bring the dock to the front if it lies behind another tab. Qt's own
+// entry would close it.
+void raiseByToggle(QDockWidget& dock) {
+    QAction* toggle = dock.toggleViewAction();
+    QObject::disconnect(toggle, &QAction::triggered, &dock, nullptr);
+    QObject::connect(toggle, &QAction::triggered, &dock, [&dock, toggle] {
+        if (dock.isVisible() && !dock.visibleRegion().isEmpty()) {
+            dock.close();
+        } else {
+            dock.show();
+            dock.raise();
+        }
+        toggle->setChecked(dock.isVisible());
+    });
+}
 
 } // namespace
 
@@ -89,9 +107,12 @@ void WindowLayout::makeDocks(const SolverRegistry& registry) {
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({190, 500});
     parts_.projectDock = addDock(Qt::LeftDockWidgetArea, "projectDock", tr("Project"), splitter);
+    connect(parts_.properties, &PropertyPanel::leastWidthChanging, this,
+            &WindowLayout::keepProjectWidth);
     parts_.results = new ResultsPanel;
     parts_.resultsDock =
         addDock(Qt::RightDockWidgetArea, "resultsDock", tr("Results"), parts_.results);
+    raiseByToggle(*parts_.resultsDock);
     parts_.log = new LogPanel;
     parts_.logDock = addDock(Qt::BottomDockWidgetArea, "logDock", tr("Log"), parts_.log);
     parts_.logDock->hide();
@@ -111,6 +132,7 @@ QDockWidget* WindowLayout::addPage(const char* name, const QString& title, QWidg
     QDockWidget* dock = addDock(Qt::RightDockWidgetArea, name, title, page);
     window_.tabifyDockWidget(parts_.resultsDock, dock);
     dock->hide();
+    raiseByToggle(*dock);
     parts_.pageDocks.append(dock);
     return dock;
 }
@@ -127,6 +149,30 @@ QList<QAction*> WindowLayout::dockToggles() const {
 void WindowLayout::sizeDocks() {
     window_.resizeDocks({parts_.projectDock, parts_.resultsDock},
                         {window_.width() / 5, window_.width() * 3 / 10}, Qt::Horizontal);
+}
+
+// A page of properties that is wider than the dock widens it. The next page that is narrow enough
+// gives the dock its width back, unless the user has changed the width since.
+void WindowLayout::keepProjectWidth(int least) {
+    const QDockWidget* dock = parts_.projectDock;
+    if (!dock || !dock->isVisible()) {
+        return;
+    }
+    const int frame = dock->width() - parts_.properties->width();
+    if (!widened_ && least + frame > dock->width()) {
+        widened_ = {dock->width(), least + frame};
+    } else if (widened_ && least + frame <= widened_->before) {
+        const int before = widened_->before;
+        const bool isUntouched = std::abs(dock->width() - widened_->after) <= 4;
+        widened_.reset();
+        if (isUntouched) {
+            QTimer::singleShot(0, this, [this, before] { // once the dock may be narrower
+                window_.resizeDocks({parts_.projectDock}, {before}, Qt::Horizontal);
+            });
+        }
+    } else if (widened_) {
+        widened_->after = std::max(widened_->before, least + frame);
+    }
 }
 
 void WindowLayout::restore() {

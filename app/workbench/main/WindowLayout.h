@@ -5,6 +5,7 @@
 
 #include <QByteArray>
 #include <QObject>
+#include <optional>
 
 class QAction;
 class QDockWidget;
@@ -78,11 +79,17 @@ private:
     QDockWidget* addDock(Qt::DockWidgetArea area, const char* name, const QString& title,
                          QWidget* widget);
     void sizeDocks(); // fits the docks to the window's width
+    void keepProjectWidth(int least);
 
     QMainWindow& window_;
     WindowParts parts_{};
     QStackedWidget* pages_ = nullptr;
     QByteArray standard_;
+    // Widths of the project dock while a wide page of properties widens it.
+    struct Widened {
+        int before, after;
+    };
+    std::optional<Widened> widened_;
 };
 
 } // namespace dipwright

@@ -18,7 +18,10 @@ WindowMessages::WindowMessages(const Messages& messages, const WindowParts& part
     : window_(window) {
     connect(&messages, &Messages::logged, parts.log, &LogPanel::add);
     connect(&messages, &Messages::said, window.statusBar(), &QStatusBar::showMessage);
-    connect(&messages, &Messages::noticed, parts.notice, &NoticeBar::say);
+    connect(&messages, &Messages::noticed, parts.notice,
+            [notice = parts.notice](const QString& text) { notice->say(text); });
+    connect(&messages, &Messages::informed, parts.notice,
+            [notice = parts.notice](const QString& text) { notice->say(text, NoticeKind::Done); });
     connect(&messages, &Messages::failed, this, &WindowMessages::showFailure);
     connect(&messages, &Messages::askedToRead, this, &WindowMessages::askToRead);
 }

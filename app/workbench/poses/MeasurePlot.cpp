@@ -9,6 +9,7 @@
 #include <QToolTip>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dipwright {
@@ -16,6 +17,7 @@ namespace dipwright {
 namespace {
 
 constexpr int margin = 10;   // pixels
+constexpr int textGap = 4;   // pixels between the values and the frame
 constexpr double dot = 4;    // radius in pixels
 constexpr double reach = 10; // pixels around a dot that count as the dot
 
@@ -52,8 +54,12 @@ public:
         setMinimumHeight(110);
     }
 
-    void set(std::vector<QPointF> values, std::vector<std::size_t> best) {
+    // `across` and `up`: the worst and the best value on each axis.
+    void set(std::vector<QPointF> values, std::vector<std::size_t> best,
+             const std::array<QString, 2>& across, const std::array<QString, 2>& up) {
         values_ = std::move(values);
+        across_ = across;
+        up_ = up;
         best_ = std::move(best);
         update();
     }
@@ -68,7 +74,8 @@ protected:
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(palette().color(QPalette::Mid));
         painter.setBrush(palette().color(QPalette::Base));
-        painter.drawRect(rect().toRectF().adjusted(0.5, 0.5, -0.5, -0.5));
+        painter.drawRect(QRectF(frame()).adjusted(0.5, 0.5, -0.5, -0.5));
+        drawAxes(painter);
         QPolygonF line;
         for (const std::size_t rank : best_) {
             line << placeOf(rank);
@@ -122,8 +129,37 @@ private:
         };
         const double x = within(values_[rank].x(), box.left(), box.right());
         const double y = within(values_[rank].y(), box.top(), box.bottom());
-        return {margin + x * (width() - 2 * margin),
-                height() - margin - y * (height() - 2 * margin)};
+        const QRect inner = frame().adjusted(margin, margin, -margin, -margin);
+        return {inner.left() + x * inner.width(), inner.bottom() - y * inner.height()};
+    }
+    // The frame around the dots, with room for the values of the axes to the left and below.
+    QRect frame() const {
+        const int left = std::max(fontMetrics().horizontalAdvance(up_[0]),
+                                  fontMetrics().horizontalAdvance(up_[1]));
+        const bool hasValues = !values_.empty();
+        return rect().adjusted(hasValues ? left + textGap : 0, 0, 0,
+                               hasValues ? -fontMetrics().height() - textGap : 0);
+    }
+    void drawAxes(QPainter& painter) const {
+        if (values_.empty()) {
+            return;
+        }
+        const QRect box = frame();
+        const QRect left(0, box.top(), box.left() - textGap, box.height());
+        const QRect below(box.left(), box.bottom() + textGap, box.width(), fontMetrics().height());
+        painter.save();
+        painter.setPen(palette().color(QPalette::Text));
+        painter.drawText(left, Qt::AlignRight | Qt::AlignTop, up_[1]);
+        painter.drawText(left, Qt::AlignRight | Qt::AlignBottom, up_[0]);
+        painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, across_[0]);
+        painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, across_[1]);
+        const int taken = fontMetrics().horizontalAdvance(across_[0]) +
+                          fontMetrics().horizontalAdvance(across_[1]);
+        const QString better = MeasurePlot::tr("better →");
+        if (taken + fontMetrics().horizontalAdvance(better) + 4 * textGap < below.width()) {
+            painter.drawText(below, Qt::AlignCenter, better);
+        }
+        painter.restore();
     }
     std::optional<std::size_t> rankAt(QPointF place) const {
         std::optional<std::size_t> nearest;
@@ -141,6 +177,7 @@ private:
     MeasurePlot& plot_;
     std::vector<QPointF> values_; // one for each rank; larger is better
     std::vector<std::size_t> best_, chosen_;
+    std::array<QString, 2> across_, up_; // the worst and the best value on each axis
 };
 
 MeasurePlot::MeasurePlot(QWidget* parent)
@@ -194,7 +231,25 @@ void MeasurePlot::draw() {
     for (const RankedPoses& poses : ranking_) {
         values.emplace_back(goodness(poses, across), goodness(poses, up));
     }
-    field_->set(std::move(values), paretoOptimalRanks(ranking_, across, up));
+    const auto ends = [this](Measure measure) -> std::array<QString, 2> {
+        if (ranking_.empty()) {
+            return {};
+        }
+        const auto [worst, best] = std::minmax_element(
+            ranking_.begin(), ranking_.end(), [measure](const auto& one, const auto& other) {
+                return goodness(one, measure) < goodness(other, measure);
+            });
+        return {measureText(measure, worst->measures[measure]),
+                measureText(measure, best->measures[measure])};
+    };
+    const auto acrossEnds = ends(across), upEnds = ends(up);
+    const auto words = [](Measure measure, const std::array<QString, 2>& shown) {
+        return tr("%1: worst %2, best %3").arg(measureName(measure), shown[0], shown[1]);
+    };
+    field_->setAccessibleDescription(ranking_.empty() ? QString()
+                                                      : words(across, acrossEnds) +
+                                                            QLatin1Char('\n') + words(up, upEnds));
+    field_->set(std::move(values), paretoOptimalRanks(ranking_, across, up), acrossEnds, upEnds);
 }
 
 } // namespace dipwright

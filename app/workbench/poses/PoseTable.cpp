@@ -2,16 +2,27 @@
 
 #include "dip/BodyPath.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QApplication>
 #include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QTextCursor>
+#include <QTextDocument>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 namespace dipwright {
 
 namespace {
 
 constexpr QSize pictureSize(56, 56);
+constexpr std::size_t shownDifferences = 4; // in the cell; the tool tip has all
+constexpr int htmlRole = Qt::UserRole;
+// Readable on light and dark windows.
+const QString betterColour = QStringLiteral("#2e8b57"), worseColour = QStringLiteral("#c83c3c");
 enum Column { Picture, Objective, Painted, Reasons, Columns };
 
 QString posesText(const RankedPoses& poses) {
@@ -56,6 +67,76 @@ QString measuresText(const RankedPoses& poses) {
     return lines.join(QLatin1Char('\n'));
 }
 
+// Returns one line for each difference, with a sign, a colour and a word for better or worse. The
+// tool tip of the cell lists those that are left out.
+QString differencesHtml(const std::vector<MeasureDifference>& differences) {
+    if (differences.empty()) {
+        return reasonText({}).toHtmlEscaped();
+    }
+    QStringList lines;
+    for (const MeasureDifference& difference :
+         std::span(differences).first(std::min(differences.size(), shownDifferences))) {
+        lines << QStringLiteral("<span style='color:%1'>%2 %3</span>")
+                     .arg(difference.isBetter ? betterColour : worseColour,
+                          difference.isBetter ? QStringLiteral("▲") : QStringLiteral("▼"),
+                          reasonText({difference}).toHtmlEscaped());
+    }
+    if (differences.size() > shownDifferences) {
+        lines << PoseTable::tr("and %n more", nullptr, int(differences.size() - shownDifferences))
+                     .toHtmlEscaped();
+    }
+    return lines.join(QStringLiteral("<br>"));
+}
+
+// Draws a cell's rich text, wrapped to the column.
+class ReasonsDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QStyleOptionViewItem shown = option;
+        initStyleOption(&shown, index);
+        shown.text.clear();
+        const QStyle* style = shown.widget ? shown.widget->style() : QApplication::style();
+        style->drawControl(QStyle::CE_ItemViewItem, &shown, painter, shown.widget);
+        const bool isSelected = shown.state.testFlag(QStyle::State_Selected);
+        QTextDocument document;
+        fill(document, index, option.font, shown.rect.width());
+        QAbstractTextDocumentLayout::PaintContext context;
+        context.palette.setColor(
+            QPalette::Text,
+            shown.palette.color(isSelected ? QPalette::HighlightedText : QPalette::Text));
+        if (isSelected) { // the signs and words say what the colours say
+            QTextCursor all(&document);
+            all.select(QTextCursor::Document);
+            QTextCharFormat plain;
+            plain.setForeground(context.palette.color(QPalette::Text));
+            all.mergeCharFormat(plain);
+        }
+        painter->save();
+        painter->translate(shown.rect.topLeft());
+        painter->setClipRect(QRect(QPoint(), shown.rect.size()));
+        document.documentLayout()->draw(painter, context);
+        painter->restore();
+    }
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        const auto* table = static_cast<const QTableView*>(parent());
+        QTextDocument document;
+        fill(document, index, option.font, table->columnWidth(index.column()));
+        return {table->columnWidth(index.column()), int(std::ceil(document.size().height()))};
+    }
+
+private:
+    static void fill(QTextDocument& document, const QModelIndex& index, const QFont& font,
+                     int width) {
+        document.setDefaultFont(font);
+        document.setDocumentMargin(3);
+        document.setHtml(index.data(htmlRole).toString());
+        document.setTextWidth(width);
+    }
+};
+
 QTableWidgetItem* cell(const QString& text, const QString& help) {
     auto* item = new QTableWidgetItem(text);
     item->setToolTip(help);
@@ -75,7 +156,17 @@ PoseTable::PoseTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
     for (const int column : {Objective, Painted}) {
         horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     }
-    verticalHeader()->setDefaultSectionSize(pictureSize.height() + 4);
+    verticalHeader()->setMinimumSectionSize(pictureSize.height() + 4);
+    verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    setItemDelegateForColumn(Reasons, new ReasonsDelegate(this));
+    connect(
+        horizontalHeader(), &QHeaderView::sectionResized, this,
+        [this](int column) {
+            if (column == Reasons) {
+                resizeRowsToContents();
+            }
+        },
+        Qt::QueuedConnection); // the scroll bar may still change the width
     setIconSize(pictureSize);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -108,22 +199,31 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
         if (!poses.isConfirmed) {
             objective = tr("≈ %1", "about").arg(objective);
         }
-        QString reasons =
-            rank == 0 && result.current
-                ? tr("Compared with your pose: %1")
-                      .arg(
-                          reasonText(differences(poses, *result.current, settings, result.equator)))
-            : rank == 0 ? QString()
-                        : reasonText(differences(poses, ranking.front(), settings, result.equator));
+        QString reasons, html; // the same in plain and rich text
+        const auto compare = [&](const RankedPoses& others, const QString& words) {
+            const auto found = differences(poses, others, settings, result.equator);
+            reasons = words.arg(reasonText(found));
+            html = words.toHtmlEscaped().arg(
+                (words == QLatin1String("%1") ? QString() : QStringLiteral("<br>")) +
+                differencesHtml(found));
+        };
+        const auto begin = [&](const QString& words, QChar separator) {
+            reasons = (words + separator + reasons).trimmed();
+            html = words.toHtmlEscaped() + QStringLiteral("<br>") + html;
+        };
+        if (rank == 0 && result.current) {
+            compare(*result.current, tr("Compared with your pose: %1"));
+        } else if (rank > 0) {
+            compare(ranking.front(), QStringLiteral("%1"));
+        }
         if (const QString advice = adviceOn(poses); !advice.isEmpty()) {
-            reasons = (advice + QLatin1Char('\n') + reasons).trimmed();
+            begin(advice, QLatin1Char('\n'));
         }
         if (!poses.tankFaults.isEmpty() && !poses.isConfirmed) { // else the verdict says so
-            reasons = (poses.tankFaults.join(QStringLiteral(". ")) + QLatin1Char('\n') + reasons)
-                          .trimmed();
+            begin(poses.tankFaults.join(QStringLiteral(". ")), QLatin1Char('\n'));
         }
         if (poses.limitsMissed > 0) {
-            reasons = tr("Does not meet a limit. %1").arg(reasons);
+            begin(tr("Does not meet a limit."), QLatin1Char(' '));
         }
         const int row = int(rank);
         setItem(row, Picture, picture);
@@ -133,7 +233,9 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
                          QLatin1Char('\n') +
                          measureText(Measure::Stretch, poses.measures[Measure::Stretch]),
                      help));
-        setItem(row, Reasons, cell(reasons, reasons + QStringLiteral("\n\n") + help));
+        auto* why = cell(reasons, reasons + QStringLiteral("\n\n") + help);
+        why->setData(htmlRole, html);
+        setItem(row, Reasons, why);
     }
 }
 

@@ -6,6 +6,7 @@
 #include "project/Profiles.h"
 #include "project/Project.h"
 #include "settings/Immersion.h"
+#include "workbench/jobs/Messages.h"
 #include "workbench/project/FilmMeasured.h"
 #include "workbench/widgets/Icons.h"
 #include "workbench/widgets/NumberBox.h"
@@ -22,12 +23,14 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QToolButton>
+#include <algorithm>
 
 namespace dipwright {
 
 namespace {
 
 constexpr int readDelay = 300; // ms after the last typed letter
+constexpr int dialogWidth = 540, leastHintWidth = dialogWidth - 40; // pixels
 
 enum class Template { One, TopAndBottom, LeftAndRight, Paper };
 
@@ -68,11 +71,11 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
       extent_(new QLabel) {
     setWindowTitle(tr("New project"));
     setObjectName(QStringLiteral("newProjectDialog"));
-    setMinimumWidth(540);
-    model_->setPlaceholderText(tr("Choose a file: %1").arg(modelFormatNames()));
+    setMinimumWidth(dialogWidth);
+    model_->setPlaceholderText(tr("Choose a model file"));
     model_->setAccessibleName(tr("Model"));
     texture_->setAccessibleName(tr("Texture"));
-    model_->setToolTip(tr("The model file of the part to dip."));
+    model_->setToolTip(tr("The model file of the part to dip: %1.").arg(modelFormatNames()));
     texture_->setPlaceholderText(tr("The model's own texture"));
     texture_->setToolTip(tr("A picture that replaces the model's own texture. Leave it empty to "
                             "keep the model's texture."));
@@ -101,12 +104,17 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     form->addRow(tr("Te&xture"),
                  makeFileRow(texture_, tr("Choose a texture"), pictureFileFilter()));
     form->addRow(tr("Size"), makeSizeRow());
+    extent_->setObjectName(QStringLiteral("extent"));
+    extent_->setWordWrap(true);
+    extent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    extent_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    form->addRow(extent_);
     form->addRow(tr("Film &profile"), filmProfile_);
     form->addRow(tr("&Film"), film_);
     form->addRow(tr("&Dips"), template_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     create_ = buttons->addButton(tr("Create"), QDialogButtonBox::AcceptRole);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::accepted, this, &NewProjectDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(form);
@@ -117,6 +125,7 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     delay_.setInterval(readDelay);
     connect(&delay_, &QTimer::timeout, this, &NewProjectDialog::readSizes);
     connect(model_, &QLineEdit::textChanged, this, &NewProjectDialog::updateButtons);
+    connect(texture_, &QLineEdit::textChanged, this, &NewProjectDialog::updateButtons);
     updateButtons();
 }
 
@@ -171,9 +180,6 @@ QWidget* NewProjectDialog::makeSizeRow() {
     grid->addWidget(unit_, 0, 1);
     grid->addWidget(byEdge_, 1, 0);
     grid->addWidget(edge_, 1, 1);
-    extent_->setObjectName(QStringLiteral("extent"));
-    extent_->setWordWrap(true);
-    grid->addWidget(extent_, 2, 0, 1, 2);
     grid->setColumnStretch(1, 1);
     connect(edge_, &QDoubleSpinBox::valueChanged, this, &NewProjectDialog::showExtent);
     connect(byEdge_, &QRadioButton::toggled, this, &NewProjectDialog::showExtent);
@@ -189,26 +195,87 @@ QWidget* NewProjectDialog::makeSizeRow() {
 }
 
 void NewProjectDialog::updateButtons() {
-    create_->setEnabled(QFileInfo(model_->text()).isFile());
+    jobs_.cancelAll();
+    const bool isThere = QFileInfo(model_->text()).isFile();
+    create_->setEnabled(isThere);
+    reading_ = isThere ? Reading::Pending : Reading::Done;
+    isAccepting_ = false;
+    failure_.clear();
     sizes_.reset();
     showExtent();
     delay_.start();
 }
 
-// Reads the model's sizes in the file's units. Errors are reported later, when the project is
-// created.
+// Reads the model, as a check and for its sizes in the file's units.
 void NewProjectDialog::readSizes() {
     jobs_.cancelAll();
     const QString path = model_->text();
     if (!QFileInfo(path).isFile()) {
+        reading_ = Reading::Done;
+        create_->setEnabled(false);
         return;
     }
-    extent_->setText(tr("Reading the model …"));
+    reading_ = Reading::Pending;
+    failure_.clear();
+    showHint(tr("Reading the model …"));
+    ImportOptions options;
+    options.texture = texture_->text();
     jobs_.start(std::make_unique<ValueJob<ImportedModel>>(
         tr("Reading the model"),
-        [path](const Progress& progress) { return importModel(path, {}, progress); },
-        [this](const ImportedModel& imported) { takeSizes(imported.report.box); },
-        [this](const std::exception_ptr&) { extent_->clear(); }));
+        [path, options](const Progress& progress) { return importModel(path, options, progress); },
+        [this](const ImportedModel& imported) {
+            takeSizes(imported.report.box);
+            endReading({});
+        },
+        [this](const std::exception_ptr& failure) {
+            try {
+                std::rethrow_exception(failure);
+            } catch (const OutsideFiles&) { // asked about when the project is created
+                endReading({});
+            } catch (...) {
+                endReading(sentenceOf(failure));
+            }
+        }));
+}
+
+// `failure`: why the model cannot be read; empty: it can.
+void NewProjectDialog::endReading(const QString& failure) {
+    reading_ = Reading::Done;
+    failure_ = failure;
+    create_->setEnabled(true);
+    showExtent();
+    if (isAccepting_ && failure.isEmpty()) {
+        QDialog::accept();
+    }
+    isAccepting_ = false;
+}
+
+// A model that cannot be read leaves the dialog open, with its values.
+void NewProjectDialog::accept() {
+    if (reading_ == Reading::Done && failure_.isEmpty()) {
+        QDialog::accept();
+        return;
+    }
+    isAccepting_ = true;
+    create_->setEnabled(false);
+    if (reading_ == Reading::Done || delay_.isActive()) { // perhaps the file has been repaired
+        delay_.stop();
+        readSizes();
+    }
+}
+
+// Makes the label as tall as its text, and at least two lines, so that the fields below stay in
+// place.
+void NewProjectDialog::showHint(const QString& text) {
+    extent_->setText(text);
+    const int twoLines = 2 * extent_->fontMetrics().lineSpacing();
+    extent_->setMinimumHeight(
+        std::max(twoLines, extent_->heightForWidth(std::max(extent_->width(), leastHintWidth))));
+}
+
+void NewProjectDialog::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    showHint(extent_->text());
 }
 
 void NewProjectDialog::takeSizes(const BoundingBox& box) {
@@ -220,8 +287,12 @@ void NewProjectDialog::takeSizes(const BoundingBox& box) {
 }
 
 void NewProjectDialog::showExtent() {
+    if (!failure_.isEmpty()) {
+        showHint(QStringLiteral("⚠ ") + failure_);
+        return;
+    }
     if (!sizes_) {
-        extent_->clear();
+        showHint({});
         return;
     }
     const ImportOptions options = importOptions();
@@ -232,9 +303,9 @@ void NewProjectDialog::showExtent() {
         tr("The part measures %1 × %2 × %3")
             .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
                  shownLength(size.z(), lengthUnit_));
-    extent_->setText(guesses_ && byUnit_->isChecked()
-                         ? text + QStringLiteral("; ") + tr("the unit was guessed from the size.")
-                         : text + QStringLiteral("."));
+    showHint(guesses_ && byUnit_->isChecked()
+                 ? text + QStringLiteral("; ") + tr("the unit was guessed from the size.")
+                 : text + QStringLiteral("."));
 }
 
 QString NewProjectDialog::model() const {

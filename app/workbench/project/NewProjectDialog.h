@@ -31,13 +31,21 @@ public:
     // Returns a function that applies film, preset and dips to a project. It outlives the dialog.
     std::function<void(Project&)> completion() const;
 
+    void accept() override; // waits until the model is read
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    enum class Reading { Pending, Done };
     QWidget* makeFileRow(QLineEdit* line, const QString& title, const QString& filter);
     QWidget* makeSizeRow();
     void updateButtons();
     void readSizes();
     void takeSizes(const BoundingBox& box);
+    void endReading(const QString& failure);
     void showExtent();
+    void showHint(const QString& text);
 
     LengthUnit lengthUnit_;
     QString printerProfile_;
@@ -54,7 +62,10 @@ private:
     QPushButton* create_;
     QTimer delay_;                         // runs while a name is typed
     std::optional<Eigen::Vector3d> sizes_; // of the model in the file's unit, once it was read
-    bool guesses_ = true;                  // guesses the unit until the user chooses
+    Reading reading_ = Reading::Done;
+    bool isAccepting_ = false; // Create was pressed before the model was read
+    QString failure_;          // why the model cannot be read; empty: no failure
+    bool guesses_ = true;      // guesses the unit until the user chooses
     JobRunner jobs_;
 };
 

@@ -29,6 +29,7 @@ namespace dipwright {
 namespace {
 
 constexpr int leastWidth = 290;
+constexpr int leastField = 90; // beside its label, pixels
 
 } // namespace
 
@@ -107,8 +108,10 @@ void PropertyPanel::rebuild() {
     setWidget(page);
     refresh();
     // Nothing may be cut off at the side: the panel scrolls only vertically.
-    setMinimumWidth(std::max(leastWidth, page->minimumSizeHint().width() +
-                                             verticalScrollBar()->sizeHint().width()));
+    const int least = std::max(leastWidth, page->minimumSizeHint().width() +
+                                               verticalScrollBar()->sizeHint().width());
+    emit leastWidthChanging(least);
+    setMinimumWidth(least);
 }
 
 void PropertyPanel::showField(const QString& path) {
@@ -174,7 +177,11 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
     const bool hasLongWord =
         std::any_of(spec.words.cbegin(), spec.words.cend(),
                     [](const QString& word) { return word.size() > longWord; });
-    if (spec.parts.size() > 1 || !spec.absent.isEmpty() || hasLongWord) {
+    constexpr int room = leastWidth - 50; // without margins, spacing and scroll bar
+    const bool isWide =
+        label->sizeHint().width() + std::max(field->minimumSizeHint().width(), leastField) > room;
+    if (spec.parts.size() > 1 || !spec.absent.isEmpty() || hasLongWord || isWide) {
+        label->setWordWrap(true);
         row = new QWidget;
         auto* stack = new QVBoxLayout(row);
         stack->setContentsMargins(0, 0, 0, 0);

@@ -35,6 +35,8 @@ public:
     void refresh();                      // call this when profiles have changed
 
 signals:
+    // Emitted before the panel's minimum width becomes `width`, because of another page.
+    void leastWidthChanging(int width);
     void failed(const QString& sentence);
     void reloadModelAsked();
     void replaceModelAsked();

@@ -8,8 +8,10 @@
 #include <QLabel>
 #include <QLocale>
 #include <QTextBrowser>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace dipwright {
@@ -20,14 +22,18 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(ReportPanel)
 };
 
-constexpr std::size_t mostPlaces = 8; // unreached places that are listed one by one
+constexpr std::size_t mostPlaces = 8;                 // unreached places that are listed one by one
+const QString placeScheme = QStringLiteral("place:"); // marks a link to a place of the model
 
 class Table {
 public:
     void row(const QString& name, const QString& value) {
+        htmlRow(name.toHtmlEscaped(), value.toHtmlEscaped());
+    }
+    void htmlRow(const QString& name, const QString& value) {
         html_ += QStringLiteral("<tr><td style='padding:3px 16px 3px 0'>%1</td>"
                                 "<td style='padding:3px 0' align='right'>%2</td></tr>")
-                     .arg(name.toHtmlEscaped(), value.toHtmlEscaped());
+                     .arg(name, value);
     }
     QString html() const {
         return QStringLiteral("<table width='100%' cellspacing='0'>%1</table>").arg(html_);
@@ -49,7 +55,57 @@ QString percent(double share) {
     return Text::tr("%1 %").arg(number(share * 100, 1));
 }
 
-QString shareHtml(const JobResult& result, LengthUnit unit) {
+// Links places of the model, and collects them.
+class PlaceLinks {
+public:
+    explicit PlaceLinks(LengthUnit unit) : unit_(unit) {}
+
+    QString html(const Eigen::Vector3f& place) {
+        places_.push_back(place);
+        return QStringLiteral("<a href='%1%2'>%3</a>")
+            .arg(placeScheme, QString::number(places_.size() - 1),
+                 Text::tr("%1 on the model").arg(shownPlace(place, unit_)).toHtmlEscaped());
+    }
+    const std::vector<Eigen::Vector3f>& places() const { return places_; }
+
+private:
+    LengthUnit unit_;
+    std::vector<Eigen::Vector3f> places_;
+};
+
+// The value that this share of the values does not exceed.
+double percentile(std::vector<float> values, double share) {
+    if (values.empty()) {
+        return 0;
+    }
+    const auto rank = std::ptrdiff_t(std::ceil(share * double(values.size()))) - 1;
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return double(values[std::size_t(rank)]);
+}
+
+// Returns the middle of the film's most stretched side on the body, in model coordinates. `largest`
+// is its stretch.
+std::optional<Eigen::Vector3f> placeOfLargestStretch(const LaidFilm& laid, double largest) {
+    const DippedFilm& film = laid.film();
+    const auto columns = std::size_t(film.grid.columns), rows = std::size_t(film.grid.rows);
+    const std::vector<float> stretches = constraintStretches(film);
+    const std::vector<std::uint8_t>& isPainted = laid.painted().points;
+    for (std::size_t side = 0; side < stretches.size(); ++side) {
+        const std::size_t firstVertical = rows * (columns - 1);
+        const bool isHorizontal = side < firstVertical;
+        const std::size_t from = isHorizontal
+                                     ? side / (columns - 1) * columns + side % (columns - 1)
+                                     : side - firstVertical;
+        const std::size_t to = from + (isHorizontal ? 1 : columns);
+        if (double(stretches[side]) == largest && isPainted[from] != 0 && isPainted[to] != 0) {
+            const Eigen::Vector3f middle = (film.positions[from] + film.positions[to]) / 2;
+            return (laid.body().modelToPose.inverse() * middle.cast<double>()).cast<float>();
+        }
+    }
+    return std::nullopt; // no film on the body
+}
+
+QString shareHtml(const JobResult& result, LengthUnit unit, PlaceLinks& links) {
     const BodyShare& share = *result.share;
     const auto area = [&](double squareMillimetres) {
         return QStringLiteral("%1 · %2").arg(shownArea(squareMillimetres, unit),
@@ -71,8 +127,9 @@ QString shareHtml(const JobResult& result, LengthUnit unit) {
     table.row(Text::tr("Length of the seam"), shownLength(share.cost.length, unit));
     const std::size_t listed = std::min(share.unpainted.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(share.unpainted).first(listed)) {
-        table.row(Text::tr("Area not reached, at %1").arg(shownPlace(place.place, unit)),
-                  shownArea(place.area, unit));
+        table.htmlRow(
+            Text::tr("Area not reached, at %1").toHtmlEscaped().arg(links.html(place.place)),
+            shownArea(place.area, unit).toHtmlEscaped());
     }
     if (listed < share.unpainted.size()) {
         table.row(Text::tr("Number of smaller areas not reached"),
@@ -81,7 +138,7 @@ QString shareHtml(const JobResult& result, LengthUnit unit) {
     return heading(Text::tr("Seam")) + table.html();
 }
 
-QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
+QString immersionHtml(const ImmersionResult& result, LengthUnit unit, PlaceLinks& links) {
     const DippedFilm& film = result.laid->film();
     const Distribution stretch = distribution(result.laid->painted().constraints);
     const Distribution area = distribution(result.laid->painted().areas);
@@ -108,8 +165,14 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit) {
               Text::tr("%1 of %2")
                   .arg(locale.toString(qulonglong(adhered)),
                        locale.toString(qulonglong(film.states.size()))));
-    table.row(Text::tr("Stretch, mean and largest"),
-              QStringLiteral("%1 · %2").arg(number(stretch.mean, 3), number(stretch.maximum, 3)));
+    table.row(Text::tr("Stretch: mean, 99 % below, largest"),
+              QStringLiteral("%1 · %2 · %3")
+                  .arg(number(stretch.mean, 3),
+                       number(percentile(result.laid->painted().constraints, 0.99), 3),
+                       number(stretch.maximum, 3)));
+    if (const auto place = placeOfLargestStretch(*result.laid, stretch.maximum)) {
+        table.htmlRow(Text::tr("Place of the largest stretch").toHtmlEscaped(), links.html(*place));
+    }
     table.row(Text::tr("Area stretch, smallest and largest"),
               QStringLiteral("%1 · %2").arg(number(area.minimum, 3), number(area.maximum, 3)));
     if (result.readBack) {
@@ -154,7 +217,7 @@ ReportPanel::ReportPanel(QWidget* parent)
     text_->setObjectName(QStringLiteral("report"));
     text_->setAccessibleName(tr("Report"));
     text_->setOpenLinks(false);
-    connect(text_, &QTextBrowser::anchorClicked, this, &ReportPanel::smallerFilmTaken);
+    connect(text_, &QTextBrowser::anchorClicked, this, &ReportPanel::follow);
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setWordWrap(true);
     hint_->setForegroundRole(QPalette::PlaceholderText);
@@ -184,6 +247,7 @@ void ReportPanel::show() {
     if (!result_) {
         return;
     }
+    PlaceLinks links(unit_);
     Table whole;
     whole.row(tr("Total coverage"), percent(result_->coverageTotal));
     whole.row(tr("Film used"), percent(filmUsed(*result_)));
@@ -194,7 +258,7 @@ void ReportPanel::show() {
         html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());
     }
     if (result_->share) {
-        html += shareHtml(*result_, unit_);
+        html += shareHtml(*result_, unit_, links);
     }
     if (!tolerances_.isEmpty()) {
         html += heading(tr("Tolerances"));
@@ -203,9 +267,22 @@ void ReportPanel::show() {
         html += QStringLiteral("<p>%1</p>").arg(sentence.toHtmlEscaped());
     }
     for (const ImmersionResult& immersion : result_->immersions) {
-        html += immersionHtml(immersion, unit_);
+        html += immersionHtml(immersion, unit_, links);
     }
+    places_ = links.places();
     text_->setHtml(html);
+}
+
+void ReportPanel::follow(const QUrl& link) {
+    const QString target = link.toString();
+    if (!target.startsWith(placeScheme)) {
+        emit smallerFilmTaken();
+        return;
+    }
+    const std::size_t number = target.mid(placeScheme.size()).toULong();
+    if (number < places_.size()) {
+        emit placeChosen(places_[number]);
+    }
 }
 
 } // namespace dipwright

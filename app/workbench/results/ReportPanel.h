@@ -4,10 +4,13 @@
 #include "pipeline/JobResult.h"
 #include "workbench/widgets/Units.h"
 
+#include <Eigen/Core>
 #include <QWidget>
+#include <vector>
 
 class QLabel;
 class QTextBrowser;
+class QUrl;
 
 namespace dipwright {
 
@@ -25,13 +28,16 @@ public:
 signals:
     // The user accepts the film that smallerFilm() finds for the shown result.
     void smallerFilmTaken();
+    void placeChosen(Eigen::Vector3f place); // a place of the model that has a link, mm
 
 private:
     void show();
+    void follow(const QUrl& link);
 
     std::shared_ptr<const JobResult> result_;
     LengthUnit unit_ = LengthUnit::Millimetre;
     QStringList tolerances_;
+    std::vector<Eigen::Vector3f> places_; // the places that have links
     QTextBrowser* text_;
     QLabel* hint_; // shown instead of the text before the first run
 };

@@ -81,6 +81,7 @@ ResultsPanel::ResultsPanel(QWidget* parent)
 
     connect(numericalError_, &VerdictPanel::placeChosen, this, &ResultsPanel::placeChosen);
     connect(numericalError_, &VerdictPanel::fieldChosen, this, &ResultsPanel::fieldChosen);
+    connect(report_, &ReportPanel::placeChosen, this, &ResultsPanel::modelPlaceChosen);
     connect(stretch_, &StretchPanel::hovered, this, &ResultsPanel::hovered);
     connect(stretch_, &StretchPanel::hoverLeft, this, &ResultsPanel::hoverLeft);
     connect(&texture_->view(), &PictureView::hovered, this, [this](QPointF printed) {

@@ -37,8 +37,9 @@ public:
 signals:
     void hovered(Eigen::Vector2f rest); // a place on the floating film (rest position)
     void hoverLeft();
-    void placeChosen(Eigen::Vector2f rest); // show this place in the view
-    void fieldChosen(const QString& path);  // show this field of the project
+    void placeChosen(Eigen::Vector2f rest);       // show this place in the view
+    void modelPlaceChosen(Eigen::Vector3f place); // show this place of the model in the view
+    void fieldChosen(const QString& path);        // show this field of the project
 
 private:
     void hoverShare(double across, double down);

@@ -29,6 +29,7 @@ ViewController::ViewController(const WindowActions& actions, DipView& view, DipS
 
 void ViewController::connectCamera(const WindowActions& actions) {
     connect(actions.fit, &QAction::triggered, &view_, &DipView::fit);
+    connect(actions.fitPart, &QAction::triggered, &view_, &DipView::fitBody);
     for (const auto& [action, direction] :
          {std::pair(actions.oblique, ViewDirection::Oblique),
           std::pair(actions.front, ViewDirection::Front),

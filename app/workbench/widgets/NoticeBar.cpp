@@ -18,7 +18,7 @@ constexpr int mostHeight = 180; // of the text, pixels; longer text scrolls
 } // namespace
 
 NoticeBar::NoticeBar(QWidget* parent)
-    : QFrame(parent), text_(new QLabel), scroll_(new QScrollArea) {
+    : QFrame(parent), sign_(new QLabel), text_(new QLabel), scroll_(new QScrollArea) {
     setObjectName(QStringLiteral("notice"));
     setAutoFillBackground(true);
     text_->setWordWrap(true);
@@ -30,8 +30,6 @@ NoticeBar::NoticeBar(QWidget* parent)
     scroll_->setWidget(text_);
     scroll_->viewport()->setAutoFillBackground(false);
     text_->setAutoFillBackground(false);
-    auto* sign = new QLabel;
-    sign->setPixmap(icon(QStringLiteral("warning")).pixmap(18, 18));
     auto* close = new QToolButton;
     close->setText(tr("Close"));
     close->setToolTip(tr("Close this notice"));
@@ -39,13 +37,16 @@ NoticeBar::NoticeBar(QWidget* parent)
     connect(close, &QToolButton::clicked, this, &NoticeBar::dismiss);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
-    layout->addWidget(sign);
+    layout->addWidget(sign_);
     layout->addWidget(scroll_, 1);
     layout->addWidget(close);
     hide();
 }
 
-void NoticeBar::say(const QString& text) {
+void NoticeBar::say(const QString& text, NoticeKind kind) {
+    const bool isDone = kind == NoticeKind::Done;
+    sign_->setPixmap(
+        icon(isDone ? QStringLiteral("done") : QStringLiteral("warning")).pixmap(18, 18));
     text_->setText(text);
     fitText();
     setVisible(!text.isEmpty());

@@ -8,13 +8,17 @@ class QScrollArea;
 
 namespace dipwright {
 
+// The sign before a notice.
+enum class NoticeKind { Warning, Done };
+
 class NoticeBar : public QFrame {
     Q_OBJECT
 
 public:
     explicit NoticeBar(QWidget* parent = nullptr);
 
-    void say(const QString& text); // empty: hides the bar
+    // An empty text hides the bar.
+    void say(const QString& text, NoticeKind kind = NoticeKind::Warning);
     void dismiss() { hide(); }
     QString text() const;
 
@@ -24,6 +28,7 @@ protected:
 private:
     void fitText();
 
+    QLabel* sign_;
     QLabel* text_;
     QScrollArea* scroll_;
 };

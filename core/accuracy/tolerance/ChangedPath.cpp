@@ -18,6 +18,15 @@ Eigen::Map<const Eigen::Vector3d> vectorOf(const std::array<double, 3>& values) 
 // mm; a hold counts as a short way, since the travel of a path must grow
 constexpr double leastWay = 1e-5;
 
+// Returns the mean speed at which the pivot moves on the whole path, mm/s, but at least 0.1 mm/s.
+double speedOf(const solver::BodyPath& path) {
+    double way = 0;
+    for (std::size_t pose = 1; pose < path.poses.size(); ++pose) {
+        way += (vectorOf(path.poses[pose].pivot) - vectorOf(path.poses[pose - 1].pivot)).norm();
+    }
+    return std::max(way / path.poses.back().seconds, 0.1);
+}
+
 void setRotation(solver::PathPose& pose, const Eigen::Quaterniond& rotation) {
     pose.rotation = {rotation.w(), rotation.x(), rotation.y(), rotation.z()};
 }
@@ -92,21 +101,26 @@ void ChangedPath::raiseWater(double level) {
     }
 }
 
-// Extends the first part of the path backwards until the body was higher by `height`.
+// Extends the first part of the path backwards until the body was higher by `height`; upright if
+// the body turns or travels there more than it sinks.
 void ChangedPath::extendBackwards(double height) {
-    constexpr double least = 1e-3; // mm; if the body sinks less, it does not come from above
+    constexpr double flattest = 6; // travel for each mm that the body sinks; 10° to the water: 5.8
+    constexpr double mostTurn = 0.1; // radians, of the extension
     const solver::PathPose &first = path_.poses[0], &second = path_.poses[1];
     const double sinks = lowest(first) - lowest(second);
-    if (sinks < least) {
-        return;
-    }
-    const double share = height / sinks;
-    solver::PathPose before = first;
-    before.seconds -= share * (second.seconds - first.seconds);
-    vectorOf(before.pivot) -= share * (vectorOf(second.pivot) - vectorOf(first.pivot));
+    const double travels = (vectorOf(second.pivot) - vectorOf(first.pivot)).norm();
     Eigen::AngleAxisd back(rotationOf(first) * rotationOf(second).conjugate());
-    back.angle() *= share;
-    setRotation(before, (back * rotationOf(first)).normalized());
+    solver::PathPose before = first;
+    if (sinks > 0 && travels <= flattest * sinks && back.angle() * height <= mostTurn * sinks) {
+        const double share = height / sinks;
+        before.seconds -= share * (second.seconds - first.seconds);
+        vectorOf(before.pivot) -= share * (vectorOf(second.pivot) - vectorOf(first.pivot));
+        back.angle() *= share;
+        setRotation(before, (back * rotationOf(first)).normalized());
+    } else {
+        before.pivot[1] += height;
+        before.seconds -= height / speedOf(path_);
+    }
     path_.poses.insert(path_.poses.begin(), before);
     for (solver::PathPose& pose : path_.poses) {
         pose.seconds -= before.seconds;

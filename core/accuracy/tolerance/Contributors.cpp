@@ -140,14 +140,16 @@ solver::BodyPath changedPath(const NominalDip& dip, const DipChange& change) {
     return path.path();
 }
 
-// Lets the film grow for `seconds` more before the dip. It then has less left to grow.
+// Lets the film grow for `seconds` more before the dip. It then has less left to grow. If the dip
+// begins early, the film is shorter by as much as it would be longer if the dip began late.
 void growBefore(ChangedDip& dip, double seconds) {
     solver::Settings& settings = dip.setup.settings;
     if (seconds == 0 || !grows(settings)) {
         return;
     }
-    const double length = grownLength(seconds, settings);
-    const double limit = (1 + settings.growthLimit) / length - 1;
+    const double late = grownLength(std::abs(seconds), settings);
+    const double length = seconds > 0 ? late : 1 / late;
+    const double limit = std::max(0.0, (1 + settings.growthLimit) / length - 1);
     settings.growthRate *= limit / settings.growthLimit; // with the same time constant
     settings.growthLimit = limit;
     dip.filmLength *= length;
@@ -348,7 +350,7 @@ bool matters(Freedom freedom, const solver::Settings& settings, const DipPath& p
         return !isProduction || relaxes || grows(settings) ||
                path.waterSpeed != MillimetresPerSecond(0);
     case Freedom::PathAngle:
-        return path.kind != PathKind::Straight;
+        return path.kind != PathKind::Straight && path.kind != PathKind::Poses;
     case Freedom::Growth:
         return grows(settings);
     case Freedom::FilmTurn:

@@ -13,6 +13,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
@@ -125,6 +126,23 @@ private slots:
             qPrintable(
                 QStringLiteral("red share of the sheet is %1, expected 0.003 to 0.05").arg(red)));
         QVERIFY(!window_->session().outcome().result->painted->textures.empty());
+    }
+
+    void artworkPage_pictureInSquare_saysPrintedSize() {
+        ArtworkPage page;
+        Artwork shown;
+        shown.layers.push_back(newLayer(LayerKind::Picture, QStringLiteral("Logo")));
+        QImage picture(30, 20, QImage::Format_RGBA8888);
+        picture.fill(Qt::red);
+        shown.layers[0].picture = artworkPicture(picture);
+        shown.layers[0].size = {Millimetres(32), Millimetres(32)};
+        page.show(shown, 0);
+        const auto* size = page.findChild<QLabel*>(QStringLiteral("layerShownSize"));
+        QCOMPARE(size->text(), QStringLiteral("32.0 × 21.3 mm"));
+        QVERIFY(!size->isHidden());
+        shown.layers[0].repeat = Millimetres(10);
+        page.show(shown, 0);
+        QVERIFY(size->isHidden());
     }
 
     void artwork_everyChange_isOneUndoStep() {

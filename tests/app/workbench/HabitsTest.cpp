@@ -361,6 +361,45 @@ private slots:
         }
     }
 
+    void propertyPages_afterTolerances_dockHasItsWidthAgain() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        window_->resize(1024, 700);
+        auto* tree = driver.find<ProjectTree>("projectTree");
+        auto* dock = driver.find<QDockWidget>("projectDock");
+        tree->select({ProjectPart::Model, 0});
+        QTest::qWait(50);
+        const int before = dock->width();
+        tree->select({ProjectPart::Tolerance, 0});
+        QTest::qWait(50);
+        QVERIFY2(dock->width() <= 340,
+                 qPrintable(QStringLiteral("%1 px with the tolerances").arg(dock->width())));
+        QVERIFY2(window_->view().width() >= 340,
+                 qPrintable(QString::number(window_->view().width())));
+        tree->select({ProjectPart::Model, 0});
+        QTRY_COMPARE(dock->width(), before);
+    }
+
+    void windowMenu_pageBehindAnotherTab_isRaised() {
+        const WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        auto* artwork = driver.find<QDockWidget>("artworkDock");
+        auto* search = driver.find<QDockWidget>("searchDock");
+        const auto isInFront = [](const QDockWidget* dock) {
+            return dock->isVisible() && !dock->visibleRegion().isEmpty();
+        };
+        artwork->toggleViewAction()->trigger();
+        QTRY_VERIFY(isInFront(artwork));
+        search->toggleViewAction()->trigger();
+        QTRY_VERIFY(isInFront(search) && !isInFront(artwork));
+        artwork->toggleViewAction()->trigger(); // open, but behind
+        QTRY_VERIFY(isInFront(artwork));
+        QVERIFY(artwork->toggleViewAction()->isChecked());
+        artwork->toggleViewAction()->trigger();
+        QTRY_VERIFY(!artwork->isVisible());
+        QVERIFY(!artwork->toggleViewAction()->isChecked());
+    }
+
     void placeWarning_bodyPastFilmEdge_isShown() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
@@ -595,6 +634,28 @@ private slots:
         }
         dialog.findChild<QDoubleSpinBox*>()->setValue(123);
         QVERIFY2(said("123.00 mm") && !said("guess"), qPrintable(extent->text()));
+    }
+
+    void newProjectDialog_damagedModel_keepsDialogAndSaysWhy() {
+        const QTemporaryDir folder;
+        const QString damaged = folder.filePath(QStringLiteral("damaged.obj"));
+        QFile file(damaged);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("f 1 2 3\n") > 0);
+        file.close();
+        NewProjectDialog dialog(damaged, workbench_->preferences());
+        dialog.show();
+        auto* extent = dialog.findChild<QLabel*>(QStringLiteral("extent"));
+        dialog.accept(); // before the model has been read
+        QVERIFY(dialog.isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(extent->text().contains(QLatin1String("damaged.obj")), patience());
+        QVERIFY(dialog.isVisible());
+        QVERIFY(extent->height() >= extent->heightForWidth(extent->width()));
+        auto* line = dialog.findChild<QLineEdit*>();
+        QCOMPARE(line->text(), damaged);
+        QSignalSpy accepted(&dialog, &QDialog::accepted);
+        line->setText(model);
+        dialog.accept();
+        QTRY_COMPARE_WITH_TIMEOUT(accepted.count(), 1, patience());
     }
 
     void newProjectDialog_preferredPrinter_isUsed() {

@@ -32,6 +32,7 @@
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTableWidget>
 #include <QTextBrowser>
 #include <QTranslator>
@@ -157,6 +158,28 @@ private slots:
         document.undoStack().undo();
         QCOMPARE(document.project().film.preset, QStringLiteral("A4"));
         QCOMPARE(document.project().immersions[0].offset[0].value(), 40.0);
+    }
+
+    void report_placeOfLargestStretch_turnsViewThere() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(model, texture, 60, makeCoarse));
+        QVERIFY(driver.run());
+        auto* report = driver.find<QTextBrowser>("report");
+        QVERIFY2(report->toPlainText().contains(QLatin1String("99 % below")) &&
+                     report->toPlainText().contains(QLatin1String("on the model")),
+                 qPrintable(report->toPlainText()));
+        const QRegularExpression link(QStringLiteral("place:\\d+"));
+        const QString place = link.match(report->toHtml()).captured();
+        QVERIFY(!place.isEmpty());
+        Eigen::Vector3f chosen = Eigen::Vector3f::Constant(1e9f);
+        connect(driver.find<ResultsPanel>("results"), &ResultsPanel::modelPlaceChosen, this,
+                [&chosen](const Eigen::Vector3f& shown) { chosen = shown; });
+        window_->view().look(ViewDirection::Top);
+        const QImage before = window_->view().picture();
+        emit report->anchorClicked(QUrl(place));
+        const BoundingBox box = boundingBox(window_->document()->project().model->mesh);
+        QVERIFY(box.exteriorDistance(chosen) < 1); // mm
+        QVERIFY(window_->view().picture() != before);
     }
 
     void bodyMenu_actions_markFaceAndLayItDown() {

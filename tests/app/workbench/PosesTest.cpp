@@ -67,6 +67,31 @@ private slots:
         QCOMPARE(table_->item(0, 1)->text(), QStringLiteral("80.0"));
     }
 
+    void poseTable_reasons_areNotCutOffAndSayBetterOrWorse() {
+        QTest::qWait(20); // until the rows are laid out
+        for (int row = 0; row < table_->rowCount(); ++row) {
+            const QModelIndex index = table_->model()->index(row, 3);
+            QStyleOptionViewItem option;
+            option.font = table_->font();
+            const int needed = table_->itemDelegateForColumn(3)->sizeHint(option, index).height();
+            QVERIFY2(table_->rowHeight(row) >= needed,
+                     qPrintable(QStringLiteral("row %1 is %2 px high, its text %3 px")
+                                    .arg(row)
+                                    .arg(table_->rowHeight(row))
+                                    .arg(needed)));
+        }
+        const QString html = table_->item(1, 3)->data(Qt::UserRole).toString();
+        QVERIFY2(html.contains(QStringLiteral("▼")) && html.contains(QLatin1String("(worse)")),
+                 qPrintable(html));
+    }
+
+    void measurePlot_axes_haveValuesWithUnits() {
+        const auto* field = page_->findChild<QWidget*>(QStringLiteral("measurePlot"));
+        QVERIFY2(field->accessibleDescription().contains(QLatin1String("Coverage: worst")) &&
+                     field->accessibleDescription().contains(QLatin1String(" %")),
+                 qPrintable(field->accessibleDescription()));
+    }
+
     void searchPage_takePose_emitsChosenPose() {
         QSignalSpy applied(page_.get(), &SearchPage::applyAsked);
         auto* take = page_->findChild<QPushButton*>(QStringLiteral("takePose"));

@@ -6,6 +6,7 @@
 #include "WindowDriver.h"
 #include "disk/FileLock.h"
 #include "project/ProjectStore.h"
+#include "workbench/main/EditController.h"
 #include "workbench/widgets/NoticeBar.h"
 #include "workbench/widgets/PlainTexts.h"
 
@@ -94,6 +95,7 @@ private slots:
     void changedQuestion_cancelOrOverwrite_isFollowed();
     void changedQuestion_saveAs_keepsBothFiles();
     void outsideQuestion_cancelOrReadFiles_isFollowed();
+    void textureFolder_textureThenModelThenNone_isChosen();
     void messages_htmlInName_isShownAsText();
     void toolTips_htmlInName_isShownAsText();
     void toolTips_longText_isShownInLines();
@@ -234,6 +236,21 @@ void QuestionsTest::changedQuestion_saveAs_keepsBothFiles() {
     QCOMPARE(swellOf(job_), 1.22);
     QCOMPARE(swellOf(mine), 1.11);
     QCOMPARE(window_->document()->path(), mine);
+}
+
+void QuestionsTest::textureFolder_textureThenModelThenNone_isChosen() {
+    QVERIFY(QDir(folder_->path()).mkpath(QStringLiteral("model")));
+    QVERIFY(QDir(folder_->path()).mkpath(QStringLiteral("pictures")));
+    ModelOrigin origin;
+    QCOMPARE(textureFolder(origin), QString());
+    origin.source = path(QStringLiteral("model/plate.obj"));
+    QCOMPARE(textureFolder(origin), path(QStringLiteral("model")));
+    origin.texture = path(QStringLiteral("pictures/wood.png"));
+    QCOMPARE(textureFolder(origin), path(QStringLiteral("pictures")));
+    origin.texture = path(QStringLiteral("missing/wood.png"));
+    QCOMPARE(textureFolder(origin), path(QStringLiteral("model")));
+    origin.source = path(QStringLiteral("missing/plate.obj"));
+    QCOMPARE(textureFolder(origin), QString());
 }
 
 QString QuestionsTest::modelNamingOutsideFile() const {

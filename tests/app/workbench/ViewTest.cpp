@@ -239,6 +239,23 @@ private slots:
         QVERIFY(std::abs(near - then) < 1);
     }
 
+    void camera_fitBody_showsBodyLargerAlsoAfterResize() {
+        const auto bodyHeight = [this] {
+            view_->picture();
+            return QLineF(view_->positionOf({0, 0, 0}), view_->positionOf({0, 60, 0})).length();
+        };
+        const double withFilm = bodyHeight();
+        view_->fitBody();
+        const double alone = bodyHeight();
+        QVERIFY2(alone > 1.5 * withFilm,
+                 qPrintable(QStringLiteral("%1 px, with film %2 px").arg(alone).arg(withFilm)));
+        view_->resize(960, 720);
+        QVERIFY(bodyHeight() > 1.8 * alone);
+        view_->resize(480, 360);
+        view_->fit();
+        QVERIFY(std::abs(bodyHeight() - withFilm) < 1);
+    }
+
     void coverageLook_tornFilm_isMarked() {
         DipScene scene(*view_);
         Project project;
