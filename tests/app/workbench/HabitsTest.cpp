@@ -372,9 +372,9 @@ private slots:
         const int before = dock->width();
         tree->select({ProjectPart::Tolerance, 0});
         QTest::qWait(50);
-        QVERIFY2(dock->width() <= 340,
+        QVERIFY2(dock->width() <= 360,
                  qPrintable(QStringLiteral("%1 px with the tolerances").arg(dock->width())));
-        QVERIFY2(window_->view().width() >= 340,
+        QVERIFY2(window_->view().width() >= 300,
                  qPrintable(QString::number(window_->view().width())));
         tree->select({ProjectPart::Model, 0});
         QTRY_COMPARE(dock->width(), before);
