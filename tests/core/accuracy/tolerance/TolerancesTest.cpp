@@ -286,6 +286,24 @@ private slots:
                         [&](auto, double spread) { VERIFY_NEAR(spread, beside, 1e-3); });
     }
 
+    // A slanted dip is at least 10° steep, so its angle deviates to one side only. From 0.5 mm
+    // above the water.
+    void jobTolerances_angleAtItsLimit_countsTheOtherSide() {
+        Project slanted = box();
+        DipPath& path = slanted.immersions.front().path;
+        path.kind = PathKind::Slanted;
+        path.angle = Degrees(10);
+        const JobResult result = resultOf(slanted);
+        ToleranceSettings angle = exact();
+        angle.pathAngle = Degrees(1);
+        const auto besideAt = [](double degrees) {
+            return 0.5 / std::tan(radians(Degrees(degrees)));
+        };
+        const double beside = besideAt(10) - besideAt(11);
+        eachOfTheBottom(result, tolerances(result, angle),
+                        [&](auto, double spread) { VERIFY_NEAR(spread, beside, 5e-3); });
+    }
+
     // The part begins 0.5 mm above the film, which floats past below it.
     void jobTolerances_flowingWater_movesColoursByItsWay() {
         Project flowing = box();
@@ -384,6 +402,18 @@ private slots:
                         [](const Eigen::Vector2d& at, double spread) {
                             VERIFY_NEAR(spread, 0.5 * percent * at.norm(), 2e-3);
                         });
+    }
+
+    // Film that has grown as far as it can before it meets the part is as long early as late.
+    void jobTolerances_timingOfFilmThatHasGrown_movesNothing() {
+        Project grown = box();
+        grown.film.growthRate = 1;
+        grown.film.growthLimit = 0.001;
+        const JobResult result = resultOf(grown);
+        ToleranceSettings settings = exact();
+        settings.timing = Seconds(0.5);
+        eachOfTheBottom(result, tolerances(result, settings),
+                        [](auto, double spread) { VERIFY_NEAR(spread, 0.0, 2e-3); });
     }
 
     void jobTolerances_contributions_addUpToOne() {
