@@ -3133,8 +3133,8 @@
         <translation>Quanto antes ou depois do previsto a imersão pode começar. Só tem efeito se a água corre ou a película cresce.</translation>
     </message>
     <message>
-        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film; set a depth (Dipping &gt; Depth) at which the part is not yet under water. Poses: through poses that you set, beginning with those of the present path. The rotation above is the part&apos;s rotation at the end of the dip.</source>
-        <translation>Como a peça se move para dentro da água. Inclinado: para baixo e de lado. Tombar: um lado entra primeiro e a peça é nivelada enquanto desce. Rolar: para baixo até a profundidade da imersão e depois rolada de lado sobre a película; defina uma profundidade (Imersão &gt; Profundidade) em que a peça ainda não esteja debaixo da água. Poses: por poses que você define, a começar pelas do percurso atual. A rotação acima é a rotação da peça no fim da imersão.</translation>
+        <source>How the part moves into the water. Slanted: down and sideways. Tilt: one side enters first, and the part is levelled while it goes down. Roll: down to the depth of the dip, then rolled sideways over the film; set a depth (Dipping &gt; Depth) at which the part is not yet under water. Poses: through poses that you set; at first they follow the present path. The rotation above is the part&apos;s rotation at the end of the dip.</source>
+        <translation>Como a peça se move para dentro da água. Inclinado: para baixo e de lado. Tombar: um lado entra primeiro e a peça é nivelada enquanto desce. Rolar: para baixo até a profundidade da imersão e depois rolada de lado sobre a película; defina uma profundidade (Imersão &gt; Profundidade) em que a peça ainda não esteja debaixo da água. Poses: por poses que você define; no início elas seguem o percurso atual. A rotação acima é a rotação da peça no fim da imersão.</translation>
     </message>
     <message>
         <source>Through poses</source>

@@ -9,6 +9,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dipwright {
 
@@ -20,21 +21,15 @@ struct Text {
 
 constexpr double farthestTravel = 10'000; // mm, sideways
 
-// Returns the poses of the path. Between two of them, no point of the body moves farther than
-// `travelled` grows.
 std::vector<solver::PathPose> posesOf(const std::vector<Move>& moves, double radius) {
     std::vector<solver::PathPose> poses;
     for (const Move& move : moves) {
-        solver::PathPose pose;
+        solver::PathPose& pose = poses.emplace_back();
         pose.seconds = move.seconds;
         pose.rotation = {move.turn.w(), move.turn.x(), move.turn.y(), move.turn.z()};
         Eigen::Map<Eigen::Vector3d>(pose.pivot.data()) = move.middle;
-        if (!poses.empty()) {
-            pose.travelled =
-                poses.back().travelled + wayBetween(moves[poses.size() - 1], move, radius);
-        }
-        poses.push_back(pose);
     }
+    measureTravel(poses, radius);
     return poses;
 }
 
@@ -57,6 +52,40 @@ Eigen::Vector3d vectorOf(const std::array<double, 3>& values) {
 
 Eigen::Quaterniond rotationOf(const solver::PathPose& pose) {
     return {pose.rotation[0], pose.rotation[1], pose.rotation[2], pose.rotation[3]};
+}
+
+void measureTravel(std::vector<solver::PathPose>& poses, double radius) {
+    const auto moveOf = [](const solver::PathPose& pose) {
+        return Move{pose.seconds, rotationOf(pose), vectorOf(pose.pivot)};
+    };
+    poses.front().travelled = 0;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+        poses[i].travelled =
+            poses[i - 1].travelled + wayBetween(moveOf(poses[i - 1]), moveOf(poses[i]), radius);
+    }
+}
+
+double lowestPoint(const TriangleMesh& body, const Eigen::Isometry3d& toWorld) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3f& place : body.positions) {
+        lowest = std::min(lowest, toWorld.linear().row(1).dot(place.cast<double>()));
+    }
+    return lowest + toWorld.translation().y();
+}
+
+Degrees travellableAngle(PathKind kind, Degrees angle) {
+    switch (kind) {
+    case PathKind::Slanted:
+        return std::clamp(angle, Degrees(10), Degrees(170));
+    case PathKind::Tilt:
+        return std::clamp(angle, Degrees(-85), Degrees(85));
+    case PathKind::Roll: // farther, the part would lay film on its own film
+        return std::clamp(angle, Degrees(-360), Degrees(360));
+    case PathKind::Straight:
+    case PathKind::Poses:
+        break;
+    }
+    return angle;
 }
 
 Eigen::Isometry3d placeOnPath(const solver::BodyPath& path, double travelled) {

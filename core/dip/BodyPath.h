@@ -31,6 +31,16 @@ double travelledAfter(const solver::BodyPath& path, double seconds);
 // under water; nothing if it stays above.
 std::optional<double> firstUnderWater(const solver::BodyPath& path, const Eigen::Vector3d& at);
 
+// Returns the height of the lowest point of a body over the water, mm.
+double lowestPoint(const TriangleMesh& body, const Eigen::Isometry3d& toWorld);
+
+// Returns `angle`, or the nearest angle with which a path of this kind can be travelled.
+Degrees travellableAngle(PathKind kind, Degrees angle);
+
+// Sets PathPose::travelled of all poses. `radius` is the distance of the body's farthest point from
+// the pivot, mm.
+void measureTravel(std::vector<solver::PathPose>& poses, double radius);
+
 // Returns the path of a body in the coordinates of its pose frame, without the offset on the water;
 // without poses if the part goes straight down. `posed` is the body in its pose frame. Throws Error
 // if the path cannot be travelled.

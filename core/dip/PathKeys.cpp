@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace dipwright {
 
@@ -14,15 +13,7 @@ double rounded(double value, double parts) {
     return std::round(value * parts) / parts + 0.0; // + 0.0 turns −0 into 0
 }
 
-double lowestOf(const TriangleMesh& posed, const Eigen::Isometry3d& place) {
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3f& at : posed.positions) {
-        lowest = std::min(lowest, place.linear().row(1).dot(at.cast<double>()));
-    }
-    return lowest + place.translation().y();
-}
-
-// `near`: the angles of the next pose, radians; receives those of this one.
+// `near`: the next pose's angles, radians. On return, the angles of this pose.
 PathKey keyAt(const solver::BodyPath& path, double seconds, const TriangleMesh& posed,
               Eigen::Vector3d& near) {
     const Eigen::Isometry3d place = placeOnPath(path, travelledAfter(path, seconds));
@@ -31,7 +22,7 @@ PathKey keyAt(const solver::BodyPath& path, double seconds, const TriangleMesh& 
     near = anglesNear(place.linear(), near);
     PathKey key;
     key.time = Seconds(rounded(seconds, 100));
-    key.depth = Millimetres(rounded(std::max(0.0, -lowestOf(posed, place)), 100));
+    key.depth = Millimetres(rounded(std::max(0.0, -lowestPoint(posed, place)), 100));
     key.beside = {Millimetres(rounded(pivot.x(), 100)), Millimetres(rounded(pivot.z(), 100))};
     for (int axis = 0; axis < 3; ++axis) {
         key.turn[std::size_t(axis)] = Degrees(rounded(near[axis] * 180 / pi, 10));

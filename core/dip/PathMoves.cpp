@@ -1,6 +1,7 @@
 #include "dip/PathMoves.h"
 
 #include "base/Error.h"
+#include "dip/BodyPath.h"
 #include "dip/Pose.h"
 
 #include <QCoreApplication>
@@ -313,7 +314,7 @@ void requireKeys(const DipPath& path, const Immersion& immersion) {
         refuse(Text::tr("The first pose of a path must have the time 0 s and the depth 0 mm, at "
                         "which the part touches the water"));
     }
-    constexpr double leastWait = 0.01; // s
+    constexpr double leastWait = leastPathWait.value();
     // The solvers take at most 10,000 poses; a limit of the acceleration divides each part of the
     // path into up to 13.
     const int mostParts = path.acceleration ? 750 : 9000;
@@ -338,25 +339,31 @@ void requireKeys(const DipPath& path, const Immersion& immersion) {
 }
 
 void requireTravellable(const DipPath& path, const Immersion& immersion) {
-    constexpr double flattest = 10;
-    const double angle = path.angle.value();
-    if (path.kind == PathKind::Slanted && (angle < flattest || angle > 180 - flattest)) {
-        throw Error(Text::tr("A slanted dip needs an angle to the water between %1° and %2°")
-                        .arg(flattest)
-                        .arg(180 - flattest),
-                    immersion.name);
+    if (path.kind == PathKind::Poses) {
+        requireKeys(path, immersion);
     }
-    if (path.kind == PathKind::Roll && std::abs(angle) > 360) {
+    if (path.angle == travellableAngle(path.kind, path.angle)) {
+        return;
+    }
+    const auto limit = [&](double wish) {
+        return travellableAngle(path.kind, Degrees(wish)).value();
+    };
+    switch (path.kind) {
+    case PathKind::Slanted:
+        throw Error(Text::tr("A slanted dip needs an angle to the water between %1° and %2°")
+                        .arg(limit(-720))
+                        .arg(limit(720)),
+                    immersion.name);
+    case PathKind::Roll:
         throw Error(
             Text::tr("A part that rolls by more than 360° lays film on its own film; choose "
                      "an angle of at most 360°"),
             immersion.name);
-    }
-    if (path.kind == PathKind::Poses) {
-        requireKeys(path, immersion);
-    }
-    if (path.kind == PathKind::Tilt && std::abs(angle) > 85) {
+    case PathKind::Tilt:
         throw Error(Text::tr("The part can enter tilted by at most 85°"), immersion.name);
+    case PathKind::Straight:
+    case PathKind::Poses:
+        break;
     }
 }
 

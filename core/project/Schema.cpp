@@ -478,8 +478,9 @@ PathKey keyOf(const QJsonArray& row, const QString& path) {
         }
         return row.at(part).toDouble();
     };
-    constexpr double latest = 10'000, deepest = 5000, farthest = 5000, mostTurn = 720;
-    const std::array<double, 7> limits{latest,   deepest,  farthest, farthest,
+    constexpr double latest = latestPathKey.value(), farthest = farthestPathKey.value(),
+                     mostTurn = mostPathTurn.value();
+    const std::array<double, 7> limits{latest,   farthest, farthest, farthest,
                                        mostTurn, mostTurn, mostTurn};
     for (int part = 0; part < row.size(); ++part) {
         if (std::abs(row.at(part).toDouble()) > limits[std::size_t(part)]) {

@@ -55,9 +55,9 @@ Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
 
 } // namespace
 
-QString tankFaultsOf(const SearchSubject& subject, const PosedBody& body,
-                     const Immersion& immersion) {
-    return tankFaults(subject.tank, subject.process, immersion, body.mesh, body.path)
+QString tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
+                     const solver::BodyPath& path, const Immersion& immersion) {
+    return tankFaults(subject.tank, subject.process, immersion, posed, path)
         .join(QStringLiteral(". "));
 }
 
@@ -184,7 +184,8 @@ void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
             laid[item] = layFilm(bodies[item], std::move(film), process_);
             poses[item] = body_.judged(*laid[item], immersion);
         }
-        poses[item].tankFaults = tankFaultsOf(subject_, *bodies[item], immersion);
+        poses[item].tankFaults =
+            tankFaultsOf(subject_, bodies[item]->mesh, bodies[item]->path, immersion);
     });
     if (films_.areJobs()) {
         addVerdicts(poses, bodies, laid);

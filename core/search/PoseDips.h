@@ -27,9 +27,9 @@ inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5}
 inline constexpr int searchedAirCells = 48;
 
 // Returns the sentences on the limits of the subject's tank that a dip exceeds; empty if none.
-// `body` is in the dip's pose.
-QString tankFaultsOf(const SearchSubject& subject, const PosedBody& body,
-                     const Immersion& immersion);
+// `posed` is the body in its pose frame, `path` its path there.
+QString tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
+                     const solver::BodyPath& path, const Immersion& immersion);
 
 // The films for the dips of a search at one resolution. Keeps a reference to the subject.
 class PoseFilms {

@@ -160,22 +160,6 @@ std::vector<Immersion> withPaths(const Immersion& immersion, const ProcessSettin
 constexpr std::size_t dippedWithPaths =
     12; // of the entries that withPaths() returns, for each pose
 
-// Returns a path's angle within the range in which the path can be travelled.
-Degrees travellable(PathKind kind, Degrees angle) {
-    switch (kind) {
-    case PathKind::Slanted:
-        return std::clamp(angle, Degrees(10), Degrees(170));
-    case PathKind::Tilt:
-        return std::clamp(angle, Degrees(-85), Degrees(85));
-    case PathKind::Roll:
-        return std::clamp(angle, Degrees(-360), Degrees(360));
-    case PathKind::Straight:
-    case PathKind::Poses:
-        break;
-    }
-    return angle;
-}
-
 // Returns the paths near a slanted, tilted or rolling one.
 std::vector<Immersion> nearPaths(const Immersion& immersion) {
     std::vector<Immersion> result;
@@ -189,7 +173,7 @@ std::vector<Immersion> nearPaths(const Immersion& immersion) {
         const bool isSlanted = immersion.path.kind == PathKind::Slanted;
         next.path.angle =
             isSlanted ? next.path.angle + Degrees(10 * side) : next.path.angle * (1 + 0.25 * side);
-        next.path.angle = travellable(next.path.kind, next.path.angle);
+        next.path.angle = travellableAngle(next.path.kind, next.path.angle);
         result.push_back(next);
     }
     return result;
@@ -361,10 +345,10 @@ public:
             pose.depths = body_.depths(pose.samples);
             pose.immersion.path = wanted.path; // the file has none
             if (subject_.tank) {
-                pose.tankFaults = tankFaultsOf(
-                    subject_,
-                    posedBody(subject_.model->mesh, wanted, subject_.process, searchedAirCells),
-                    wanted);
+                const TriangleMesh& mesh = subject_.model->mesh;
+                const TriangleMesh posed = transformed(mesh, poseTransform(mesh, wanted));
+                pose.tankFaults = tankFaultsOf(subject_, posed,
+                                               bodyPath(posed, wanted, subject_.process), wanted);
             }
             poses_.push_back(std::make_shared<const JudgedPose>(std::move(pose)));
         }
@@ -638,8 +622,8 @@ private:
         rank();
     }
 
-    // Returns those of the dips that cover most by the body's shape, weighted like the search's
-    // directions, in the order of coverage.
+    // Returns the dips that cover most by the body's shape, the best first. Zones count as they do
+    // in the choice of directions.
     std::vector<Immersion> bestPreviewed(std::vector<Immersion> dips) const {
         std::vector<std::pair<double, std::size_t>> order(dips.size());
         parallelFor(std::size_t(0), dips.size(), [&](std::size_t index) {

@@ -23,12 +23,17 @@ enum class PathKind : std::uint8_t {
     Poses,    // through poses that the user sets
 };
 
+// The limits of the poses of a path.
 inline constexpr std::size_t mostPathKeys = 100;
+inline constexpr Seconds latestPathKey(10'000);
+inline constexpr Seconds leastPathWait(0.01);       // between two poses
+inline constexpr Millimetres farthestPathKey(5000); // depth, and way along X or Z
+inline constexpr Degrees mostPathTurn(720);         // about each axis
 
 // A pose that the part takes on its way (PathKind::Poses). Between two of them it moves smoothly.
 struct PathKey {
     Seconds time{0}; // since the dip began
-    // Of the lowest point below the water; none: the depth of the dip.
+    // Depth of the lowest point below the water; without a value, the depth of the dip.
     std::optional<Millimetres> depth = Millimetres(0);
     std::array<Millimetres, 2> beside{}; // from the offset of the immersion, X and Z
     // About X, Y, Z, applied in that order after the rotation of the immersion.

@@ -144,8 +144,17 @@ std::vector<MotionPoint> motionPoints(const DipMotion& motion) {
 
 namespace {
 
+// Adds a wait at the last pose, as a slow move down and up, because controllers use different units
+// for a dwell and skip moves of no length.
+void addWait(std::vector<MotionPose>& poses, Seconds lasts) {
+    const MotionPose at = poses.back();
+    const double down = holdSpeed.value() * lasts.value() / 2;
+    poses.push_back({at.time + lasts / 2, at.place - down * Eigen::Vector3d::UnitZ(), at.turn});
+    poses.push_back({at.time + lasts, at.place, at.turn});
+}
+
 // Returns a path without moves that a controller would skip because they are shorter than its
-// resolution: short ones join the next move; for a wait the part goes slowly down and up again.
+// resolution: short ones join the next move, and a wait becomes a slow one.
 std::vector<MotionPose> carriedOut(const std::vector<MotionPose>& path) {
     constexpr double leastWay = 0.005, leastTurn = 0.005 * pi / 180; // mm, radians
     constexpr Seconds leastWait(0.2);
@@ -160,11 +169,7 @@ std::vector<MotionPose> carriedOut(const std::vector<MotionPose>& path) {
             continue;
         }
         if (const Seconds wait = rested - last.time; wait > leastWait) {
-            const MotionPose from = last;
-            const Eigen::Vector3d down =
-                holdSpeed.value() * wait.value() / 2 * Eigen::Vector3d::UnitZ();
-            poses.push_back({from.time + wait / 2, from.place - down, from.turn});
-            poses.push_back({rested, from.place, from.turn});
+            addWait(poses, wait);
         }
         poses.push_back(path[i]);
         rested = path[i].time;
@@ -175,9 +180,6 @@ std::vector<MotionPose> carriedOut(const std::vector<MotionPose>& path) {
 } // namespace
 
 std::vector<MotionPose> motionPoses(const DipMotion& motion) {
-    // A part that waits goes down and up slowly, because controllers use different units for a
-    // dwell.
-    const double waiting = holdSpeed.value() * motion.hold.value() / 2;
     const MotionPose &first = motion.path.front(), &last = motion.path.back();
     const Eigen::Vector3d lift(0, 0, (motion.park - motion.start).value());
     std::vector<MotionPose> poses{{Seconds(0), first.place + lift, first.turn}};
@@ -185,15 +187,12 @@ std::vector<MotionPose> motionPoses(const DipMotion& motion) {
     for (const MotionPose& pose : carriedOut(motion.path)) {
         poses.push_back({begin + pose.time, pose.place, pose.turn});
     }
-    const auto add = [&](Seconds lasts, const Eigen::Vector3d& place) {
-        poses.push_back({poses.back().time + lasts, place, last.turn});
-    };
     if (motion.hold > Seconds(0)) {
-        add(motion.hold / 2, last.place - waiting * Eigen::Vector3d::UnitZ());
-        add(motion.hold / 2, last.place);
+        addWait(poses, motion.hold);
     }
     const Eigen::Vector3d out(0, 0, (motion.park + motion.depth).value());
-    add(Seconds(out.z() / motion.speed.value()), last.place + out);
+    poses.push_back(
+        {poses.back().time + Seconds(out.z() / motion.speed.value()), last.place + out, last.turn});
     return poses;
 }
 

@@ -14,8 +14,7 @@ namespace dipwright {
 
 namespace {
 
-constexpr double latest = 10'000, farthest = 5000, mostTurn = 720; // s, mm, °
-constexpr double leastWait = 0.01;                                 // s, between two poses
+constexpr double leastWait = leastPathWait.value();
 constexpr int shownRows = 6;
 
 } // namespace
@@ -89,7 +88,9 @@ NumberBox* PathKeyFields::addBox(Unit unit, const QString& name, const QString& 
     box->setDecimals(unitDecimals(unit, unit_));
     box->setSuffix(unitSuffix(unit, unit_));
     box->setKeyboardTracking(false);
-    const double most = unit == Unit::Angle ? mostTurn : unit == Unit::Time ? latest : farthest;
+    const double most = unit == Unit::Angle  ? mostPathTurn.value()
+                        : unit == Unit::Time ? latestPathKey.value()
+                                             : farthestPathKey.value();
     const double factor = shownPerStored(unit, unit_);
     box->setRange(-most * factor, most * factor);
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, set, factor](double value) {
@@ -154,7 +155,8 @@ void PathKeyFields::showChosen() {
     {
         const QSignalBlocker quiet(time_);
         time_->setRange(row > 0 ? keys_[std::size_t(row - 1)].time.value() + leastWait : 0,
-                        isInner ? keys_[std::size_t(row + 1)].time.value() - leastWait : latest);
+                        isInner ? keys_[std::size_t(row + 1)].time.value() - leastWait
+                                : latestPathKey.value());
     }
     set(*time_, key.time.value(), row > 0);
     set(*depth_, key.depth.value_or(dipDepth_).value() * factor, isInner);

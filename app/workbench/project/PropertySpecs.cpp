@@ -263,7 +263,7 @@ PropertySection pathProperties(std::size_t number) {
                        "one side enters first, and the part is levelled while it goes down. "
                        "Roll: down to the depth of the dip, then rolled sideways over the film; "
                        "set a depth (Dipping > Depth) at which the part is not yet under water. "
-                       "Poses: through poses that you set, beginning with those of the present "
+                       "Poses: through poses that you set; at first they follow the present "
                        "path. "
                        "The rotation above is the part's rotation at the end of the dip."),
           .words = {{QStringLiteral("straight"), Text::tr("Straight down")},

@@ -15,7 +15,6 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace dipwright {
@@ -208,11 +207,7 @@ double DipScene::depthAt(double travelled) const {
     }
     const Eigen::Isometry3d toWorld =
         placeOnPath(placedOn_, std::min(travelled, placedOn_.poses.back().travelled)) * placedPose_;
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3f& place : project_.model->mesh.positions) {
-        lowest = std::min(lowest, (toWorld * place.cast<double>()).y());
-    }
-    return -lowest;
+    return -lowestPoint(project_.model->mesh, toWorld);
 }
 
 void DipScene::placeBody(const Immersion& immersion, double descent, const solver::BodyPath* own,
@@ -255,7 +250,9 @@ void DipScene::placeBeforeDip() {
         if (const solver::BodyPath& path = pathOf(immersion, pose); !path.isStraightDown()) {
             key = std::size_t(pathKey_);
             const double time =
-                timesOfKeys(transformed(mesh, pose), immersion, project_.process)[*key];
+                immersion.path.acceleration
+                    ? timesOfKeys(transformed(mesh, pose), immersion, project_.process)[*key]
+                    : immersion.path.keys[*key].time.value();
             travelled = travelledAfter(path, time);
         }
     }

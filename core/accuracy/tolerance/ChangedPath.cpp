@@ -3,7 +3,6 @@
 #include "dip/BodyPath.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace dipwright {
 namespace {
@@ -14,9 +13,6 @@ Eigen::Map<Eigen::Vector3d> vectorOf(std::array<double, 3>& values) {
 Eigen::Map<const Eigen::Vector3d> vectorOf(const std::array<double, 3>& values) {
     return Eigen::Map<const Eigen::Vector3d>(values.data());
 }
-
-// mm; a hold counts as a short way, since the travel of a path must grow
-constexpr double leastWay = 1e-5;
 
 // Returns the mean speed at which the pivot moves on the whole path, mm/s, but at least 0.1 mm/s.
 double speedOf(const solver::BodyPath& path) {
@@ -34,19 +30,7 @@ void setRotation(solver::PathPose& pose, const Eigen::Quaterniond& rotation) {
 } // namespace
 
 Degrees changedAngle(const DipPath& path, double degrees) {
-    const double angle = path.angle.value() + degrees;
-    switch (path.kind) { // the limits of bodyPath()
-    case PathKind::Slanted:
-        return Degrees(std::clamp(angle, 10.0, 170.0));
-    case PathKind::Tilt:
-        return Degrees(std::clamp(angle, -85.0, 85.0));
-    case PathKind::Roll:
-        return Degrees(std::clamp(angle, -360.0, 360.0));
-    case PathKind::Straight:
-    case PathKind::Poses:
-        break;
-    }
-    return path.angle;
+    return travellableAngle(path.kind, path.angle + Degrees(degrees));
 }
 
 ChangedPath::ChangedPath(solver::BodyPath path, const TriangleMesh& body)
@@ -82,13 +66,8 @@ void ChangedPath::turn(const Eigen::Quaterniond& by) {
 }
 
 double ChangedPath::lowest(const solver::PathPose& pose) const {
-    const Eigen::RowVector3d up = rotationOf(pose).toRotationMatrix().row(1);
-    const Eigen::Vector3d pivot = vectorOf(path_.pivot);
-    double least = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3f& place : body_.positions) {
-        least = std::min(least, up.dot(place.cast<double>() - pivot));
-    }
-    return least + pose.pivot[1];
+    return lowestPoint(body_, Eigen::Translation3d(vectorOf(pose.pivot)) * rotationOf(pose) *
+                                  Eigen::Translation3d(-vectorOf(path_.pivot)));
 }
 
 void ChangedPath::raiseWater(double level) {
@@ -133,16 +112,7 @@ solver::BodyPath ChangedPath::path() const {
     for (const Eigen::Vector3f& place : body_.positions) {
         radius = std::max(radius, (place.cast<double>() - vectorOf(path_.pivot)).norm());
     }
-    for (std::size_t number = 0; number < result.poses.size(); ++number) {
-        solver::PathPose& pose = result.poses[number];
-        pose.travelled = 0;
-        if (number > 0) {
-            const solver::PathPose& last = result.poses[number - 1];
-            const double way = (vectorOf(pose.pivot) - vectorOf(last.pivot)).norm() +
-                               radius * rotationOf(last).angularDistance(rotationOf(pose));
-            pose.travelled = last.travelled + std::max(way, leastWay);
-        }
-    }
+    measureTravel(result.poses, radius);
     return result;
 }
 

@@ -39,12 +39,14 @@ void scale(solver::FilmGrid& grid, double factor) {
 }
 
 // Moves the body that goes straight down, or lies at the end of its path, to the immersion's pose.
-void placeBody(ChangedDip& dip, const TriangleMesh& body) {
+// Returns its poseTransform().
+Eigen::Isometry3d placeBody(ChangedDip& dip, const TriangleMesh& body) {
     const Eigen::Isometry3d toPose = poseTransform(body, dip.immersion);
     using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
     Eigen::Map<RowMajor>(dip.setup.motion.rotation.data()) = toPose.linear();
     Eigen::Map<Eigen::Vector3d>(dip.setup.motion.start.data()) =
         toPose.translation() + poseToWorld(dip.immersion, 0);
+    return toPose;
 }
 
 // Turns the body about the centre of its bounding box. The centre keeps its path. The dip therefore
@@ -59,8 +61,7 @@ void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degr
     const double before = (poseTransform(body, dip.immersion) * centre).y();
     const Eigen::AngleAxisd by(angle, degrees.normalized());
     dip.immersion.rotation = turned(dip.immersion.rotation, by.toRotationMatrix());
-    placeBody(dip, body);
-    dip.setup.motion.travel += (poseTransform(body, dip.immersion) * centre).y() - before;
+    dip.setup.motion.travel += (placeBody(dip, body) * centre).y() - before;
 }
 
 // Returns the rotation of a dip that the turned film sees.

@@ -88,7 +88,7 @@ struct NominalDip {
 struct ChangedDip {
     Immersion immersion;    // pose in which the dip's film lies on the body
     solver::DipSetup setup; // setup with the same film points as the nominal dip
-    double filmLength = 1;  // of the film at the beginning of the dip, relative to the nominal film
+    double filmLength = 1;  // of the film when the dip begins, relative to the nominal film
 };
 // Applies a deviation to a dip. Throws Error if the path cannot be travelled with its changed
 // angle.

@@ -250,7 +250,7 @@ private slots:
         QVERIFY(document.isFresh());
     }
 
-    // A part that is shown tilted at the beginning of its path turns as its rings are dragged.
+    // A part that enters tilted is shown tilted, and turns as its rings are dragged.
     void turned_tiltedAtTheBeginning_turnsAsSeen() {
         const Eigen::Matrix3d tilt =
             Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()).toRotationMatrix();

@@ -40,6 +40,12 @@ Immersion throughPoses() {
     return immersion;
 }
 
+ProcessSettings toDepth(double millimetres) {
+    ProcessSettings process;
+    process.depth = Millimetres(millimetres);
+    return process;
+}
+
 // Returns a box in its pose frame.
 TriangleMesh posedBox() {
     const TriangleMesh box = boxMesh({60, 20, 30});
@@ -123,10 +129,8 @@ private slots:
 
     void bodyPath_poses_areTakenAtTheirTimes() {
         const Immersion immersion = throughPoses();
-        ProcessSettings process;
-        process.depth = Millimetres(18);
         const TriangleMesh box = posedBox();
-        const solver::BodyPath path = bodyPath(box, immersion, process);
+        const solver::BodyPath path = bodyPath(box, immersion, toDepth(18));
         const Eigen::Vector3d pivot(path.pivot[0], path.pivot[1], path.pivot[2]);
         for (const PathKey& key : immersion.path.keys) {
             const double way = travelledAfter(path, key.time.value());
@@ -176,13 +180,10 @@ private slots:
         QVERIFY(std::abs(keyed.path.keys[0].turn[1].value() + 540) < 0.2);
     }
 
-    // Between two poses no value goes beyond those of the poses.
+    // Between two poses, every value stays between the values of the two poses.
     void bodyPath_poses_neverPassTheirValues() {
-        const Immersion immersion = throughPoses();
-        ProcessSettings process;
-        process.depth = Millimetres(18);
         const TriangleMesh box = posedBox();
-        const solver::BodyPath path = bodyPath(box, immersion, process);
+        const solver::BodyPath path = bodyPath(box, throughPoses(), toDepth(18));
         double before = startHeight;
         for (double seconds = 0; seconds < 10; seconds += 0.05) {
             const double height = lowestAt(path, box, travelledAfter(path, seconds));

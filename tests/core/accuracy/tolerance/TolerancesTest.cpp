@@ -98,6 +98,14 @@ PathKey key(double seconds, std::optional<double> depth, double turn) {
     return key;
 }
 
+// Returns a job in which the box goes down at an angle to the water, in degrees.
+Project slantedBox(double angle) {
+    Project slanted = box();
+    slanted.immersions.front().path.kind = PathKind::Slanted;
+    slanted.immersions.front().path.angle = Degrees(angle);
+    return slanted;
+}
+
 #define VERIFY_NEAR(value, wanted, allowed)                                                        \
     QVERIFY2(std::abs((value) - (wanted)) <= (allowed),                                            \
              qPrintable(QStringLiteral("%1, expected %2").arg(value).arg(wanted)))
@@ -256,14 +264,11 @@ private slots:
     // sideways by then. All other deviations have the same effect as in a straight dip, because the
     // film moves with the box as soon as they touch.
     void jobTolerances_slantedDip_movesColoursByTheClosedForms() {
-        Project slanted = box();
-        DipPath& path = slanted.immersions.front().path;
-        path.kind = PathKind::Slanted;
-        path.angle = Degrees(60);
-        const JobResult result = resultOf(slanted);
+        constexpr Degrees steepness(60);
+        const JobResult result = resultOf(slantedBox(steepness.value()));
         ToleranceSettings level = exact();
         level.waterLevel = Millimetres(0.6);
-        const double along = 0.6 / std::tan(radians(path.angle));
+        const double along = 0.6 / std::tan(radians(steepness));
         eachOfTheBottom(result, tolerances(result, level),
                         [&](auto, double spread) { VERIFY_NEAR(spread, along, 5e-3); });
         ToleranceSettings turn = exact();
@@ -279,7 +284,7 @@ private slots:
         // From 0.5 mm above the water.
         ToleranceSettings angle = exact();
         angle.pathAngle = Degrees(1);
-        const double beside = 0.5 / std::pow(std::sin(radians(path.angle)), 2) * pi / 180;
+        const double beside = 0.5 / std::pow(std::sin(radians(steepness)), 2) * pi / 180;
         const DipTolerances found = tolerances(result, angle);
         QCOMPARE(found.contributions.size(), std::size_t(1));
         eachOfTheBottom(result, found,
@@ -289,11 +294,7 @@ private slots:
     // A slanted dip is at least 10° steep, so its angle deviates to one side only. From 0.5 mm
     // above the water.
     void jobTolerances_angleAtItsLimit_countsTheOtherSide() {
-        Project slanted = box();
-        DipPath& path = slanted.immersions.front().path;
-        path.kind = PathKind::Slanted;
-        path.angle = Degrees(10);
-        const JobResult result = resultOf(slanted);
+        const JobResult result = resultOf(slantedBox(10));
         ToleranceSettings angle = exact();
         angle.pathAngle = Degrees(1);
         const auto besideAt = [](double degrees) {
