@@ -80,6 +80,13 @@ void listPrinters(QTextStream& out) {
         for (const PrinterMedia& media : printer->media) {
             out << QStringLiteral("  %1: %2\n").arg(media.name, mediaWords(media));
         }
+        if (const auto& custom = printer->customMedia) {
+            out << QStringLiteral("  custom: any size from %1 × %2 mm to %3 × %4 mm\n")
+                       .arg(custom->least.width())
+                       .arg(custom->least.height())
+                       .arg(custom->most.width())
+                       .arg(custom->most.height());
+        }
     }
 }
 
