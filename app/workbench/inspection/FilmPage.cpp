@@ -280,7 +280,8 @@ void FilmPage::showPhotos() {
         table_->setItem(row, 0, name);
         auto* seconds = qobject_cast<NumberBox*>(table_->cellWidget(row, 1));
         if (!seconds) {
-            seconds = box("photoSeconds", none, longestWatch, 1, {}, tr("at the start of the dip"));
+            seconds =
+                box("photoSeconds", none, longestWatch, 1, tr(" s"), tr("at the start of the dip"));
             seconds->setAccessibleName(tr("Seconds since the film was laid on the water"));
             table_->setCellWidget(row, 1, seconds);
         }

@@ -13,6 +13,7 @@
 #include "workbench/profiles/ProfilesDialog.h"
 #include "workbench/project/NewProjectDialog.h"
 #include "workbench/project/ProjectTree.h"
+#include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PictureView.h"
 #include "workbench/widgets/Theme.h"
 
@@ -239,6 +240,9 @@ private:
         }
         if (isOperated(&widget) && !isReachable(&widget)) {
             faults += what + QStringLiteral(" cannot be reached by keyboard");
+        }
+        if (qobject_cast<QAbstractSpinBox*>(&widget) && !qobject_cast<NumberBox*>(&widget)) {
+            faults += what + QStringLiteral(" accepts no units and calculations");
         }
         if (const auto* label = qobject_cast<QLabel*>(&widget); label && !label->text().isEmpty()) {
             const double ratio =
