@@ -226,7 +226,9 @@ JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
     }
     const auto mm = [](double length) { return QString::number(length, 'f', 0); };
     return {projects.join(QStringLiteral(", ")),
-            Text::tr("Film %1 of %2, pieces: %3").arg(number + 1).arg(count).arg(jobs.size()),
+            jobs.size() == 1
+                ? Text::tr("Film %1 of %2, 1 piece").arg(number + 1).arg(count)
+                : Text::tr("Film %1 of %2, %3 pieces").arg(number + 1).arg(count).arg(jobs.size()),
             sheet.pieces.front().job.date,
             Text::tr("%1 × %2 mm").arg(mm(film.size.width()), mm(film.size.height())),
             QStringLiteral("1:1"),
