@@ -57,6 +57,7 @@ struct DipView::State {
     // During a drag: the place on the section's frame where the mouse was pressed.
     std::optional<Eigen::Vector3f> heldSection;
     bool litSection = false;
+    bool isMarked = false; // the linked cursor is shown
     int wheel = 0; // rotation of the wheel since the last notch
 
     bool isOnHandle() const { return litAxis >= 0 || litArrow >= 0; }
@@ -210,6 +211,9 @@ void DipView::setMoveArrows(const std::array<bool, 3>& visible, const Eigen::Vec
 }
 
 void DipView::setMarker(const std::optional<Eigen::Vector3f>& position) {
+    if (!std::exchange(state_->isMarked, position.has_value()) && !position) {
+        return; // saves a picture
+    }
     change([position](ViewScene& scene) { scene.markers().setMarker(position); });
 }
 
@@ -234,11 +238,15 @@ void DipView::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outwar
 }
 
 void DipView::fit() {
-    change([](ViewScene& scene) { scene.fit(); });
+    change([](ViewScene& scene) { scene.fit(FittedPlaces::Film); });
 }
 
 void DipView::fitBody() {
-    change([](ViewScene& scene) { scene.fitBody(); });
+    change([](ViewScene& scene) { scene.fit(FittedPlaces::Body); });
+}
+
+void DipView::fitBodyToHandle() {
+    change([](ViewScene& scene) { scene.fit(FittedPlaces::Handles); });
 }
 
 void DipView::setCamera(const ViewCamera& camera) {
@@ -381,6 +389,7 @@ void DipView::mousePressEvent(QMouseEvent* event) {
     s.pressed = event->position();
     s.leftPressed = event->button() == Qt::LeftButton;
     if (s.leftPressed && holdHandle()) {
+        emit hoverLeft(); // what lies under the cursor moves away from it
         return;
     }
     const ViewRay ray = rayAt(s.pressed);

@@ -44,11 +44,13 @@ enum class ViewDirection { Front, Back, Left, Right, Top, Bottom, Oblique };
 
 // The topology of the film as it is drawn. `texture` has one coordinate (u to the right, v down the
 // sheet, 0 … 1) for each point. Triangles with a side longer than `longestSide` (mm) are not drawn:
-// they are torn, or lie between released film and film on the body.
+// they are torn, or lie between released film and film on the body. Film that is `isOnBody` is
+// shaded like the body; other film is nearly evenly bright.
 struct FilmShape {
     std::vector<Eigen::Vector2f> texture;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     float longestSide = std::numeric_limits<float>::infinity();
+    bool isOnBody = false;
 };
 
 struct ViewColours {
@@ -130,12 +132,13 @@ public:
     // Sets how a drag with the left button turns the camera.
     void setNavigation(Navigation navigation);
     void setParallelProjection(bool parallel);
-    void look(ViewDirection direction); // also fits the view
+    void look(ViewDirection direction); // fits the view as the last fit did
     // Points the camera at a place on the body. `outward` is the direction from the body towards
     // the camera.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
-    void fitBody(); // shows the body as large as possible
+    void fitBody();        // shows the body as large as possible
+    void fitBodyToHandle(); // shows the body with its rings and arrows
     // Sets whether fit() shows body and film, or only the body. If fit() placed the camera last,
     // the camera is fitted again.
     void setFilmFitted(bool fitted);

@@ -177,7 +177,7 @@ void ViewScene::look(ViewDirection direction) {
         return {30, 28};
     }();
     setCameraAngles(camera(), angles);
-    fit();
+    fitCamera();
 }
 
 void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) {
@@ -199,13 +199,8 @@ void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outw
     isMovedByUser_ = true;
 }
 
-void ViewScene::fit() {
-    fitsBodyOnly_ = false;
-    fitCamera();
-}
-
-void ViewScene::fitBody() {
-    fitsBodyOnly_ = true;
+void ViewScene::fit(FittedPlaces places) {
+    fits_ = places;
     fitCamera();
 }
 
@@ -215,11 +210,15 @@ void ViewScene::fitCamera() {
                                float(filmSize_.height() + margin) / 2);
     std::vector<Eigen::Vector3d> places;
     const BoundingBox body = body_.worldBox();
-    const bool hasFilm = (fitsFilm_ && !fitsBodyOnly_) || body.isEmpty();
+    const bool hasFilm = (fitsFilm_ && fits_ == FittedPlaces::Film) || body.isEmpty();
     for (const BoundingBox& box : {body, hasFilm ? BoundingBox(-half, half) : BoundingBox()}) {
         for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
             places.emplace_back(box.corner(BoundingBox::CornerType(corner)).cast<double>());
         }
+    }
+    if (fits_ == FittedPlaces::Handles) {
+        rings_.addPlaces(places);
+        arrows_.addPlaces(places);
     }
     const double aspect =
         double(std::max(1, size_.size.width())) / std::max(1, size_.size.height());

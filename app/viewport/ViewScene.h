@@ -33,6 +33,10 @@ struct ViewSize {
     double fontSize = 10;  // points
 };
 
+// What the camera shows as large as possible: body and film, the body with its rings and arrows, or
+// the body alone.
+enum class FittedPlaces { Film, Handles, Body };
+
 enum class MouseAction { Press, Release, Move };
 
 struct ViewMouse {
@@ -63,12 +67,11 @@ public:
     void setFilmFitted(bool fitted);
     void setSection(const std::optional<SectionPlane>& section); // no section: nothing is cut open
     void setColours(const ViewColours& colours);
-    void look(ViewDirection direction); // also fits the view
+    void look(ViewDirection direction); // fits the view as the last fit did
     // Points the camera at a place from outside, close to the body but with a large part of it
     // visible.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
-    void fit();
-    void fitBody();                                 // fits the body alone until the next fit()
+    void fit(FittedPlaces places);
     void turn(double rightPixels, double upPixels); // like a drag by these numbers of pixels
     void zoom(double factor);                       // keeps the centre in place
     // Keeps the surface point that is shown at the widget position `place` there.
@@ -97,8 +100,8 @@ private:
     QSizeF filmSize_{210, 297};
     std::function<void()> pictureRequested_;
     bool fitsFilm_ = true;
-    bool fitsBodyOnly_ = false;
-    bool fitted_ = false;  // the camera was placed by fit() or fitBody()
+    FittedPlaces fits_ = FittedPlaces::Film;
+    bool fitted_ = false;  // the camera was placed by fit() or look()
     bool resized_ = false; // the size has changed since the last picture
     bool isMovedByUser_ = true;
 };

@@ -259,8 +259,8 @@ void WindowActions::addFilmLooks() {
         action->setData(int(look));
         filmLook->addAction(action);
     };
-    addLook("filmLines", tr("&Lines every 10 mm"), FilmLook::Lines, Kind::ToggledOn);
-    addLook("filmSheet", tr("Film &image"), FilmLook::Sheet, Kind::ToggledOff);
+    addLook("filmLines", tr("&Lines every 10 mm"), FilmLook::Lines, Kind::ToggledOff);
+    addLook("filmSheet", tr("Film &image"), FilmLook::Sheet, Kind::ToggledOn);
     addLook("filmStretch", tr("S&tretch"), FilmLook::Stretch, Kind::ToggledOff);
     addLook("filmShares", tr("&Shares of the dips"), FilmLook::Shares, Kind::ToggledOff);
     addLook("filmChessboard", tr("&Chessboard, 17 mm squares"), FilmLook::Chessboard,

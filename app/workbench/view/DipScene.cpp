@@ -173,7 +173,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         filmSource_ = {};
     }
     if ((bodyLook_ == BodyLook::Zones && (otherModel || otherZones)) ||
-        (bodyLook_ == BodyLook::Print && !otherModel && otherBase)) {
+        (bodyLook_ != BodyLook::Zones && !otherModel && otherBase)) {
         updateBody();
     }
     if (moment_ == Moment::Setup) {
@@ -183,7 +183,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         showPreview();
     }
     if (otherModel) {
-        view_.fit();
+        view_.fitBodyToHandle();
     }
 }
 
@@ -381,18 +381,23 @@ void DipScene::drawDipped(FilmExtent extent) {
     const ImmersionResult& result = result_->immersions[immersion_];
     if (filmSource_ != FilmSource(Dipped{reading_, extent})) {
         const DippedFilm& film = reading_->film();
+        const DrapedFilm& draped = reading_->draped();
         FilmShape shape;
-        std::vector<float> positions;
         for (std::size_t point = 0; point < film.positions.size(); ++point) {
             const Eigen::Vector2f rest = restPosition(film.grid, point);
             shape.texture.emplace_back(rest.x() / float(film.grid.width) + 0.5f,
                                        rest.y() / float(film.grid.depth) + 0.5f);
-            positions.insert(positions.end(), film.positions[point].begin(),
-                             film.positions[point].end());
         }
+        shape.texture = draped.onAllPoints(std::move(shape.texture));
+        std::vector<float> positions;
+        positions.reserve(3 * draped.positions.size());
+        for (const Eigen::Vector3f& position : draped.positions) {
+            positions.insert(positions.end(), position.begin(), position.end());
+        }
+        shape.isOnBody = extent == FilmExtent::OnBody;
         shape.longestSide = longestDrawnSide(film.grid, thinFilm(film.grid, film.grid.pointCount()),
                                              result_->project.process.tearStretch);
-        shape.triangles = shownTriangles(*result.laid, extent);
+        shape.triangles = shownTriangles(draped, extent);
         shapeGrid_ = film.grid;
         view_.setFilm(shape, positions);
         filmSource_ = Dipped{reading_, extent};
@@ -401,15 +406,14 @@ void DipScene::drawDipped(FilmExtent extent) {
     view_.setFilmTransform(modelToWorld_ * result.body->modelToPose.inverse());
 }
 
-std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid, FilmExtent extent) const {
+std::vector<FilmTriangle> DipScene::shownTriangles(const DrapedFilm& film, FilmExtent extent) const {
     if (bodyLook_ != BodyLook::Own) { // floating film would hide the body
         return {};
     }
-    const FilmContact& contact = laid.contact();
     std::vector<FilmTriangle> shown;
-    for (std::uint32_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
-        if (extent == FilmExtent::Whole || contact.painted[triangle]) {
-            shown.push_back(laid.triangles()[triangle]);
+    for (std::size_t triangle = 0; triangle < film.triangles.size(); ++triangle) {
+        if (extent == FilmExtent::Whole || film.painted[triangle]) {
+            shown.push_back(film.triangles[triangle]);
         }
     }
     return shown;
@@ -519,13 +523,21 @@ void DipScene::updateFilm() {
     if (!project_.model) {
         return;
     }
+    colourFilm();
+    if (bodyLook_ == BodyLook::Own && !previewed_) { // bare under printed film
+        updateBody();
+    }
+}
+
+void DipScene::colourFilm() {
     view_.setFilmColours({});
     const bool hasSheet = result_ && immersion_ < result_->immersions.size();
     switch (look_) {
     case FilmLook::Stretch:
         if (isDippedDrawn()) {
             std::vector<QRgb> colours;
-            for (const float value : reading_->values(quantity_)) {
+            for (const float value :
+                 reading_->draped().onAllPoints(reading_->values(quantity_))) {
                 colours.push_back(scale_.colour(double(value)));
             }
             view_.setFilmColours(colours);
@@ -602,7 +614,7 @@ void DipScene::updateBody() {
         showZones();
     } else if (bodyLook_ == BodyLook::Own || !result_ || result_->project.model != project_.model ||
                immersion_ >= result_->immersions.size()) {
-        showBody({own_, {}});
+        showBody(isPrintDrawn() ? bareAppearance(own_, ground().base) : BodyAppearance{own_, {}});
     } else if (bodyLook_ == BodyLook::Print) {
         print();
     } else if (result_->share) {
@@ -630,8 +642,15 @@ void DipScene::print() {
         films.resize(std::min(films.size(), shownPrint_.dips));
     }
     const SheetInputs& inputs = result.immersions.front().inputs;
-    printer_.print(project_.model, std::move(films), inputs.texture.printedInk(),
-                   groundOf(inputs.settings, project_.baseColour));
+    printer_.print(project_.model, std::move(films), inputs.texture.printedInk(), ground());
+}
+
+Ground DipScene::ground() const {
+    return groundOf(result_->immersions.front().inputs.settings, project_.baseColour);
+}
+
+bool DipScene::isPrintDrawn() const {
+    return look_ == FilmLook::Sheet && isDippedDrawn();
 }
 
 void DipScene::slip(FilmAppearance& film) {

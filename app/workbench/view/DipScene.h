@@ -122,9 +122,12 @@ private:
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
                   const std::vector<float>& positions);
     void updateFilm();
+    void colourFilm();
     void updateBody();
     void paintArtwork();
     void print();
+    Ground ground() const;       // of the part of the result
+    bool isPrintDrawn() const; // whether the film on the body shows what is printed
     void slip(FilmAppearance& film); // displaces the film as in the shown print
     void showBody(BodyAppearance appearance);
     void showZones();
@@ -134,7 +137,7 @@ private:
     void drawDipped(FilmExtent extent);
     void showDippedAnew(); // draws the film of the result again if it is drawn
     // The triangles to draw of the dipped film. Empty over a body that shows its coverage.
-    std::vector<FilmTriangle> shownTriangles(const LaidFilm& laid, FilmExtent extent) const;
+    std::vector<FilmTriangle> shownTriangles(const DrapedFilm& film, FilmExtent extent) const;
     std::vector<QRgb> frameColours() const;
 
     DipView& view_;
@@ -177,7 +180,7 @@ private:
     ThinnedFilm shape_;
     solver::FilmGrid shapeGrid_;
     std::vector<float> positions_;
-    FilmLook look_ = FilmLook::Lines;
+    FilmLook look_ = FilmLook::Sheet;
     FilmExtent extent_ = FilmExtent::Whole;
     QImage picture_;
     FilmQuantity quantity_ = FilmQuantity::Length;
