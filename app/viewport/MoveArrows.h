@@ -30,7 +30,7 @@ public:
 
     void set(const MoveArrows& arrows);
     void addPlaces(std::vector<Eigen::Vector3d>& places) const; // tips of the visible arrows
-    void highlight(int axis); // −1: no arrow
+    void highlight(int axis);                                   // −1: no arrow
 
 private:
     MoveArrows shown_;

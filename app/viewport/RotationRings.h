@@ -41,7 +41,7 @@ public:
 
     void set(const RotationRings& rings);
     void addPlaces(std::vector<Eigen::Vector3d>& places) const; // points on the visible rings
-    void highlight(int axis); // −1: no ring
+    void highlight(int axis);                                   // −1: no ring
     void setPixelRatio(double ratio);
 
 private:

@@ -1,5 +1,6 @@
 #include "ViewScene.h"
 
+#include "SpaceMouse.h"
 #include "VtkConversions.h"
 #include "base/Units.h"
 
@@ -239,6 +240,27 @@ void ViewScene::turn(double rightPixels, double upPixels) {
     fitted_ = false;
     isMovedByUser_ = true;
     style_->turn(rightPixels, upPixels);
+}
+
+void ViewScene::fly(const PuckMotion& motion) {
+    constexpr double turned = 250; // pixels of a drag, in a second
+    constexpr double shifted = 1;  // times the visible height, in a second
+    constexpr double zoomed = 1.5; // exponent, in a second
+    turn(-turned * motion.turn.y(), turned * motion.turn.x());
+    zoom(std::exp(-zoomed * motion.push.z()));
+    vtkCamera& own = camera();
+    const Eigen::Vector3d focus(own.GetFocalPoint()), place(own.GetPosition());
+    const Eigen::Vector3d up(own.GetViewUp());
+    const Eigen::Vector3d right =
+        Eigen::Vector3d(own.GetDirectionOfProjection()).cross(up).normalized();
+    const double height =
+        2 * (own.GetParallelProjection()
+                 ? own.GetParallelScale()
+                 : own.GetDistance() * std::tan(radians(Degrees(own.GetViewAngle())) / 2));
+    const Eigen::Vector3d shift =
+        -shifted * height * (motion.push.x() * right + motion.push.y() * up.normalized());
+    own.SetFocalPoint(Eigen::Vector3d(focus + shift).data());
+    own.SetPosition(Eigen::Vector3d(place + shift).data());
 }
 
 void ViewScene::zoom(double factor) {

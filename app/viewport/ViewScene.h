@@ -3,6 +3,7 @@
 #pragma once
 
 #include "BodyActors.h"
+#include "CradleActor.h"
 #include "FilmActor.h"
 #include "MarkerActors.h"
 #include "MoveArrows.h"
@@ -57,6 +58,7 @@ public:
     TankActors& tank() { return tank_; }
     RingActors& rings() { return rings_; }
     ArrowActors& arrows() { return arrows_; }
+    CradleActor& cradle() { return cradle_; }
     MarkerActors& markers() { return markers_; }
     SectionFrame& sectionFrame() { return frame_; }
     NavigationStyle& style() { return *style_; }
@@ -73,7 +75,8 @@ public:
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit(FittedPlaces places);
     void turn(double rightPixels, double upPixels); // like a drag by these numbers of pixels
-    void zoom(double factor);                       // keeps the centre in place
+    void fly(const PuckMotion& motion);
+    void zoom(double factor); // keeps the centre in place
     // Keeps the surface point that is shown at the widget position `place` there.
     void zoomAt(const QPointF& place, double factor);
     void mouse(const ViewMouse& mouse);
@@ -91,6 +94,7 @@ private:
     vtkNew<vtkCameraOrientationWidget> orientation_;
     BodyActors body_{renderer_};
     FilmActor film_{renderer_};
+    CradleActor cradle_{renderer_};
     TankActors tank_{renderer_};
     RingActors rings_{renderer_};
     ArrowActors arrows_{renderer_};

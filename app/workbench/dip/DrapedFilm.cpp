@@ -24,8 +24,7 @@ Side sideOf(const FilmTriangle& triangle, std::size_t from) {
 class Draper {
 public:
     explicit Draper(const LaidFilm& laid)
-        : laid_(laid), drape_{laid.film().positions, {}, laid.triangles(),
-                              laid.contact().painted} {
+        : laid_(laid), drape_{laid.film().positions, {}, laid.triangles(), laid.contact().painted} {
         outward_.resize(drape_.positions.size(), Eigen::Vector3f::Zero());
         isOpen_ = drape_.painted;
     }

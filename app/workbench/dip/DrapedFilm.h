@@ -16,7 +16,8 @@ struct DrapedFilm {
     std::vector<std::uint8_t> painted; // per triangle: 1 if it is on the body
 
     // Appends values for the points that divide the sides to one value for each film point.
-    template <typename Value> std::vector<Value> onAllPoints(std::vector<Value> values) const {
+    template <typename Value>
+    std::vector<Value> onAllPoints(std::vector<Value> values) const {
         values.reserve(positions.size());
         for (const auto& [a, b] : between) {
             values.push_back((values[a] + values[b]) / 2);

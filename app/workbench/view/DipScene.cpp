@@ -112,6 +112,8 @@ constexpr std::size_t setupPoints = 2500;
 } // namespace
 
 DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view) {
+    connect(&view, &DipView::pinClicked, this,
+            [this](int pin) { emit pinClicked(shownPins_[std::size_t(pin)]); });
     connect(
         &printer_, &FinishedPartPreview::printed, this,
         [this](const std::shared_ptr<const TexturedMesh>& model, const BodyAppearance& appearance) {
@@ -153,7 +155,10 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     const bool otherBase = project.baseColour != project_.baseColour;
     const bool otherFilm = !(project.film == project_.film) || !project_.model;
     project_ = project;
-    immersion_ = std::min(immersion, project.immersions.size() - 1);
+    if (std::exchange(immersion_, std::min(immersion, project.immersions.size() - 1)) !=
+        immersion_) {
+        setCradles(cradles_);
+    }
     if (otherModel) {
         modelBox_ = boundingBox(project.model->mesh);
         query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
@@ -231,6 +236,8 @@ void DipScene::placeBody(const Immersion& immersion, double descent, const solve
         shownPose_.turn = placeOnPath(placedOn_, std::min(descent, travel)).linear();
     }
     view_.setBodyTransform(modelToWorld_);
+    showPins();
+    showCradle();
     const BoundingBox& box = modelBox_;
     const Eigen::Vector3f centre = (modelToWorld_ * box.center().cast<double>()).cast<float>();
     const double radius = 0.58 * double(box.diagonal().norm());
@@ -376,10 +383,13 @@ void DipScene::showEnd() {
 }
 
 bool DipScene::isDippedDrawn() const {
-    const bool fits = reading_ && result_ && immersion_ < result_->immersions.size() &&
-                      result_->project.model == project_.model;
-    return fits &&
+    return reading_ && fitsResult() &&
            (moment_ == Moment::End || (moment_ == Moment::Setup && showsDipped_ && wearsFilm_));
+}
+
+bool DipScene::fitsResult() const {
+    return result_ && immersion_ < result_->immersions.size() &&
+           result_->project.model == project_.model;
 }
 
 void DipScene::drawDipped(FilmExtent extent) {
@@ -411,7 +421,8 @@ void DipScene::drawDipped(FilmExtent extent) {
     view_.setFilmTransform(modelToWorld_ * result.body->modelToPose.inverse());
 }
 
-std::vector<FilmTriangle> DipScene::shownTriangles(const DrapedFilm& film, FilmExtent extent) const {
+std::vector<FilmTriangle> DipScene::shownTriangles(const DrapedFilm& film,
+                                                   FilmExtent extent) const {
     if (bodyLook_ != BodyLook::Own) { // floating film would hide the body
         return {};
     }
@@ -443,8 +454,54 @@ void DipScene::showDippedAnew() {
 }
 
 void DipScene::setShowsDipped(bool shows) {
-    if (shows != std::exchange(showsDipped_, shows) && moment_ == Moment::Setup) {
-        showSetup();
+    if (shows != std::exchange(showsDipped_, shows)) {
+        showPins();
+        if (moment_ == Moment::Setup) {
+            showSetup();
+        }
+    }
+}
+
+void DipScene::setPins(std::vector<Pin> pins) {
+    pins_ = std::move(pins);
+    showPins();
+}
+
+void DipScene::setShowPins(bool show) {
+    showsPins_ = show;
+    showPins();
+}
+
+void DipScene::showPins() {
+    std::vector<ViewPin> shown;
+    shownPins_.clear();
+    for (std::size_t pin = 0; pin < pins_.size() && showsPins_ && showsDipped_ && !brushed_;
+         ++pin) {
+        if (pins_[pin].dip.value_or(immersion_) == immersion_) {
+            shown.push_back(pins_[pin].pin);
+            shown.back().place = toWorld(shown.back().place);
+            shown.back().outward = modelToWorld_.linear().cast<float>() * shown.back().outward;
+            shownPins_.push_back(pin);
+        }
+    }
+    view_.setPins(std::move(shown));
+}
+
+void DipScene::setCradles(std::shared_ptr<const std::vector<Cradle>> cradles) {
+    cradles_ = std::move(cradles);
+    const bool isShown = cradles_ && immersion_ < cradles_->size() &&
+                         !(*cradles_)[immersion_].mesh.triangles.empty();
+    view_.setCradle(
+        isShown ? std::shared_ptr<const TriangleMesh>(cradles_, &(*cradles_)[immersion_].mesh)
+                : nullptr);
+    showCradle();
+}
+
+// The cradle moves with the body.
+void DipScene::showCradle() {
+    if (cradles_ && fitsResult()) {
+        const Eigen::Isometry3d& toPose = result_->immersions[immersion_].body->modelToPose;
+        view_.setCradleTransform(modelToWorld_ * toPose.inverse());
     }
 }
 
@@ -519,8 +576,11 @@ void DipScene::setShowHandles(bool show) {
 }
 
 void DipScene::setBrushed(bool brushed) {
-    if (brushed != std::exchange(brushed_, brushed) && moment_ == Moment::Setup) {
-        showSetup();
+    if (brushed != std::exchange(brushed_, brushed)) {
+        showPins();
+        if (moment_ == Moment::Setup) {
+            showSetup();
+        }
     }
 }
 
@@ -541,8 +601,7 @@ void DipScene::colourFilm() {
     case FilmLook::Stretch:
         if (isDippedDrawn()) {
             std::vector<QRgb> colours;
-            for (const float value :
-                 reading_->draped().onAllPoints(reading_->values(quantity_))) {
+            for (const float value : reading_->draped().onAllPoints(reading_->values(quantity_))) {
                 colours.push_back(scale_.colour(double(value)));
             }
             view_.setFilmColours(colours);
