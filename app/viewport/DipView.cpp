@@ -153,6 +153,12 @@ void DipView::setBodyLines(const std::vector<ViewLine>& lines) {
     change([lines](ViewScene& scene) { scene.body().setLines(lines); });
 }
 
+void DipView::setBodyPatch(PatchLayer layer, ViewPatch patch) {
+    change([layer, patch = std::move(patch)](ViewScene& scene) {
+        scene.body().setPatch(layer, patch);
+    });
+}
+
 void DipView::setBodyVisible(bool visible) {
     change([visible](ViewScene& scene) { scene.body().setVisible(visible); });
 }

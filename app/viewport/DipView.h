@@ -8,6 +8,7 @@
 
 #include "SectionPlane.h"
 #include "ViewLine.h"
+#include "ViewPatch.h"
 #include "ViewProjection.h"
 #include "model/TexturedMesh.h"
 
@@ -99,6 +100,8 @@ public:
     void setBodyColours(const std::vector<QRgb>& colours);
     // Sets lines on the body's surface. They are drawn over the surface.
     void setBodyLines(const std::vector<ViewLine>& lines);
+    // Colours a part of the surface over the body's own colours. No triangles: nothing.
+    void setBodyPatch(PatchLayer layer, ViewPatch patch);
     void setBodyVisible(bool visible);
     // Sets the legend in the lower left corner, in this order. If empty, no legend is shown.
     void setLegend(std::vector<ViewLegendEntry> entries);

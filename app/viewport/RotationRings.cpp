@@ -22,8 +22,8 @@ double lengthOf(QPointF vector) {
 } // namespace
 
 QColor axisColour(int axis) {
-    static const std::array<QColor, 3> colours{QColor(214, 69, 65), QColor(92, 176, 60),
-                                               QColor(66, 120, 224)};
+    static const std::array<QColor, 3> colours{QColor(200, 40, 40), QColor(110, 200, 70),
+                                               QColor(50, 100, 220)};
     return colours[std::size_t(axis)];
 }
 

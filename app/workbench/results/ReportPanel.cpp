@@ -1,5 +1,6 @@
 #include "workbench/results/ReportPanel.h"
 
+#include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
 #include "texture/ReverseTexture.h"
 #include "workbench/results/WarningTexts.h"
@@ -143,15 +144,16 @@ QString shareHtml(const JobResult& result, LengthUnit unit, PlaceLinks& links) {
                   .arg(shownLength(result.project.share.registrationError.value(), unit)),
               percent(share.narrow));
     table.row(Text::tr("Length of the seam"), shownLength(share.cost.length, unit));
-    const std::size_t listed = std::min(share.unpainted.size(), mostPlaces);
-    for (const UnpaintedPlace& place : std::span(share.unpainted).first(listed)) {
+    const std::vector<UnpaintedPlace> unpainted = unreachedPlaces(result);
+    const std::size_t listed = std::min(unpainted.size(), mostPlaces);
+    for (const UnpaintedPlace& place : std::span(unpainted).first(listed)) {
         table.htmlRow(
             Text::tr("Area not reached, at %1").toHtmlEscaped().arg(links.html(place.place)),
             shownArea(place.area, unit).toHtmlEscaped());
     }
-    if (listed < share.unpainted.size()) {
+    if (listed < unpainted.size()) {
         table.row(Text::tr("Number of smaller areas not reached"),
-                  QLocale().toString(qulonglong(share.unpainted.size() - listed)));
+                  QLocale().toString(qulonglong(unpainted.size() - listed)));
     }
     return heading(Text::tr("Seam")) + table.html();
 }
@@ -285,6 +287,11 @@ void ReportPanel::show() {
     PlaceLinks links(unit_);
     Table whole;
     whole.row(tr("Total coverage"), percent(result_->coverageTotal));
+    if (result_->mask) {
+        const MaskedAreas masked = maskedAreas(*result_->mask);
+        whole.row(tr("Masked areas"),
+                  QStringLiteral("%1 · %2").arg(masked.count).arg(shownArea(masked.area, unit_)));
+    }
     whole.row(tr("Film used"), percent(filmUsed(*result_)));
     whole.row(tr("Solver"), shownName(result_->solver.name));
     whole.row(tr("Device"), result_->solver.device);

@@ -5,6 +5,7 @@
 #include "dip/PathKeys.h"
 #include "dip/Pose.h"
 #include "film/FilmGrid.h"
+#include "marks/MaskColour.h"
 #include "pipeline/PrintedBody.h"
 #include "results/Results.h"
 #include "texture/Chessboard.h"
@@ -149,6 +150,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     const bool otherModel = project.model != project_.model;
     const bool otherArtwork = project.artwork != project_.artwork;
     const bool otherMarks = project.share.marks != project_.share.marks;
+    const bool otherMasks = project.masks != project_.masks;
     const bool otherZones = project.tolerance != project_.tolerance;
     const bool otherBase = project.baseColour != project_.baseColour;
     const bool otherFilm = !(project.film == project_.film) || !project_.model;
@@ -167,6 +169,9 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         showBody({own_, {}});
     } else if (otherMarks) {
         showLines();
+    }
+    if (otherModel || otherMasks) {
+        showMasks();
     }
     if (otherModel || otherArtwork) {
         paintArtwork();
@@ -758,13 +763,35 @@ void DipScene::showZones() {
     showBody(zoneAppearance(zonedBody_, *zones_, tolerances_.get(), project_.tolerance));
 }
 
+void DipScene::showMasks() {
+    mask_ = surfaceMask(project_.model, project_.masks, mask_);
+    ViewPatch patch{{}, maskColour};
+    for (const MarkedPiece& piece : mask_ ? mask_->pieces() : std::vector<MarkedPiece>()) {
+        patch.triangles.push_back(piece.corners);
+    }
+    view_.setBodyPatch(PatchLayer::Masks, std::move(patch));
+    showLegend();
+}
+
+void DipScene::setStroke(ViewPatch patch) {
+    view_.setBodyPatch(PatchLayer::Stroke, std::move(patch));
+}
+
+void DipScene::showLegend() {
+    std::vector<ViewLegendEntry> legend = shown_.legend;
+    if (mask_) {
+        legend.push_back({maskColour, tr("Mask: stays free of film")});
+    }
+    view_.setLegend(std::move(legend));
+}
+
 void DipScene::showBody(BodyAppearance appearance) {
     if (appearance.model != shown_.model) {
         view_.setBody(appearance.model);
     }
     shown_ = std::move(appearance);
     view_.setBodyColours(shown_.colours);
-    view_.setLegend(shown_.legend);
+    showLegend();
     showLines();
 }
 

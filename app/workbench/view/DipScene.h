@@ -3,6 +3,7 @@
 
 #include "cradle/Cradle.h"
 #include "dip/BodyPath.h"
+#include "marks/SurfaceMask.h"
 #include "search/CoveragePreview.h"
 #include "workbench/appearance/ArtworkPainter.h"
 #include "workbench/appearance/FinishedPartPreview.h"
@@ -75,6 +76,8 @@ public:
     void setShowsDipped(bool shows);
     // Whether the user wants to see the film of the result on the body before the dip.
     void setWearsFilm(bool wears);
+    // What the user's brush marks at the moment; empty: nothing.
+    void setStroke(ViewPatch patch);
     // A frame around the selected artwork layer, in model coordinates; empty: none.
     void setFrame(std::vector<ViewLine> frame);
     // Pins on the body of the result; places and directions in model coordinates. A pin is shown
@@ -97,6 +100,8 @@ public:
     // The first place of the shown model that `ray` meets, in model coordinates.
     std::optional<Eigen::Vector3f> modelPoint(const ViewRay& ray) const;
     std::optional<SurfacePoint> modelSurface(const ViewRay& ray) const;
+    // For queries of the shown model; null without a model.
+    const SurfaceQuery* query() const { return query_.get(); }
     Eigen::Vector3f toWorld(const Eigen::Vector3f& modelPoint) const;
     Eigen::Vector3f toModel(const Eigen::Vector3f& worldPoint) const;
     // A model must be shown.
@@ -143,6 +148,8 @@ private:
     void slip(FilmAppearance& film); // displaces the film as in the shown print
     void showBody(BodyAppearance appearance);
     void showZones();
+    void showMasks();
+    void showLegend();
     void showPreview();
     void showLines();
     void showPins();
@@ -171,6 +178,7 @@ private:
     std::shared_ptr<const TexturedMesh> sharedBody_;
     std::unique_ptr<ZonedBody> zones_; // for the project's model; null until first shown
     std::shared_ptr<const TexturedMesh> zonedBody_;
+    std::shared_ptr<const SurfaceMask> mask_;  // of the project; null: nothing is masked
     std::unique_ptr<CoveragePreview> preview_; // for the project's model; null until first shown
     std::shared_ptr<const TexturedMesh> previewedBody_;
     std::shared_ptr<const JobTolerances> tolerances_; // null: none that match the project

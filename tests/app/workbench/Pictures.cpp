@@ -20,6 +20,7 @@
 #include "workbench/queue/QueueDialog.h"
 #include "workbench/results/Timeline.h"
 #include "workbench/widgets/Languages.h"
+#include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/Theme.h"
 
 #include <QApplication>
@@ -33,7 +34,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSpinBox>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTimer>
@@ -252,7 +252,7 @@ void photographArtwork(const WindowDriver& driver, MainWindow& window, const Pho
 void photographSearch(const WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     driver.trigger("findPoses");
     auto* start = driver.find<QPushButton>("startSearch");
-    driver.find<QSpinBox>("searchedPoses")->setValue(24);
+    driver.find<NumberBox>("searchedPoses")->setValue(24);
     start->click();
     auto* table = driver.find<QTableWidget>("poseTable");
     if (QTest::qWaitFor([&] { return table->rowCount() > 0 || start->isEnabled(); }, 900000)) {
