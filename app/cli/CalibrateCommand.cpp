@@ -116,10 +116,8 @@ void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const
                     QTextStream& out) {
     WatchPage page;
     page.kind = boardKind(kind);
-    const QString paper = parser.isSet(paperOption)      ? parser.value(paperOption)
-                          : page.kind == BoardKind::Film ? QStringLiteral("A4")
-                                                         : QStringLiteral("A5");
-    page.paper = paperSize(paper);
+    page.paper =
+        parser.isSet(paperOption) ? paperSize(parser.value(paperOption)) : usualPaper(page.kind);
     page.lot = parser.value(lotOption);
     page.date = parser.value(dateOption);
     takeScale(page, parser);

@@ -157,9 +157,9 @@ Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Prog
     CradleDistances distances = distancesOf(settings);
     const auto paintDistance =
         settings.onPaint ? std::nullopt : std::optional<double>(distances.earlierPaint);
-    const FilmSide side =
-        filmSide(dip.film, dip.earlier, dip.process, pieceEdgeInCells * settings.cell.value(),
-                 distances.film, paintDistance, progress.part(0, 0.15));
+    const FilmSide side = filmSide(dip.film, dip.earlier, dip.mask, dip.process,
+                                   pieceEdgeInCells * settings.cell.value(), distances.film,
+                                   paintDistance, progress.part(0, 0.15));
     if (side.seat.empty()) {
         return nothingToHold(dip, settings, side);
     }

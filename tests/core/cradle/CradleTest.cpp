@@ -8,6 +8,7 @@
 #include "geometry/Shapes.h"
 #include "geometry/SurfaceSamples.h"
 #include "import/trusted/ImportModel.h"
+#include "marks/SurfaceMask.h"
 #include "parallel/Threads.h"
 #include "settings/FilmSettings.h"
 #include "sheet/page/Sheet.h"
@@ -71,13 +72,13 @@ LaidFilm paintedFromAbove(double angle) {
 
 Cradle cradleOf(const LaidFilm& laid, const CradleSettings& wanted = settings(),
                 const ProcessSettings& process = {}, std::vector<const LaidFilm*> earlier = {},
-                const Progress& progress = {}) {
+                const Progress& progress = {}, const SurfaceMask* mask = nullptr) {
     const Immersion immersion;
     const TriangleMesh inModel = transformed(laid.body().mesh, laid.body().modelToPose.inverse());
     const DistanceField field = buildDistanceField(inModel, 96, {});
     const DatumPins pins = datumPins(Sheet(), FilmSettings(), wanted.pinSpan);
-    return makeCradle({laid, std::move(earlier), field, immersion, process, pins, 1, hash}, wanted,
-                      progress);
+    return makeCradle({laid, std::move(earlier), field, immersion, process, pins, 1, hash, mask},
+                      wanted, progress);
 }
 
 // Returns the cradle of the half painted ball with the settings above.
@@ -280,6 +281,22 @@ private slots:
                 std::hypot(place.x(), place.z()) < radius * std::sin(radians(Degrees(20)));
             QVERIFY(!isOverCap || place.y() > capHeight + 3.5);
         }
+    }
+
+    // An earlier dip has painted the whole upper side, except for the tape on its top.
+    void makeCradle_maskOnEarlierPaint_restsOnTheMask() {
+        const LaidFilm earlier = paintedFromAbove(radians(Degrees(120)));
+        QVERIFY(cradleOf(*halfPainted(), settings(), {}, {&earlier}).mesh.triangles.empty());
+        const auto model = std::make_shared<const TexturedMesh>(ball());
+        MaskMark top;
+        top.path = {{{Millimetres(0), Millimetres(radius), Millimetres(0)}, {0, 1, 0}}};
+        top.radius = Millimetres(16);
+        const SurfaceMask mask(model, {top});
+        const Cradle cradle = cradleOf(*halfPainted(), settings(), {}, {&earlier}, {}, &mask);
+        isSound(cradle);
+        QVERIFY(cradle.check.seatArea > 100);
+        QVERIFY(cradle.check.seatArea < maskedAreas(mask).area);
+        QCOMPARE(cradle.check.paddedArea, 0.0);
     }
 
     void makeCradle_onPaintAllowed_padsEarlierPaint() {
