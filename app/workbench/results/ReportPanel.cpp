@@ -2,12 +2,12 @@
 
 #include "pipeline/SmallerFilm.h"
 #include "texture/ReverseTexture.h"
+#include "workbench/widgets/HtmlView.h"
 #include "workbench/widgets/ShippedNames.h"
 
 #include <QCoreApplication>
 #include <QLabel>
 #include <QLocale>
-#include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -211,13 +211,13 @@ QString smallerFilmHtml(const JobResult& result, LengthUnit unit) {
 } // namespace
 
 ReportPanel::ReportPanel(QWidget* parent)
-    : QWidget(parent), text_(new QTextBrowser),
+    : QWidget(parent), text_(new HtmlView),
       hint_(new QLabel(tr("Run the dip to see its figures."))) {
     text_->setFrameShape(QFrame::NoFrame);
     text_->setObjectName(QStringLiteral("report"));
     text_->setAccessibleName(tr("Report"));
     text_->setOpenLinks(false);
-    connect(text_, &QTextBrowser::anchorClicked, this, &ReportPanel::follow);
+    connect(text_, &HtmlView::anchorClicked, this, &ReportPanel::follow);
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setWordWrap(true);
     hint_->setForegroundRole(QPalette::PlaceholderText);
@@ -270,7 +270,7 @@ void ReportPanel::show() {
         html += immersionHtml(immersion, unit_, links);
     }
     places_ = links.places();
-    text_->setHtml(html);
+    text_->showHtml(html);
 }
 
 void ReportPanel::follow(const QUrl& link) {
