@@ -4,6 +4,7 @@
 
 #include "base/Error.h"
 #include "dip/FilmUnderBody.h"
+#include "marks/SurfaceMask.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
@@ -189,6 +190,9 @@ void printSummary(const JobResult& result, QTextStream& out) {
                    "%1 % of the film is used; the smaller size %2 (%3 × %4 mm) is large enough\n")
                    .arg(number(100 * filmUsed(result), 0), smaller->format,
                         number(smaller->width.value(), 0), number(smaller->height.value(), 0));
+    }
+    if (result.mask) {
+        out << maskText(maskedAreas(*result.mask)) << '\n';
     }
     out << QStringLiteral("Coverage by all dips: %1 %\n")
                .arg(number(100 * result.coverageTotal, 1));

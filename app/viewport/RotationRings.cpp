@@ -47,10 +47,20 @@ RingActors::RingActors(vtkRenderer* renderer) {
 }
 
 void RingActors::set(const RotationRings& rings) {
+    shown_ = rings;
     for (const auto& ring : rings_) {
         ring->SetPosition(rings.centre.x(), rings.centre.y(), rings.centre.z());
         ring->SetScale(rings.radius);
         ring->SetVisibility(rings.visible);
+    }
+}
+
+void RingActors::addPlaces(std::vector<Eigen::Vector3d>& places) const {
+    constexpr double apart = 15; // degrees
+    for (int axis = 0; axis < 3 && shown_.visible; ++axis) {
+        for (double angle = 0; angle < 360; angle += apart) {
+            places.push_back(shown_.ringPoint(axis, angle).cast<double>());
+        }
     }
 }
 

@@ -47,6 +47,10 @@ QColor colourOf(std::size_t zone, double spread, double limit) {
 
 } // namespace
 
+QColor zoneColour(Zone zone) {
+    return mixed(hues[std::size_t(zone)], even);
+}
+
 BodyAppearance zoneAppearance(std::shared_ptr<const TexturedMesh> body, const ZonedBody& zones,
                               const JobTolerances* tolerances, const ToleranceSettings& settings) {
     BodyAppearance appearance{std::move(body), {}};

@@ -237,13 +237,16 @@ JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
 
 } // namespace
 
+double longestFilm(DotsPerInch resolution) {
+    return std::floor(mostSheetPixels / pixelsPerMillimetre(resolution));
+}
+
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film) {
     checkPieces(pieces);
     refuseMixedWhite(pieces);
     const DotsPerInch resolution = pieces.front().sheet.settings.resolution;
     const Pixels pixels(resolution);
-    const double longest =
-        film.isRoll ? std::floor(mostSheetPixels / pixels.unit()) : film.size.height();
+    const double longest = film.isRoll ? longestFilm(resolution) : film.size.height();
     const QSize most = sheetPixels(Millimetres(film.size.width()),
                                    Millimetres(std::min(film.size.height(), longest)), resolution);
     const QRect room = roomOf(film, most, resolution);

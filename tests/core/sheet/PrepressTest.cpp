@@ -321,6 +321,10 @@ void PrepressTest::cutLine_isASeparatePlate() {
         return plate.first.startsWith("Thru cut");
     });
     QVERIFY(cut != plates.end());
+    // It overprints, on a page without transparency.
+    const QByteArray document = output("qpdf", {"--qdf", path, "-"});
+    QVERIFY(document.contains("/OP true") && document.contains("/OPM 1"));
+    QVERIFY(!document.contains("/Transparency") && !document.contains("/Multiply >> /"));
     // The cut line does not change the other plates. The marks are on all of them.
     for (const auto& [name, plate] : without) {
         QCOMPARE(plates.at(name), plate);
