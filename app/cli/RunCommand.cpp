@@ -31,7 +31,6 @@ const QString motionOption = QStringLiteral("motion-template");
 const QString languageOption = QStringLiteral("language");
 const QString lawsOption = QStringLiteral("laws");
 const QString tolerancesOption = QStringLiteral("tolerances");
-const QString requireOption = QStringLiteral("require");
 const QString untilOption = QStringLiteral("until");
 const QString workOption = QStringLiteral("work");
 
@@ -214,22 +213,6 @@ void setLanguage(const QString& code) {
     QCoreApplication::installTranslator(words);
 }
 
-// Returns the worst verdict that the user accepts; empty if any verdict is accepted.
-std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
-    if (!parser.isSet(requireOption)) {
-        return std::nullopt;
-    }
-    const QString word = parser.value(requireOption);
-    if (word == QLatin1String("print")) {
-        return Advice::Print;
-    }
-    if (word == QLatin1String("check")) {
-        return Advice::CheckFirst;
-    }
-    throw UsageError(QStringLiteral("“%1” is not a verdict; require print or check").arg(word),
-                     QStringLiteral("--require"));
-}
-
 // Applies --until and --work to the project's film.
 void applyRefinement(Project& project, const QCommandLineParser& parser) {
     if (parser.isSet(workOption)) {
@@ -256,20 +239,9 @@ void applyRefinement(Project& project, const QCommandLineParser& parser) {
     }
 }
 
-// Returns the verdict to compare with the requirement. A job whose numerical error was not judged
-// meets no requirement.
-Advice verdictToCompare(const JobResult& result) {
-    const bool isJudged = std::ranges::none_of(reasonsOf(result), [](const JobReason& reason) {
-        return reason.reason.kind == VerdictReason::Kind::NotAsked;
-    });
-    return isJudged ? adviceOf(result) : Advice::NotJudged;
-}
-
 void require(std::optional<Advice> required, const std::vector<Advice>& verdicts,
              const QString& folder) {
-    const auto fails = [&](Advice verdict) {
-        return required && (verdict == Advice::NotJudged || verdict > *required);
-    };
+    const auto fails = [&](Advice verdict) { return required && isWorse(verdict, *required); };
     const auto failed = std::count_if(verdicts.begin(), verdicts.end(), fails);
     if (failed > 0) {
         throw VerdictError(
@@ -319,11 +291,11 @@ public:
             {cradleOption,
              QStringLiteral(
                  "Also makes a cradle for each dip, to print in plastic: STL and 3MF.")});
-        syntax.addOption(
-            {requireOption,
-             QStringLiteral("Fails with exit code 3, after all results are written, if the verdict "
-                            "is worse than this: print, or check (check first)."),
-             QStringLiteral("print|check")});
+        declareRequired(syntax,
+                        QStringLiteral("Fails with exit code 3, after all results are written, if "
+                                       "the verdict is worse than this: print, check (check "
+                                       "first) or any (the default)."),
+                        QStringLiteral("any"));
         syntax.addOption(
             {untilOption,
              QStringLiteral("Repeats the dips with smaller film cells until the numerical error is "

@@ -21,23 +21,6 @@ namespace {
 // The colour of the cut faces, visible on light and dark backgrounds.
 const QColor sectionColour(0x9a, 0xa4, 0xae);
 
-vtkSmartPointer<vtkPolyData> weldedSurface(const TriangleMesh& mesh) {
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    points->SetNumberOfPoints(vtkIdType(mesh.positions.size()));
-    for (std::size_t p = 0; p < mesh.positions.size(); ++p) {
-        points->SetPoint(vtkIdType(p), mesh.positions[p].x(), mesh.positions[p].y(),
-                         mesh.positions[p].z());
-    }
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    for (const auto& [a, b, c] : mesh.triangles) {
-        cells->InsertNextCell({vtkIdType(a), vtkIdType(b), vtkIdType(c)});
-    }
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    return data;
-}
-
 // Draws a patch just over the body, and each layer over the ones before it.
 vtkSmartPointer<vtkActor> patchActor(vtkPolyData& data, std::size_t layer) {
     constexpr double perLayer = -4; // depth units
@@ -86,7 +69,7 @@ void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
     for (std::size_t material = 0; material < model_->materials.size(); ++material) {
         addPart(material, normals);
     }
-    surface_ = weldedSurface(model_->mesh);
+    surface_ = vtkSurface(model_->mesh);
     waterline_.setSurface(surface_);
     section_.setSurface(surface_);
     for (vtkActor* line : lines) {

@@ -31,7 +31,7 @@ Field<Project> filmPreset() {
 
 Field<Project> filmSizeField() {
     return {QStringLiteral("film.size_mm"),
-            {FieldKind::Number, 2, false, 10, 3000},
+            {FieldKind::Number, 2, false, 10, 3000, {}, 0, QStringLiteral("mm")},
             [](const Project& project) {
                 return QJsonArray{project.film.width.value(), project.film.height.value()};
             },
@@ -67,7 +67,7 @@ Field<Project> filmPoints() {
 
 Field<Project> filmCell() {
     return {QStringLiteral("film.cell_mm"),
-            {FieldKind::Number, 1, false, 0.1, 20},
+            {FieldKind::Number, 1, false, 0.1, 20, {}, 0, QStringLiteral("mm")},
             [](const Project& project) { return QJsonValue(project.film.cell.value()); },
             [](Project& project, const QJsonValue& value) {
                 project.film.cell = Millimetres(value.toDouble());

@@ -19,9 +19,9 @@ QColor shareMarkColour(ShareMarkKind kind) {
     case ShareMarkKind::Second:
         return painterColour(Painter::Second).lighter(120);
     case ShareMarkKind::Avoid:
-        return {214, 66, 66};
+        return {170, 20, 40};
     case ShareMarkKind::Allow:
-        return {70, 170, 96};
+        return {200, 230, 90};
     case ShareMarkKind::None:
         return {150, 150, 150};
     }

@@ -3,11 +3,13 @@
 #include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
 #include "texture/ReverseTexture.h"
+#include "workbench/results/WarningTexts.h"
 #include "workbench/widgets/ShippedNames.h"
 
 #include <QCoreApplication>
 #include <QLabel>
 #include <QLocale>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -104,6 +106,22 @@ std::optional<Eigen::Vector3f> placeOfLargestStretch(const LaidFilm& laid, doubl
         }
     }
     return std::nullopt; // no film on the body
+}
+
+QString warningAnchor(std::size_t number) {
+    return QStringLiteral("warning-%1").arg(number);
+}
+
+QString warningsHtml(const std::vector<JobWarning>& warnings, const JobResult& result,
+                     LengthUnit unit, PlaceLinks& links) {
+    Table table;
+    for (std::size_t number = 0; number < warnings.size(); ++number) {
+        table.htmlRow(QStringLiteral("<a name='%1'></a>%2")
+                          .arg(warningAnchor(number),
+                               warningText(warnings[number], result, unit).toHtmlEscaped()),
+                      links.html(warnings[number].place));
+    }
+    return heading(Text::tr("Warnings on the part")) + table.html();
 }
 
 QString shareHtml(const JobResult& result, LengthUnit unit, PlaceLinks& links) {
@@ -230,8 +248,10 @@ ReportPanel::ReportPanel(QWidget* parent)
     text_->hide();
 }
 
-void ReportPanel::setResult(std::shared_ptr<const JobResult> result, LengthUnit unit) {
+void ReportPanel::setResult(std::shared_ptr<const JobResult> result,
+                            std::vector<JobWarning> warnings, LengthUnit unit) {
     result_ = std::move(result);
+    warnings_ = std::move(warnings);
     unit_ = unit;
     show();
 }
@@ -240,6 +260,21 @@ void ReportPanel::setTolerances(const QStringList& sentences) {
     if (sentences != tolerances_) {
         tolerances_ = sentences;
         show();
+    }
+}
+
+void ReportPanel::showWarning(std::size_t number) {
+    const QString anchor = warningAnchor(number);
+    for (QTextBlock block = text_->document()->begin(); block.isValid(); block = block.next()) {
+        for (auto part = block.begin(); !part.atEnd(); ++part) {
+            if (part.fragment().charFormat().anchorNames().contains(anchor)) {
+                QTextCursor cursor(block);
+                cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+                text_->setTextCursor(cursor);
+                text_->ensureCursorVisible();
+                return;
+            }
+        }
     }
 }
 
@@ -263,6 +298,9 @@ void ReportPanel::show() {
     QString html = whole.html() + smallerFilmHtml(*result_, unit_);
     for (const QString& note : result_->notes) {
         html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());
+    }
+    if (!warnings_.empty()) {
+        html += warningsHtml(warnings_, *result_, unit_, links);
     }
     if (result_->share) {
         html += shareHtml(*result_, unit_, links);

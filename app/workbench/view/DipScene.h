@@ -1,6 +1,7 @@
 // Shows project, recording and result in the 3D view, at a chosen moment.
 #pragma once
 
+#include "cradle/Cradle.h"
 #include "dip/BodyPath.h"
 #include "marks/SurfaceMask.h"
 #include "search/CoveragePreview.h"
@@ -79,6 +80,16 @@ public:
     void setStroke(ViewPatch patch);
     // A frame around the selected artwork layer, in model coordinates; empty: none.
     void setFrame(std::vector<ViewLine> frame);
+    // Pins on the body of the result; places and directions in model coordinates. A pin is shown
+    // with its dip; without one, with every dip.
+    struct Pin {
+        std::optional<std::size_t> dip;
+        ViewPin pin;
+    };
+    void setPins(std::vector<Pin> pins);
+    void setShowPins(bool show);
+    // The cradles of the result, one for each dip; null: none are shown.
+    void setCradles(std::shared_ptr<const std::vector<Cradle>> cradles);
     // While the user turns the body, it shows an estimate of the coverage from its shape.
     void setPreviewed(bool previewed);
 
@@ -98,6 +109,7 @@ public:
 
 signals:
     void bodyRoomChanged();
+    void pinClicked(std::size_t pin); // its number in setPins()
     // The shown print needs the last film of the result dipped deeper.
     void deeperFilmWanted(const std::shared_ptr<const dipwright::JobResult>& result);
 
@@ -127,9 +139,12 @@ private:
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
                   const std::vector<float>& positions);
     void updateFilm();
+    void colourFilm();
     void updateBody();
     void paintArtwork();
     void print();
+    Ground ground() const;           // of the part of the result
+    bool isPrintDrawn() const;       // whether the film on the body shows what is printed
     void slip(FilmAppearance& film); // displaces the film as in the shown print
     void showBody(BodyAppearance appearance);
     void showZones();
@@ -137,11 +152,14 @@ private:
     void showLegend();
     void showPreview();
     void showLines();
+    void showPins();
+    void showCradle();
+    bool fitsResult() const;    // whether the result is of the shown model and dip
     bool isDippedDrawn() const; // whether the film of the result is drawn
     void drawDipped(FilmExtent extent);
     void showDippedAnew(); // draws the film of the result again if it is drawn
     // The triangles to draw of the dipped film. Empty over a body that shows its coverage.
-    std::vector<FilmTriangle> shownTriangles(const LaidFilm& laid, FilmExtent extent) const;
+    std::vector<FilmTriangle> shownTriangles(const DrapedFilm& film, FilmExtent extent) const;
     std::vector<QRgb> frameColours() const;
 
     DipView& view_;
@@ -151,6 +169,10 @@ private:
     std::shared_ptr<const TexturedMesh> own_; // the project's model with its painted artwork
     ArtworkPainter artworkPainter_;
     std::vector<ViewLine> frame_;
+    std::vector<Pin> pins_;
+    std::vector<std::size_t> shownPins_; // numbers in `pins_`
+    bool showsPins_ = true;
+    std::shared_ptr<const std::vector<Cradle>> cradles_;
     FinishedPartPreview printer_;
     std::shared_ptr<const BodyShare> shared_; // `sharedBody_` was built for it
     std::shared_ptr<const TexturedMesh> sharedBody_;
@@ -185,7 +207,7 @@ private:
     ThinnedFilm shape_;
     solver::FilmGrid shapeGrid_;
     std::vector<float> positions_;
-    FilmLook look_ = FilmLook::Lines;
+    FilmLook look_ = FilmLook::Sheet;
     FilmExtent extent_ = FilmExtent::Whole;
     QImage picture_;
     FilmQuantity quantity_ = FilmQuantity::Length;

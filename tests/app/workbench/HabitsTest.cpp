@@ -15,6 +15,7 @@
 #include "workbench/project/ProjectTree.h"
 #include "workbench/results/StretchPanel.h"
 #include "workbench/widgets/NoticeBar.h"
+#include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PictureView.h"
 
 #include <QApplication>
@@ -35,7 +36,6 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSlider>
-#include <QSpinBox>
 #include <QTableWidget>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -488,7 +488,7 @@ private slots:
         driver.trigger("findPoses");
         auto* start = driver.find<QPushButton>("startSearch");
         QVERIFY(start->isVisible());
-        driver.find<QSpinBox>("searchedPoses")->setValue(6);
+        driver.find<NumberBox>("searchedPoses")->setValue(6);
         start->click();
         QVERIFY(!start->isEnabled());
         auto* table = driver.find<QTableWidget>("poseTable");
@@ -512,7 +512,7 @@ private slots:
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         driver.trigger("findPoses");
-        driver.find<QSpinBox>("searchedPoses")->setValue(30);
+        driver.find<NumberBox>("searchedPoses")->setValue(30);
         auto* start = driver.find<QPushButton>("startSearch");
         start->click();
         auto* table = driver.find<QTableWidget>("poseTable");

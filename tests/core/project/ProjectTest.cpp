@@ -283,6 +283,20 @@ private slots:
         QVERIFY2(sentence.contains(named), qPrintable(sentence));
     }
 
+    void setByPath_calculationWithUnit_isConverted() {
+        Project project;
+        setByPath(project, "film.size_mm", "8 in x 1/2ft");
+        QCOMPARE(project.film.width, Millimetres(203.2));
+        QVERIFY(std::abs(project.film.height.value() - 152.4) < 1); // whole cells
+        setByPath(project, "film.relaxation_time_s", "1/2 min");
+        QCOMPARE(project.film.relaxationTime, Seconds(30));
+        setByPath(project, "immersions[0].rotation_deg", "0;1/8 turn;0");
+        QCOMPARE(project.immersions[0].rotation[1], Degrees(45));
+        for (const char* refused : {"2 s x 100", "1,5 x 100", "2 furlongs x 100"}) {
+            QVERIFY_EXCEPTION_THROWN(setByPath(project, "film.size_mm", refused), Error);
+        }
+    }
+
     void setByPath_setsOneValue() {
         Project project = sampleProject();
         setByPath(project, "film.points", "240x360");
