@@ -80,13 +80,17 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
     traveller.profiles = project.profiles;
     traveller.pins =
         datumPins(result.immersions.front().sheet, project.film, project.cradle.pinSpan);
+    if (result.mask) {
+        traveller.masked = maskedAreas(*result.mask);
+    }
     const std::vector<FilmAppearance> dipped = filmAppearances(result.immersions, false);
     const auto fine = result.fine ? result.fine : fineBody(project.model->mesh);
     std::vector<PoseFilm> films;
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         const Cradle* cradle = i < result.cradles.size() ? &result.cradles[i] : nullptr;
-        const PoseView view{*immersion.body, *fine, cradle ? &cradle->mesh : nullptr, films};
+        const PoseView view{*immersion.body, *fine, cradle ? &cradle->mesh : nullptr, films,
+                            result.mask.get()};
         TravellerDip dip;
         dip.immersion = immersion.immersion;
         dip.job = immersion.sheet.job.hash;
@@ -105,7 +109,8 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         if (tablePays(*fine, 3.0 * afterPixels.width() * afterPixels.height())) {
             films.back().places = std::make_shared<const FilmPlaces>(*fine, *dipped[i].laid);
         }
-        dip.after = afterDip({*immersion.body, *fine, nullptr, films}, progress.silent());
+        dip.after = afterDip({*immersion.body, *fine, nullptr, films, result.mask.get()},
+                             progress.silent());
         traveller.dips.push_back(std::move(dip));
     }
     return traveller;

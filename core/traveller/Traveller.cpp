@@ -286,7 +286,19 @@ QStringList stepsOf(const Traveller& traveller, std::size_t number) {
         lay += u' ' + Text::tr("The arrow on the cradle's plate must point to the upper edge of "
                                "the sheet.");
     }
-    QStringList steps{
+    QStringList steps;
+    const bool isMasked = traveller.masked.count > 0, isLast = number + 1 == traveller.dips.size();
+    if (isMasked) {
+        const QString area = plain(traveller.masked.area, 0);
+        steps << (number == 0
+                      ? Text::tr("Cover the masked surface of the part with tape (pink in "
+                                 "the pictures). Number of areas: %1; in total %2 mm².")
+                            .arg(traveller.masked.count)
+                            .arg(area)
+                      : Text::tr("Check that the tape still covers the masked surface (pink "
+                                 "in the pictures)."));
+    }
+    steps += QStringList{
         lay,
         Text::tr("Soak the film: %1").arg(secondsText(ofFilm(traveller, &FilmProfile::soakTime))),
         Text::tr("Spray the activator, then wait: %1")
@@ -304,7 +316,10 @@ QStringList stepsOf(const Traveller& traveller, std::size_t number) {
             .arg(secondsText(ofFilm(traveller, &FilmProfile::flashTime))),
         Text::tr("Rinse the part, then let it dry: %1")
             .arg(secondsText(ofFilm(traveller, &FilmProfile::dryingTime)))};
-    if (number + 1 < traveller.dips.size()) {
+    if (isMasked && isLast) {
+        steps << Text::tr("Remove the tape from the masked surface.");
+    }
+    if (!isLast) {
         steps << Text::tr("Before dip %1, compare the part with the picture below: the colours are "
                           "in place, nothing is torn or folded, and the part is dry where it will "
                           "be held.")

@@ -34,6 +34,7 @@ struct Traveller {
     FilmSettings film;
     ProjectProfiles profiles;
     DatumPins pins;
+    MaskedAreas masked;             // surface that is taped before the first dip
     std::vector<TravellerDip> dips; // in the order of dipping
 };
 

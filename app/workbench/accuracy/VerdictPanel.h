@@ -7,11 +7,11 @@
 
 #include <QWidget>
 
-class QTextBrowser;
 class QUrl;
 
 namespace dipwright {
 
+class HtmlView;
 class PicturePanel;
 
 class VerdictPanel : public QWidget {
@@ -32,10 +32,11 @@ signals:
 
 private:
     void choosePlace(const QUrl& link);
+    int wantedMapHeight() const;
     void fitText();
 
     std::vector<PlaceToCheck> places_;
-    QTextBrowser* text_;
+    HtmlView* text_;
     PicturePanel* map_;
 };
 

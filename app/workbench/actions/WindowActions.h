@@ -31,15 +31,15 @@ public:
     explicit WindowActions(QWidget& window); // adds the actions to `window`
 
     QAction *newWindow, *newProject, *open, *save, *saveAs, *snapshots, *exportResults, *exportPdf,
-        *exportPng, *exportCradles, *print, *printHistory, *jobQueue, *packJobs, *calibrate,
-        *profiles, *close, *quit;
+        *exportPng, *exportCradles, *makeOutputs, *print, *printHistory, *jobQueue, *packJobs,
+        *calibrate, *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *artwork, *preferences;
     QAction *run, *cancel, *live, *numericalError, *tolerances, *findPoses, *play;
     QAction *fit, *fitPart, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout,
         *saveLayout, *parallel;
     QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *wearsFilm, *section,
-        *seeThrough, *measure;
+        *seeThrough, *warnings, *cradle, *measure;
     QActionGroup* filmLook;              // each action's data is its FilmLook
     QActionGroup *bodyTurns, *bodyMoves; // each action's data is its BodyStep
     QAction *tour, *guide, *whatsThis, *about;

@@ -1,7 +1,7 @@
 // Shows the figures of the last run as tables.
 #pragma once
 
-#include "pipeline/JobResult.h"
+#include "pipeline/JobWarnings.h"
 #include "workbench/widgets/Units.h"
 
 #include <Eigen/Core>
@@ -9,10 +9,11 @@
 #include <vector>
 
 class QLabel;
-class QTextBrowser;
 class QUrl;
 
 namespace dipwright {
+
+class HtmlView;
 
 class ReportPanel : public QWidget {
     Q_OBJECT
@@ -20,7 +21,10 @@ class ReportPanel : public QWidget {
 public:
     explicit ReportPanel(QWidget* parent = nullptr);
 
-    void setResult(std::shared_ptr<const JobResult> result, LengthUnit unit); // null: none yet
+    // `result`: null: none yet. `warnings`: those of jobWarnings(); empty for a draft.
+    void setResult(std::shared_ptr<const JobResult> result, std::vector<JobWarning> warnings,
+                   LengthUnit unit);
+    void showWarning(std::size_t number); // scrolls to a warning and selects it
     // Sets one sentence for each zone on how far handling may move the colours. Empty: not
     // computed.
     void setTolerances(const QStringList& sentences);
@@ -36,9 +40,10 @@ private:
 
     std::shared_ptr<const JobResult> result_;
     LengthUnit unit_ = LengthUnit::Millimetre;
+    std::vector<JobWarning> warnings_;
     QStringList tolerances_;
     std::vector<Eigen::Vector3f> places_; // the places that have links
-    QTextBrowser* text_;
+    HtmlView* text_;
     QLabel* hint_; // shown instead of the text before the first run
 };
 
