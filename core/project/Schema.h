@@ -19,6 +19,7 @@ const std::vector<Field<Immersion>>& immersionFields();
 const std::vector<Field<ShareMark>>& shareMarkFields();
 const std::vector<Field<ZoneMark>>& zoneMarkFields();
 const std::vector<Field<BuiltPart>>& builtPartFields();
+const std::vector<Field<TankTime>>& tankTimeFields();
 const std::vector<Field<BuiltPlace>>& builtPlaceFields();
 const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields();
 const std::vector<Field<ClickedPair>>& clickedPairFields();
