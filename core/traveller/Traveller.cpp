@@ -379,6 +379,10 @@ std::vector<TankTask> tankTasks(const Traveller& traveller) {
     std::vector<TankTask> tasks;
     for (std::size_t number = 0; number < traveller.dips.size(); ++number) {
         for (TankTask& task : stepsOf(traveller, number)) {
+            if (task.step == TankStep::Compare) { // the picture is on the page only
+                task.text = Text::tr("Compare the part with the picture on the traveller: the "
+                                     "colours are in place, and nothing is torn or folded.");
+            }
             tasks.push_back(std::move(task));
         }
     }

@@ -189,8 +189,7 @@ void TankPage::keepProgress() {
 void TankPage::tick() {
     const std::optional<Seconds> left = work_.left();
     time_->setText(left ? clockText(*left) : work_.task() ? clockText(work_.spent()) : QString());
-    const bool isOver = left && *left < Seconds(0);
-    time_->setForegroundRole(isOver ? QPalette::Highlight : QPalette::WindowText);
+    showColour(left);
     const double planned = left ? work_.task()->time->value() : 0;
     bar_->setValue(planned > 0 ? int(1000 * std::clamp(work_.spent().value() / planned, 0.0, 1.0))
                                : 0);
@@ -200,6 +199,18 @@ void TankPage::tick() {
         QApplication::beep();
     }
     beeped_ = seconds;
+}
+
+// The time is red if the step is overdue, and grey if it counts up because no time is planned.
+void TankPage::showColour(const std::optional<Seconds>& left) {
+    const bool isDark = palette().color(QPalette::Window).lightness() < 128;
+    const QColor overdue = isDark ? QColor(255, 120, 100) : QColor(180, 20, 20);
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, !left ? palette().color(QPalette::PlaceholderText)
+                                           : *left < Seconds(0)
+                                               ? overdue
+                                               : palette().color(QPalette::WindowText));
+    time_->setPalette(colours);
 }
 
 void TankPage::showStep() {
@@ -228,7 +239,7 @@ void TankPage::showStep() {
     pause_->setText(work_.isPaused() ? tr("Continue (P)") : tr("Pause (P)"));
     pause_->setEnabled(task);
     back_->setEnabled(task && work_.taskNumber() > 0);
-    bar_->setVisible(task);
+    bar_->setVisible(task != nullptr && task->time.has_value());
     tick();
     setLetters();
 }

@@ -44,6 +44,7 @@ private:
     void pause();
     void tick();
     void showStep();
+    void showColour(const std::optional<Seconds>& left);
     void setLetters();
     void keepProgress();
 

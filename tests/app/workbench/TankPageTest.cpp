@@ -175,7 +175,11 @@ private slots:
     }
 
     void tankPage_everySize_lettersFit() {
-        Desk desk({twoDips("a")});
+        TankJob job = twoDips("a");
+        job.tasks.front().title = QStringLiteral("Aktivator sprühen und warten");
+        job.tasks.front().text =
+            QStringLiteral("0 s: (10; 20; 30) mm, (0°; 0°; 15°) · ").repeated(16);
+        Desk desk({job});
         for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(2560, 1440)}) {
             desk.page->resize(size);
             QCoreApplication::processEvents();
