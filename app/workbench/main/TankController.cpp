@@ -26,6 +26,9 @@ void TankController::open(std::vector<TankJob> jobs, Document* shown) {
     page_ = new TankPage(std::move(jobs));
     page_->setAttribute(Qt::WA_DeleteOnClose);
     connect(page_, &TankPage::runFinished, this, &TankController::keep);
+    if (shown && !shown->isFresh()) {
+        page_->say(tr("The project has changed since these sheets were made."));
+    }
     page_->showFullScreen();
     page_->activateWindow();
 }
