@@ -284,6 +284,7 @@ std::vector<PropertySection> filmSections() {
             {Text::tr("Sides"),
              {material("edges.left"), material("edges.right"), material("edges.top"),
               material("edges.bottom")}},
+            filmCosts(),
             {Text::tr("Advanced: material laws that are not measured"),
              {material("overhang_deg"), material("grip_fade_deg"), material("tear_stretch"),
               material("gathering_stretch")}}};
