@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 
 #include "base/Error.h"
+#include "disk/SmallFile.h"
 #include "import/trusted/ReadPictures.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"
@@ -16,6 +17,7 @@ const QString setOption = QStringLiteral("set");
 const QString threadsOption = QStringLiteral("threads");
 const QString filmImageOption = QStringLiteral("film-image");
 constexpr int mostThreads = 1024;
+constexpr qint64 mostValueBytes = 32 << 20; // of a value in a file
 
 struct Setting {
     QString path, value;
@@ -31,7 +33,11 @@ Setting parsedSetting(const QString& text) {
             QStringLiteral("Write a setting as PATH=VALUE, for example film.points=240x360"),
             QStringLiteral("--set %1").arg(text));
     }
-    return {text.left(equals).trimmed(), text.mid(equals + 1).trimmed()};
+    const QString value = text.mid(equals + 1).trimmed();
+    return {text.left(equals).trimmed(),
+            value.startsWith(QLatin1Char('@'))
+                ? QString::fromUtf8(readSmallFile(value.mid(1), mostValueBytes))
+                : value};
 }
 
 [[noreturn]] void throwMissing(const QString& argument) {
@@ -140,7 +146,7 @@ void applySettings(Project& project, const QCommandLineParser& parser) {
                           [](const Setting& setting) { return setting.isFilmSize(); });
     for (const Setting& setting : settings) {
         setByOption(project, setting.path, setting.value,
-                    QStringLiteral("--set %1=%2").arg(setting.path, setting.value));
+                    QStringLiteral("--set %1=%2").arg(setting.path, setting.value.left(200)));
     }
 }
 

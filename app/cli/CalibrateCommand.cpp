@@ -116,10 +116,8 @@ void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const
                     QTextStream& out) {
     WatchPage page;
     page.kind = boardKind(kind);
-    const QString paper = parser.isSet(paperOption)      ? parser.value(paperOption)
-                          : page.kind == BoardKind::Film ? QStringLiteral("A4")
-                                                         : QStringLiteral("A5");
-    page.paper = paperSize(paper);
+    page.paper =
+        parser.isSet(paperOption) ? paperSize(parser.value(paperOption)) : usualPaper(page.kind);
     page.lot = parser.value(lotOption);
     page.date = parser.value(dateOption);
     takeScale(page, parser);
@@ -187,9 +185,10 @@ WedgeRow inkRow(FilmInk ink, const PrinterColour& colour) {
     return row;
 }
 
-// Adds a row of patches for each ink. With a CMYK ICC profile, these are the printer's four inks.
-// Otherwise they are cyan, magenta and yellow, as RGB colours.
-void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& path) {
+// Adds a row of patches for each ink, and returns these rows. With a CMYK ICC profile, these are
+// the printer's four inks. Otherwise they are cyan, magenta and yellow, as RGB colours.
+std::vector<WedgeInk> addRows(WedgePage& page, const QCommandLineParser& parser,
+                              const QString& path) {
     std::optional<PrinterProfile> printer;
     if (parser.isSet(profileOption)) {
         printer = std::get<PrinterProfile>(
@@ -202,11 +201,16 @@ void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& p
                                         "which PNG cannot hold; choose a file that ends in .pdf"),
                          path);
     }
-    for (const FilmInk ink : {FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow}) {
+    std::vector<FilmInk> order{FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow};
+    if (inks) {
+        order.push_back(FilmInk::Black);
+    }
+    std::vector<WedgeInk> patches;
+    for (const FilmInk ink : order) {
         page.rows.push_back(inks ? inkRow(ink, *colour) : rgbRow(ink));
+        patches.push_back({ink, page.rows.back().patches.size()});
     }
     if (inks) {
-        page.rows.push_back(inkRow(FilmInk::Black, *colour));
         page.inks = colour->iccProfile();
         page.inksName = colour->description();
         qsizetype most = 0;
@@ -215,6 +219,7 @@ void addRows(WedgePage& page, const QCommandLineParser& parser, const QString& p
         }
         page.tones = page.tones.first(most);
     }
+    return patches;
 }
 
 // Writes the step wedge, and next to it the table for its readings.
@@ -227,15 +232,16 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
     for (const double tone : wedgeTones) {
         page.tones.append(QString::number(tone));
     }
-    addRows(page, parser, path);
+    const std::vector<WedgeInk> patches = addRows(page, parser, path);
     writeAtomically(path, [&](QIODevice& device) {
         path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)
             ? writeWedgePng(page, DotsPerInch(600), device)
             : writeWedgePdf(page, device);
     });
     const QString table = path.left(path.lastIndexOf(u'.')) + QStringLiteral(".csv");
+    constexpr int stretches = 4;
     writeAtomically(table,
-                    [&](QIODevice& device) { device.write(blankWedge(4, !page.inks.isEmpty())); });
+                    [&](QIODevice& device) { device.write(blankWedge(patches, stretches)); });
     out << QStringLiteral("Wrote %1 and the table for its readings, %2. Both rulers are %3 mm long "
                           "before the film is stretched\n")
                .arg(path, table)

@@ -2,6 +2,7 @@
 #include "dip/BodyPath.h"
 #include "geometry/FieldGrid.h"
 #include "geometry/TriangleMesh.h"
+#include "marks/SurfaceMask.h"
 #include "model/TextureNotes.h"
 #include "model/TexturedMesh.h"
 #include "project/Project.h"
@@ -109,6 +110,9 @@ void printProject(const Project& project, QTextStream& out) {
     for (const Immersion& immersion : project.immersions) {
         printImmersion(immersion, out);
     }
+    if (const auto mask = surfaceMask(project.model, project.masks)) {
+        out << maskText(maskedAreas(*mask)) << '\n';
+    }
     out << QStringLiteral("Sheet: %1 dpi on %2\n")
                .arg(plain(project.sheet.resolution.value()), project.sheet.paper);
 }
@@ -131,6 +135,11 @@ public:
         }
         QJsonObject json = toJson(project);
         json.insert(QStringLiteral("model_info"), modelJson(*project.model));
+        if (const auto mask = surfaceMask(project.model, project.masks)) {
+            const MaskedAreas masked = maskedAreas(*mask);
+            json.insert(QStringLiteral("mask_info"),
+                        QJsonObject{{"areas", qint64(masked.count)}, {"area_mm2", masked.area}});
+        }
         console.out() << QJsonDocument(json).toJson();
     }
 };

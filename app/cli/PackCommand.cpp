@@ -140,16 +140,20 @@ private:
             printAndReport(*system, plans, progress, out);
             return;
         }
-        if (sheets.size() > 1) {
-            throw Error(QStringLiteral("The pieces need %1 films; write them with --out DIR")
-                            .arg(sheets.size()),
-                        target.file);
-        }
         PrintFileRequest file;
         file.profile = request.profile;
         file.source = request.source;
-        printWarnings(writePrintFile(sheets.front(), file, target.file, PrintHistory()), out);
-        out << QStringLiteral("Wrote %1\n").arg(target.file);
+        for (std::size_t number = 0; number < sheets.size(); ++number) {
+            const QString path =
+                sheets.size() == 1 ? target.file : numbered(target.file, number + 1);
+            printWarnings(writePrintFile(sheets[number], file, path, PrintHistory()), out);
+            out << QStringLiteral("Wrote %1\n").arg(path);
+        }
+    }
+    // Returns "films-2.pdf" for "films.pdf".
+    static QString numbered(const QString& path, std::size_t number) {
+        const qsizetype dot = path.lastIndexOf(u'.');
+        return QStringLiteral("%1-%2%3").arg(path.left(dot)).arg(number).arg(path.mid(dot));
     }
 };
 

@@ -39,35 +39,6 @@ PrintRequest requestOf(const QCommandLineParser& parser, const PrintTarget& targ
     return request;
 }
 
-// Checks the printer and the paper with a blank sheet, so that errors appear before the
-// computation.
-void checkPrinterFirst(PrintSystem& system, const Project& project, const PrintRequest& request) {
-    Sheet blank;
-    blank.filmWidth = project.film.width;
-    blank.filmHeight = project.film.height;
-    blank.settings = project.sheet;
-    blank.settings.resolution = DotsPerInch(30);
-    blank.image = QImage(sheetPixels(blank.filmWidth, blank.filmHeight, blank.settings.resolution),
-                         QImage::Format_RGBA8888);
-    blank.image.fill(Qt::transparent);
-    planPrint(system, blank, request);
-}
-
-void printSheets(PrintSystem& system, const JobResult& result, const PrintRequest& request,
-                 const Progress& progress, QTextStream& out) {
-    std::vector<Sheet> sheets;
-    for (const ImmersionResult& immersion : result.immersions) {
-        sheets.push_back(immersion.sheet);
-    }
-    const std::vector<PrintPlan> plans = planPrints(system, sheets, request);
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-        for (const QString& warning : plans[i].warnings) {
-            out << QStringLiteral("%1: %2\n").arg(sheets[i].job.immersion, warning);
-        }
-    }
-    printAndReport(system, plans, progress, out);
-}
-
 // Returns the size of a paper. Its name is one of those that projects use, or WIDTHxHEIGHT in mm.
 QSizeF tilePaperSize(const QString& name) {
     static const QRegularExpression sizes(
@@ -98,6 +69,52 @@ PrintFileRequest fileRequest(const PrintRequest& request) {
         file.tilePaper = tilePaperSize(request.tilePaper);
     }
     return file;
+}
+
+// Returns the project's sheet without its image.
+Sheet blankSheet(const Project& project) {
+    Sheet blank;
+    blank.filmWidth = project.film.width;
+    blank.filmHeight = project.film.height;
+    blank.settings = project.sheet;
+    return blank;
+}
+
+// Checks the file's options before the computation. A TIFF has the pixels of the whole page.
+void checkFileFirst(const QString& path, const Project& project, const PrintRequest& request) {
+    fileRequest(request);
+    const Sheet blank = blankSheet(project);
+    const QSizeF page = pageSize(blank);
+    if (isTiff(path)) {
+        sheetPixels(Millimetres(page.width()), Millimetres(page.height()),
+                    blank.settings.resolution);
+    }
+}
+
+// Checks the printer and the paper with a blank sheet, so that errors appear before the
+// computation.
+void checkPrinterFirst(PrintSystem& system, const Project& project, const PrintRequest& request) {
+    Sheet blank = blankSheet(project);
+    blank.settings.resolution = DotsPerInch(30);
+    blank.image = QImage(sheetPixels(blank.filmWidth, blank.filmHeight, blank.settings.resolution),
+                         QImage::Format_RGBA8888);
+    blank.image.fill(Qt::transparent);
+    planPrint(system, blank, request);
+}
+
+void printSheets(PrintSystem& system, const JobResult& result, const PrintRequest& request,
+                 const Progress& progress, QTextStream& out) {
+    std::vector<Sheet> sheets;
+    for (const ImmersionResult& immersion : result.immersions) {
+        sheets.push_back(immersion.sheet);
+    }
+    const std::vector<PrintPlan> plans = planPrints(system, sheets, request);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        for (const QString& warning : plans[i].warnings) {
+            out << QStringLiteral("%1: %2\n").arg(sheets[i].job.immersion, warning);
+        }
+    }
+    printAndReport(system, plans, progress, out);
 }
 
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
@@ -215,7 +232,7 @@ public:
         const PrintTarget target = printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
         if (!target.file.isEmpty()) {
-            fileRequest(request); // fails before the computation
+            checkFileFirst(target.file, project, request);
         }
         const QString proof = proofFile(parser, project, target, request);
         std::unique_ptr<PrintSystem> system;

@@ -35,9 +35,23 @@ QString mediaWords(const PrinterMedia& media) {
 
 } // namespace
 
-void declarePrinter(CommandSyntax& syntax) {
+void declarePrinterOnly(CommandSyntax& syntax) {
     syntax.addOption({printerOption, QStringLiteral("The printer's name in the system."),
                       QStringLiteral("NAME")});
+    syntax.addOption({profileOption,
+                      QStringLiteral("The printer profile, instead of the project's own."),
+                      QStringLiteral("NAME")});
+    syntax.addOption(
+        {otherPaperOption,
+         QStringLiteral("Prints even if the printer does not report the paper as loaded.")});
+}
+
+QString printerName(const QCommandLineParser& parser) {
+    return parser.value(printerOption);
+}
+
+void declarePrinter(CommandSyntax& syntax) {
+    declarePrinterOnly(syntax);
     syntax.addOption(
         {printersOption, QStringLiteral("Lists the printers with their state and papers.")});
     syntax.addOption(
@@ -45,12 +59,6 @@ void declarePrinter(CommandSyntax& syntax) {
          QStringLiteral(
              "Writes a PDF or TIFF file in the printer's scale and colours instead of printing."),
          QStringLiteral("FILE")});
-    syntax.addOption({profileOption,
-                      QStringLiteral("The printer profile, instead of the project's own."),
-                      QStringLiteral("NAME")});
-    syntax.addOption(
-        {otherPaperOption,
-         QStringLiteral("Prints even if the printer does not report the paper as loaded.")});
 }
 
 bool acceptsOtherPaper(const QCommandLineParser& parser) {
@@ -80,11 +88,18 @@ void listPrinters(QTextStream& out) {
         for (const PrinterMedia& media : printer->media) {
             out << QStringLiteral("  %1: %2\n").arg(media.name, mediaWords(media));
         }
+        if (const auto& custom = printer->customMedia) {
+            out << QStringLiteral("  custom: any size from %1 × %2 mm to %3 × %4 mm\n")
+                       .arg(custom->least.width())
+                       .arg(custom->least.height())
+                       .arg(custom->most.width())
+                       .arg(custom->most.height());
+        }
     }
 }
 
 PrintTarget printTarget(const QCommandLineParser& parser) {
-    PrintTarget target{parser.value(printerOption), parser.value(toOption)};
+    PrintTarget target{printerName(parser), parser.value(toOption)};
     if (target.printer.isEmpty() == target.file.isEmpty()) {
         throw UsageError(QStringLiteral("Name the printer with --printer NAME (--printers lists "
                                         "them), or a file with --to FILE"),

@@ -9,7 +9,10 @@
 
 namespace dipwright::cli {
 
-// Declares and reads --printer, --printers, --to, --profile and --accept-other-paper.
+// Declares and reads --printer, --profile and --accept-other-paper.
+void declarePrinterOnly(CommandSyntax& syntax);
+QString printerName(const QCommandLineParser& parser); // empty without --printer
+// Declares and reads these options, --printers and --to.
 void declarePrinter(CommandSyntax& syntax);
 bool listsPrinters(const QCommandLineParser& parser);
 bool acceptsOtherPaper(const QCommandLineParser& parser);

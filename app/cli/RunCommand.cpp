@@ -5,6 +5,7 @@
 #include "base/Error.h"
 #include "cost/CostText.h"
 #include "dip/FilmUnderBody.h"
+#include "marks/SurfaceMask.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCost.h"
 #include "pipeline/JobVerdict.h"
@@ -32,7 +33,6 @@ const QString motionOption = QStringLiteral("motion-template");
 const QString languageOption = QStringLiteral("language");
 const QString lawsOption = QStringLiteral("laws");
 const QString tolerancesOption = QStringLiteral("tolerances");
-const QString requireOption = QStringLiteral("require");
 const QString untilOption = QStringLiteral("until");
 const QString workOption = QStringLiteral("work");
 
@@ -193,6 +193,9 @@ void printSummary(const JobResult& result, QTextStream& out) {
                    .arg(number(100 * filmUsed(result), 0), smaller->format,
                         number(smaller->width.value(), 0), number(smaller->height.value(), 0));
     }
+    if (result.mask) {
+        out << maskText(maskedAreas(*result.mask)) << '\n';
+    }
     out << QStringLiteral("Coverage by all dips: %1 %\n")
                .arg(number(100 * result.coverageTotal, 1));
     if (const auto costs = jobCosts(result, result.project); tellsCost(costs)) {
@@ -213,22 +216,6 @@ void setLanguage(const QString& code) {
     }
     QLocale::setDefault(QLocale(code));
     QCoreApplication::installTranslator(words);
-}
-
-// Returns the worst verdict that the user accepts; empty if any verdict is accepted.
-std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
-    if (!parser.isSet(requireOption)) {
-        return std::nullopt;
-    }
-    const QString word = parser.value(requireOption);
-    if (word == QLatin1String("print")) {
-        return Advice::Print;
-    }
-    if (word == QLatin1String("check")) {
-        return Advice::CheckFirst;
-    }
-    throw UsageError(QStringLiteral("“%1” is not a verdict; require print or check").arg(word),
-                     QStringLiteral("--require"));
 }
 
 // Applies --until and --work to the project's film.
@@ -257,20 +244,9 @@ void applyRefinement(Project& project, const QCommandLineParser& parser) {
     }
 }
 
-// Returns the verdict to compare with the requirement. A job whose numerical error was not judged
-// meets no requirement.
-Advice verdictToCompare(const JobResult& result) {
-    const bool isJudged = std::ranges::none_of(reasonsOf(result), [](const JobReason& reason) {
-        return reason.reason.kind == VerdictReason::Kind::NotAsked;
-    });
-    return isJudged ? adviceOf(result) : Advice::NotJudged;
-}
-
 void require(std::optional<Advice> required, const std::vector<Advice>& verdicts,
              const QString& folder) {
-    const auto fails = [&](Advice verdict) {
-        return required && (verdict == Advice::NotJudged || verdict > *required);
-    };
+    const auto fails = [&](Advice verdict) { return required && isWorse(verdict, *required); };
     const auto failed = std::count_if(verdicts.begin(), verdicts.end(), fails);
     if (failed > 0) {
         throw VerdictError(
@@ -320,11 +296,11 @@ public:
             {cradleOption,
              QStringLiteral(
                  "Also makes a cradle for each dip, to print in plastic: STL and 3MF.")});
-        syntax.addOption(
-            {requireOption,
-             QStringLiteral("Fails with exit code 3, after all results are written, if the verdict "
-                            "is worse than this: print, or check (check first)."),
-             QStringLiteral("print|check")});
+        declareRequired(syntax,
+                        QStringLiteral("Fails with exit code 3, after all results are written, if "
+                                       "the verdict is worse than this: print, check (check "
+                                       "first) or any (the default)."),
+                        QStringLiteral("any"));
         syntax.addOption(
             {untilOption,
              QStringLiteral("Repeats the dips with smaller film cells until the numerical error is "

@@ -2,7 +2,45 @@
 
 #include "pipeline/JobVerdict.h"
 
+#include <algorithm>
+
 namespace dipwright::cli {
+
+namespace {
+
+const QString requireOption = QStringLiteral("require");
+
+} // namespace
+
+void declareRequired(CommandSyntax& syntax, const QString& description, const QString& byDefault) {
+    syntax.addOption({requireOption, description, QStringLiteral("print|check|any"), byDefault});
+}
+
+std::optional<Advice> requiredAdvice(const QCommandLineParser& parser) {
+    const QString word = parser.value(requireOption);
+    if (word == QLatin1String("any")) {
+        return std::nullopt;
+    }
+    if (word == QLatin1String("print")) {
+        return Advice::Print;
+    }
+    if (word == QLatin1String("check")) {
+        return Advice::CheckFirst;
+    }
+    throw UsageError(QStringLiteral("“%1” is not a verdict; require print, check or any").arg(word),
+                     QStringLiteral("--require"));
+}
+
+Advice verdictToCompare(const JobResult& result) {
+    const bool isJudged = std::ranges::none_of(reasonsOf(result), [](const JobReason& reason) {
+        return reason.reason.kind == VerdictReason::Kind::NotAsked;
+    });
+    return isJudged ? adviceOf(result) : Advice::NotJudged;
+}
+
+bool isWorse(Advice verdict, Advice required) {
+    return verdict == Advice::NotJudged || verdict > required;
+}
 
 void printVerdict(const JobResult& result, QTextStream& out) {
     out << adviceText(adviceOf(result)).toUpper() << '\n';

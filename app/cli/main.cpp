@@ -155,6 +155,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
     commands.push_back(newCommand());
     commands.push_back(cli::runCommand());
     commands.push_back(printCommand());
+    commands.push_back(watchCommand());
     commands.push_back(artworkCommand());
     commands.push_back(packCommand());
     commands.push_back(costCommand());

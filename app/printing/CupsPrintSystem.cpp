@@ -2,6 +2,8 @@
 #include "printing/PrintSystem.h"
 
 #include "base/Error.h"
+#include "base/Units.h"
+#include "printing/PrintReach.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -125,9 +127,45 @@ void addMedia(std::vector<PrinterMedia>& media, cups_dest_t* dest, cups_dinfo_t*
     for (int index = 0; index < count; ++index) {
         cups_size_t size{};
         if (cupsGetDestMediaByIndex(CUPS_HTTP_DEFAULT, dest, info, index, flags, &size)) {
-            media.push_back(mediaOf(size));
+            const PrinterMedia one = mediaOf(size);
+            if (std::find(media.begin(), media.end(), one) == media.end()) {
+                media.push_back(one);
+            }
         }
     }
+}
+
+// Returns the size in a name such as "custom_max_610x3000mm" or "custom_min_4x2in" (PWG 5101.1).
+std::optional<QSizeF> customSize(const QString& name, const char* end) {
+    static const QRegularExpression pattern(
+        QStringLiteral("^custom_(min|max)_([0-9.]+)x([0-9.]+)(mm|in)$"));
+    const QRegularExpressionMatch match = pattern.match(name);
+    if (!match.hasMatch() || match.captured(1) != QLatin1String(end)) {
+        return std::nullopt;
+    }
+    const double unit = match.captured(4) == QLatin1String("in") ? millimetresPerInch : 1;
+    return QSizeF(match.captured(2).toDouble(), match.captured(3).toDouble()) * unit;
+}
+
+// The margins of custom sizes are not reported separately. The result has the widest margins of the
+// printer's papers.
+std::optional<CustomMedia> customMediaOf(const PrinterInfo& printer, cups_dest_t* dest,
+                                         cups_dinfo_t* info) {
+    std::optional<QSizeF> least, most;
+    ipp_attribute_t* names = cupsFindDestSupported(CUPS_HTTP_DEFAULT, dest, info, CUPS_MEDIA);
+    for (int i = 0; i < (names ? ippGetCount(names) : 0); ++i) {
+        const QString name = QString::fromUtf8(ippGetString(names, i, nullptr));
+        least = least ? least : customSize(name, "min");
+        most = most ? most : customSize(name, "max");
+    }
+    if (!least || !most) {
+        return std::nullopt;
+    }
+    CustomMedia custom{*least, *most, {}};
+    for (const PrinterMedia& media : printer.media) {
+        custom.margins = larger(custom.margins, media.margins);
+    }
+    return custom;
 }
 
 constexpr int connectionTimeout = 3000; // milliseconds, longest wait for a connection
@@ -359,6 +397,7 @@ public:
         info.printsColour = printsColour(dest, details.get());
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_BORDERLESS);
         addMedia(info.media, dest.get(), details.get(), CUPS_MEDIA_FLAGS_DEFAULT);
+        info.customMedia = customMediaOf(info, dest.get(), details.get());
         const QString uri = option(dest, "device-uri");
         info.reportsPrinted = speaksIpp(uri);
         const DeviceReport word = info.reportsPrinted ? wordOfDevice(dest.get()) : DeviceReport{};

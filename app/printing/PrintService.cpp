@@ -105,15 +105,18 @@ const PrinterMedia* mediaOfSize(const std::vector<PrinterMedia>& media, QSizeF s
     return best;
 }
 
-QString sizeNames(const std::vector<PrinterMedia>& media) {
+QString sizeNames(const PrinterInfo& printer) {
     QStringList names;
-    for (const PrinterMedia& one : media) {
+    for (const PrinterMedia& one : printer.media) {
         names << plain(one.size);
     }
     names.removeDuplicates();
     constexpr int most = 8;
     if (names.size() > most) {
         names = names.mid(0, most) << QStringLiteral("…");
+    }
+    if (const auto& custom = printer.customMedia) {
+        names << Text::tr("any size from %1 to %2").arg(plain(custom->least), plain(custom->most));
     }
     return names.join(QStringLiteral(", "));
 }
@@ -123,16 +126,28 @@ struct PaperChoice {
     bool turned = false; // the page is rotated on the paper
 };
 
-bool hasPaperFor(const PrinterInfo& printer, QSizeF page) {
-    return mediaOfSize(printer.media, page) || mediaOfSize(printer.media, page.transposed());
-}
-
-PaperChoice paperFor(const PrinterInfo& printer, QSizeF page) {
+// Returns a paper of the page's size, or else a custom size. A custom size counts as loaded,
+// because printers report only the width of their roll.
+std::optional<PaperChoice> findPaper(const PrinterInfo& printer, QSizeF page) {
     for (const bool turned : {false, true}) {
         if (const PrinterMedia* media =
                 mediaOfSize(printer.media, turned ? page.transposed() : page)) {
-            return {*media, turned};
+            return PaperChoice{*media, turned};
         }
+    }
+    for (const bool turned : {false, true}) {
+        const QSizeF size = turned ? page.transposed() : page;
+        if (printer.customMedia && printer.customMedia->holds(size)) {
+            return PaperChoice{{QStringLiteral("custom"), size, printer.customMedia->margins},
+                               turned};
+        }
+    }
+    return std::nullopt;
+}
+
+PaperChoice paperFor(const PrinterInfo& printer, QSizeF page) {
+    if (const std::optional<PaperChoice> found = findPaper(printer, page)) {
+        return *found;
     }
     const bool someHolds =
         std::any_of(printer.media.begin(), printer.media.end(), [&](const PrinterMedia& media) {
@@ -142,10 +157,10 @@ PaperChoice paperFor(const PrinterInfo& printer, QSizeF page) {
         someHolds
             ? Text::tr(
                   "The printer has no paper of %1; set the paper of the sheet to one of these: %2")
-                  .arg(plain(page), sizeNames(printer.media))
+                  .arg(plain(page), sizeNames(printer))
             : Text::tr("The sheet of %1 is larger than every paper of the printer (%2); make it "
                        "smaller or print it in tiles")
-                  .arg(plain(page), sizeNames(printer.media)),
+                  .arg(plain(page), sizeNames(printer)),
         printer.name);
 }
 
@@ -223,13 +238,14 @@ void addressTask(PrintPlan& plan) {
 void fillTiled(PrintTask& task, const Sheet& sheet, const QMarginsF& lost,
                const PrintCorrection& correction) {
     const TileSettings settings = tileSettings(task.media.size, lost);
-    task.pages = int(sheetTiles(sheet, settings).size());
+    const std::vector<SheetTile> tiles = sheetTiles(sheet, settings);
+    task.pages = int(tiles.size());
     task.pdf =
         bytesOf([&](QIODevice& device) { writeTiledPdf(sheet, settings, device, correction); });
     const PrintCorrection scales{correction.scaleX, correction.scaleY};
-    task.paint = [sheet, settings, scales](QPainter& painter, int page) {
+    task.paint = [sheet, settings, scales, tiles](QPainter& painter, int page) {
         correctScale(painter, settings.paper, scales);
-        paintTile(painter, sheet, settings, page);
+        paintTile(painter, sheet, settings, tiles.at(std::size_t(page)));
     };
 }
 
@@ -414,7 +430,7 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& unnumbered, const PrintReq
     plan.printer = readyPrinter(system, request.printer);
     checkColour(plan.printer, original, request, plan.warnings);
     const bool tiled = request.tile && (!request.tilePaper.isEmpty() ||
-                                        !hasPaperFor(plan.printer, pageSize(original)));
+                                        !findPaper(plan.printer, pageSize(original)));
     const PaperChoice paper = tiled ? PaperChoice{tilePaper(plan.printer, request.tilePaper), false}
                                     : paperFor(plan.printer, pageSize(original));
     checkLoaded(plan.printer, paper.media, request, plan.warnings);

@@ -20,6 +20,18 @@ struct PrinterMedia {
     QSizeF size;       // width and height in feed direction, mm
     QMarginsF margins; // unprintable margins, mm
     bool ready = true; // the printer reports this paper as loaded
+    bool operator==(const PrinterMedia&) const = default;
+};
+
+// Sizes that a printer accepts besides its papers, as roll printers do.
+struct CustomMedia {
+    QSizeF least, most; // mm, in feed direction
+    QMarginsF margins;  // unprintable margins, mm
+
+    bool holds(QSizeF size) const {
+        return size.width() >= least.width() && size.height() >= least.height() &&
+               size.width() <= most.width() && size.height() <= most.height();
+    }
 };
 
 enum class PrinterState { Idle, Printing, Stopped };
@@ -43,6 +55,7 @@ struct PrinterInfo {
     // that the job was sent.
     bool reportsPrinted = true;
     std::vector<PrinterMedia> media;
+    std::optional<CustomMedia> customMedia; // none if the printer has only fixed sizes
 };
 
 // One job: pages of one size, both as a PDF and as a paint function. The system uses one of the

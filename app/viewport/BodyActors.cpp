@@ -21,21 +21,19 @@ namespace {
 // The colour of the cut faces, visible on light and dark backgrounds.
 const QColor sectionColour(0x9a, 0xa4, 0xae);
 
-vtkSmartPointer<vtkPolyData> weldedSurface(const TriangleMesh& mesh) {
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    points->SetNumberOfPoints(vtkIdType(mesh.positions.size()));
-    for (std::size_t p = 0; p < mesh.positions.size(); ++p) {
-        points->SetPoint(vtkIdType(p), mesh.positions[p].x(), mesh.positions[p].y(),
-                         mesh.positions[p].z());
-    }
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    for (const auto& [a, b, c] : mesh.triangles) {
-        cells->InsertNextCell({vtkIdType(a), vtkIdType(b), vtkIdType(c)});
-    }
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    return data;
+// Draws a patch just over the body, and each layer over the ones before it.
+vtkSmartPointer<vtkActor> patchActor(vtkPolyData& data, std::size_t layer) {
+    constexpr double perLayer = -4; // depth units
+    const double units = perLayer * double(layer + 1);
+    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    mapper->SetInputData(&data);
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(units / 2, units);
+    auto actor = vtkSmartPointer<vtkActor>::New();
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetAmbient(0.35);
+    actor->GetProperty()->SetDiffuse(0.65);
+    return actor;
 }
 
 } // namespace
@@ -46,6 +44,10 @@ BodyActors::BodyActors(vtkRenderer* renderer)
     auto lines = vtkSmartPointer<vtkTrivialProducer>::New();
     lines->SetOutput(lineData_);
     showLines(*lines_, lines->GetOutputPort());
+    for (std::size_t layer = 0; layer < patchLayers; ++layer) {
+        patchData_[layer] = vtkSmartPointer<vtkPolyData>::New();
+        patches_[layer] = patchActor(*patchData_[layer], layer);
+    }
     setPixelRatio(1);
 }
 
@@ -54,8 +56,8 @@ void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
         renderer_->RemoveActor(part.actor);
     }
     parts_.clear();
-    const std::initializer_list<vtkActor*> lines{&waterline_.line(), &section_.line(),
-                                                 &section_.area(), lines_};
+    const std::initializer_list<vtkActor*> lines{
+        &waterline_.line(), &section_.line(), &section_.area(), lines_, patches_[0], patches_[1]};
     for (vtkActor* line : lines) {
         renderer_->RemoveActor(line);
     }
@@ -67,7 +69,7 @@ void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
     for (std::size_t material = 0; material < model_->materials.size(); ++material) {
         addPart(material, normals);
     }
-    surface_ = weldedSurface(model_->mesh);
+    surface_ = vtkSurface(model_->mesh);
     waterline_.setSurface(surface_);
     section_.setSurface(surface_);
     for (vtkActor* line : lines) {
@@ -180,6 +182,24 @@ void BodyActors::setLines(const std::vector<ViewLine>& lines) {
     lineData_->GetCellData()->SetScalars(colours);
 }
 
+void BodyActors::setPatch(PatchLayer layer, const ViewPatch& patch) {
+    const auto index = std::size_t(layer);
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    points->SetNumberOfPoints(3 * vtkIdType(patch.triangles.size()));
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    vtkIdType corner = 0;
+    for (const auto& triangle : patch.triangles) {
+        cells->InsertNextCell({corner, corner + 1, corner + 2});
+        for (const Eigen::Vector3f& place : triangle) {
+            points->SetPoint(corner++, place.x(), place.y(), place.z());
+        }
+    }
+    patchData_[index]->SetPoints(points);
+    patchData_[index]->SetPolys(cells);
+    patches_[index]->GetProperty()->SetColor(vtkColour(patch.colour).data());
+    patches_[index]->GetProperty()->SetOpacity(patch.colour.alphaF());
+}
+
 void BodyActors::setTransform(const Eigen::Isometry3d& modelToWorld) {
     modelToWorld_ = modelToWorld;
     const auto matrix = vtkMatrix(modelToWorld);
@@ -187,6 +207,9 @@ void BodyActors::setTransform(const Eigen::Isometry3d& modelToWorld) {
         part.actor->SetUserMatrix(matrix);
     }
     lines_->SetUserMatrix(matrix);
+    for (const auto& patch : patches_) {
+        patch->SetUserMatrix(matrix);
+    }
     waterline_.setTransform(modelToWorld);
     section_.setTransform(modelToWorld);
 }
@@ -198,6 +221,9 @@ void BodyActors::setVisible(bool visible) {
     }
     waterline_.line().SetVisibility(visible);
     lines_->SetVisibility(visible);
+    for (const auto& patch : patches_) {
+        patch->SetVisibility(visible);
+    }
     showSection();
 }
 
@@ -216,6 +242,9 @@ void BodyActors::showSection() {
     }
     cutOpen(waterline_.line(), kept_);
     cutOpen(*lines_, kept_);
+    for (const auto& patch : patches_) {
+        cutOpen(*patch, kept_);
+    }
     section_.line().SetVisibility(visible_ && kept_);
     section_.area().SetVisibility(visible_ && kept_);
 }

@@ -5,6 +5,7 @@
 #include "SectionPlane.h"
 #include "SurfaceCut.h"
 #include "ViewLine.h"
+#include "ViewPatch.h"
 #include "geometry/CornerNormals.h"
 #include "model/TexturedMesh.h"
 
@@ -27,6 +28,7 @@ public:
     // Sets one colour for each triangle. If `colours` is empty, shows the model's own appearance.
     void setTriangleColours(const std::vector<QRgb>& colours);
     void setLines(const std::vector<ViewLine>& lines);
+    void setPatch(PatchLayer layer, const ViewPatch& patch);
     void setVisible(bool visible);
     // `kept` is the section plane as a VTK object, or null.
     void setSection(const std::optional<SectionPlane>& section, vtkPlane* kept);
@@ -55,6 +57,8 @@ private:
     vtkSmartPointer<vtkPlane> kept_; // null: the body is not cut
     vtkSmartPointer<vtkPolyData> lineData_;
     vtkSmartPointer<vtkActor> lines_;
+    std::array<vtkSmartPointer<vtkPolyData>, patchLayers> patchData_;
+    std::array<vtkSmartPointer<vtkActor>, patchLayers> patches_;
     bool visible_ = true;
 };
 

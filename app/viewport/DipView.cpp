@@ -1,14 +1,17 @@
 #include "DipView.h"
 
+#include "SpaceMouse.h"
 #include "ViewScene.h"
 #include "base/PostToThread.h"
 
 #include <QContextMenuEvent>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QThread>
 #include <QTimer>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -53,11 +56,17 @@ struct DipView::State {
     // The place on the arrow's axis where the mouse was pressed.
     Eigen::Vector3f heldArrow = Eigen::Vector3f::Zero();
     double draggedWay = 0;
+    bool isTyped = false;        // the drag has a typed value and ignores the mouse
+    bool ignoresRelease = false; // of the button, because the drag has ended
+    QString dragText;
+    QPointF pointer; // the place of the mouse during a drag
+    std::vector<ViewPin> pins;
     std::optional<SectionPlane> section;
     // During a drag: the place on the section's frame where the mouse was pressed.
     std::optional<Eigen::Vector3f> heldSection;
     bool litSection = false;
-    int wheel = 0; // rotation of the wheel since the last notch
+    bool isMarked = false; // the linked cursor is shown
+    int wheel = 0;         // rotation of the wheel since the last notch
 
     bool isOnHandle() const { return litAxis >= 0 || litArrow >= 0; }
 };
@@ -83,6 +92,11 @@ DipView::DipView(QWidget* parent) : QWidget(parent), state_(std::make_unique<Sta
     s.drawer.moveToThread(&s.thread);
     s.thread.setObjectName(QStringLiteral("view"));
     s.thread.start();
+    connect(&SpaceMouse::shared(), &SpaceMouse::moved, this, [this](const PuckMotion& motion) {
+        if (isActiveWindow()) {
+            fly(motion);
+        }
+    });
     postToThread(s.drawer, [this, &s] {
         s.scene = std::make_unique<ViewScene>(
             s.window, [this] { postToThread(*this, [this] { requestPicture(); }); });
@@ -137,6 +151,12 @@ void DipView::setBodyColours(const std::vector<QRgb>& colours) {
 
 void DipView::setBodyLines(const std::vector<ViewLine>& lines) {
     change([lines](ViewScene& scene) { scene.body().setLines(lines); });
+}
+
+void DipView::setBodyPatch(PatchLayer layer, ViewPatch patch) {
+    change([layer, patch = std::move(patch)](ViewScene& scene) {
+        scene.body().setPatch(layer, patch);
+    });
 }
 
 void DipView::setBodyVisible(bool visible) {
@@ -210,11 +230,35 @@ void DipView::setMoveArrows(const std::array<bool, 3>& visible, const Eigen::Vec
 }
 
 void DipView::setMarker(const std::optional<Eigen::Vector3f>& position) {
+    if (!std::exchange(state_->isMarked, position.has_value()) && !position) {
+        return; // saves a picture
+    }
     change([position](ViewScene& scene) { scene.markers().setMarker(position); });
 }
 
-void DipView::setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label) {
-    change([points, label](ViewScene& scene) { scene.markers().setMeasure(points, label); });
+void DipView::setMeasure(const std::vector<Eigen::Vector3f>& places,
+                         const std::vector<std::vector<Eigen::Vector3f>>& lines,
+                         const QString& label) {
+    change([places, lines, label](ViewScene& scene) {
+        scene.markers().setMeasure(places, lines, label);
+    });
+}
+
+void DipView::setPins(std::vector<ViewPin> pins) {
+    state_->pins = std::move(pins);
+    update();
+}
+
+void DipView::setCradle(std::shared_ptr<const TriangleMesh> cradle) {
+    change([cradle = std::move(cradle)](ViewScene& scene) { scene.cradle().setMesh(cradle); });
+}
+
+void DipView::setCradleTransform(const Eigen::Isometry3d& cradleToWorld) {
+    change([cradleToWorld](ViewScene& scene) { scene.cradle().setTransform(cradleToWorld); });
+}
+
+void DipView::fly(const PuckMotion& motion) {
+    change([motion](ViewScene& scene) { scene.fly(motion); });
 }
 
 void DipView::setNavigation(Navigation navigation) {
@@ -234,11 +278,15 @@ void DipView::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outwar
 }
 
 void DipView::fit() {
-    change([](ViewScene& scene) { scene.fit(); });
+    change([](ViewScene& scene) { scene.fit(FittedPlaces::Film); });
 }
 
 void DipView::fitBody() {
-    change([](ViewScene& scene) { scene.fitBody(); });
+    change([](ViewScene& scene) { scene.fit(FittedPlaces::Body); });
+}
+
+void DipView::fitBodyToHandle() {
+    change([](ViewScene& scene) { scene.fit(FittedPlaces::Handles); });
 }
 
 void DipView::setCamera(const ViewCamera& camera) {
@@ -324,12 +372,92 @@ void DipView::paintEvent(QPaintEvent* event) {
         // Until the next picture is drawn, the size of this one may differ from that of the view.
         painter.drawImage(rect(), picture);
     }
-    if (isUsable() && !state_->legend.empty()) {
+    if (isUsable()) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        paintPins(painter);
         paintLegend(painter);
+        paintDragText(painter);
     }
 }
 
+int DipView::pinRadius() const {
+    return fontMetrics().height() / 2;
+}
+
+bool DipView::facesCamera(const ViewPin& pin) const {
+    const ViewProjection& shown = state_->shown.projection;
+    return shown.rayAt(shown.positionOf(pin.place)).direction.dot(pin.outward) < 0;
+}
+
+int DipView::pinAt(const QPointF& position) const {
+    for (int pin = int(state_->pins.size()) - 1; pin >= 0; --pin) { // the last is drawn on top
+        const ViewPin& candidate = state_->pins[std::size_t(pin)];
+        if (QLineF(position, positionOf(candidate.place)).length() <= pinRadius() + 1 &&
+            facesCamera(candidate)) {
+            return pin;
+        }
+    }
+    return -1;
+}
+
+// The pins that face away are drawn first, because others may cover them.
+void DipView::paintPins(QPainter& painter) const {
+    QFont bold = font();
+    bold.setBold(true);
+    painter.setFont(bold);
+    const double radius = pinRadius();
+    for (const bool facing : {false, true}) {
+        painter.setOpacity(facing ? 1 : 0.35);
+        for (const ViewPin& pin : state_->pins) {
+            if (facesCamera(pin) == facing) {
+                const QPointF middle = positionOf(pin.place);
+                painter.setPen(QPen(Qt::white, 1.5));
+                painter.setBrush(pin.colour);
+                painter.drawEllipse(middle, radius, radius);
+                painter.drawText(
+                    QRectF(middle - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius)),
+                    Qt::AlignCenter, QStringLiteral("!"));
+            }
+        }
+    }
+    painter.setOpacity(1);
+    painter.setFont(font());
+}
+
+void DipView::paintDragText(QPainter& painter) const {
+    const State& s = *state_;
+    if (!isHandleHeld() || s.dragText.isEmpty()) {
+        return;
+    }
+    const int gap = fontMetrics().height() / 3;
+    QRectF box = fontMetrics().boundingRect(s.dragText).adjusted(-2 * gap, -gap, 2 * gap, gap);
+    box.moveBottomLeft(s.pointer + QPointF(4 * gap, -2 * gap));
+    box.moveRight(std::min(box.right(), double(width() - gap)));
+    box.moveTop(std::max(box.top(), double(gap)));
+    QColor ground = s.background;
+    ground.setAlpha(225);
+    painter.setPen(s.ink);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(box, gap, gap);
+    painter.drawText(box, Qt::AlignCenter, s.dragText);
+}
+
+bool DipView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto& help = static_cast<QHelpEvent&>(*event);
+        const int pin = pinAt(help.pos());
+        if (pin >= 0) {
+            QToolTip::showText(help.globalPos(), state_->pins[std::size_t(pin)].text, this);
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
 void DipView::paintLegend(QPainter& painter) const {
+    if (state_->legend.empty()) {
+        return;
+    }
     const int line = fontMetrics().height(), gap = line / 2;
     int widest = 0;
     for (const ViewLegendEntry& entry : state_->legend) {
@@ -340,7 +468,6 @@ void DipView::paintLegend(QPainter& painter) const {
     box.moveBottomLeft(rect().bottomLeft() + QPoint(gap, -gap));
     QColor ground = state_->background;
     ground.setAlpha(225);
-    painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground);
     painter.drawRoundedRect(box, gap, gap);
@@ -378,9 +505,14 @@ void DipView::sendMouse(const ViewMouse& mouse) {
 
 void DipView::mousePressEvent(QMouseEvent* event) {
     State& s = *state_;
-    s.pressed = event->position();
+    s.pressed = s.pointer = event->position();
+    s.ignoresRelease = false;
     s.leftPressed = event->button() == Qt::LeftButton;
     if (s.leftPressed && holdHandle()) {
+        if (isHandleHeld()) {
+            emit handleHeld(s.draggedAxis >= 0);
+        }
+        emit hoverLeft(); // what lies under the cursor moves away from it
         return;
     }
     const ViewRay ray = rayAt(s.pressed);
@@ -396,6 +528,8 @@ void DipView::mousePressEvent(QMouseEvent* event) {
 // Starts dragging the handle under the mouse: an arrow, a ring or the section's frame.
 bool DipView::holdHandle() {
     State& s = *state_;
+    s.isTyped = false;
+    s.dragText.clear();
     const ViewProjection& shown = s.shown.projection;
     if (const auto arrow = s.arrows.axisAt(s.pressed, shown)) {
         s.draggedArrow = *arrow;
@@ -417,7 +551,12 @@ bool DipView::holdHandle() {
 }
 
 void DipView::mouseMoveEvent(QMouseEvent* event) {
-    const State& s = *state_;
+    State& s = *state_;
+    s.pointer = event->position();
+    if (isHandleHeld() && s.isTyped) {
+        update(); // the text follows the pointer
+        return;
+    }
     if (s.draggedAxis >= 0) {
         dragRing(*event);
         return;
@@ -437,6 +576,9 @@ void DipView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() == Qt::NoButton) {
         lightHandles(event->position());
         lightSection(event->position());
+        if (!s.isOnHandle() && !s.litSection) {
+            setCursor(pinAt(event->position()) >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
+        }
         emit hovered(rayAt(event->position()));
     }
     sendMouse({MouseAction::Move, Qt::NoButton, event->position(), event->modifiers()});
@@ -449,10 +591,46 @@ void DipView::dragRing(const QMouseEvent& event) {
     if (event.modifiers() & Qt::ShiftModifier) {
         turned = std::round(turned / ringStep) * ringStep;
     }
-    if (turned != s.draggedAngle) {
-        s.draggedAngle = turned;
-        emit rotationDragged(s.draggedAxis, turned);
+    dragTo(turned);
+}
+
+void DipView::dragTo(double value) {
+    State& s = *state_;
+    if (s.draggedAxis >= 0 && value != s.draggedAngle) {
+        s.draggedAngle = value;
+        emit rotationDragged(s.draggedAxis, value);
+    } else if (s.draggedArrow >= 0 && value != s.draggedWay) {
+        s.draggedWay = value;
+        emit moveDragged(s.draggedArrow, value);
     }
+}
+
+bool DipView::isHandleHeld() const {
+    return state_->draggedAxis >= 0 || state_->draggedArrow >= 0;
+}
+
+void DipView::setDragValue(std::optional<double> value) {
+    state_->isTyped = value.has_value();
+    if (value) {
+        dragTo(*value);
+    }
+}
+
+void DipView::setDragText(const QString& text) {
+    state_->dragText = text;
+    update();
+}
+
+void DipView::releaseHandle() {
+    State& s = *state_;
+    s.ignoresRelease = isHandleHeld();
+    if (std::exchange(s.draggedAxis, -1) >= 0) {
+        emit rotationFinished();
+    }
+    if (std::exchange(s.draggedArrow, -1) >= 0) {
+        emit moveFinished();
+    }
+    update();
 }
 
 void DipView::dragArrow(const QMouseEvent& event) {
@@ -463,10 +641,7 @@ void DipView::dragArrow(const QMouseEvent& event) {
     if (event.modifiers() & Qt::ShiftModifier) {
         way = std::round(way / arrowStep) * arrowStep;
     }
-    if (way != s.draggedWay) {
-        s.draggedWay = way;
-        emit moveDragged(axis, way);
-    }
+    dragTo(way);
 }
 
 void DipView::lightHandles(const QPointF& position) {
@@ -509,13 +684,12 @@ void DipView::lightSection(const QPointF& position) {
 
 void DipView::mouseReleaseEvent(QMouseEvent* event) {
     State& s = *state_;
-    if (s.draggedAxis >= 0) {
-        s.draggedAxis = -1;
-        emit rotationFinished();
+    if (isHandleHeld()) {
+        releaseHandle();
+        s.ignoresRelease = false;
         return;
     }
-    if (std::exchange(s.draggedArrow, -1) >= 0) {
-        emit moveFinished();
+    if (std::exchange(s.ignoresRelease, false)) {
         return;
     }
     if (std::exchange(s.heldSection, std::nullopt)) {
@@ -528,7 +702,12 @@ void DipView::mouseReleaseEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - s.pressed;
     const bool still = std::hypot(moved.x(), moved.y()) <= clickReach;
     if (still && event->button() == Qt::LeftButton) {
-        emit clicked(rayAt(event->position()));
+        const int pin = pinAt(event->position());
+        if (pin >= 0) {
+            emit pinClicked(pin);
+        } else {
+            emit clicked(rayAt(event->position()));
+        }
     }
     sendMouse({MouseAction::Release, event->button(), event->position(), event->modifiers()});
     if (still && event->button() == Qt::RightButton) {

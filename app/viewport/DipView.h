@@ -8,6 +8,7 @@
 
 #include "SectionPlane.h"
 #include "ViewLine.h"
+#include "ViewPatch.h"
 #include "ViewProjection.h"
 #include "model/TexturedMesh.h"
 
@@ -27,6 +28,7 @@ class QPainter;
 namespace dipwright {
 
 class ViewScene;
+struct PuckMotion;
 struct ViewMouse;
 struct ViewPicture;
 
@@ -44,11 +46,13 @@ enum class ViewDirection { Front, Back, Left, Right, Top, Bottom, Oblique };
 
 // The topology of the film as it is drawn. `texture` has one coordinate (u to the right, v down the
 // sheet, 0 … 1) for each point. Triangles with a side longer than `longestSide` (mm) are not drawn:
-// they are torn, or lie between released film and film on the body.
+// they are torn, or lie between released film and film on the body. Film that is `isOnBody` is
+// shaded like the body; other film is nearly evenly bright.
 struct FilmShape {
     std::vector<Eigen::Vector2f> texture;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     float longestSide = std::numeric_limits<float>::infinity();
+    bool isOnBody = false;
 };
 
 struct ViewColours {
@@ -62,6 +66,15 @@ struct ViewColours {
 struct ViewLegendEntry {
     QColor colour;
     QString text;
+};
+
+// A mark on the body that the user can click, such as a warning.
+struct ViewPin {
+    Eigen::Vector3f place; // on the body, world
+    // From the body, world. A pin that faces away is faint, and clicks do not meet it.
+    Eigen::Vector3f outward;
+    QColor colour;
+    QString text; // its tooltip
 };
 
 class DipView : public QWidget {
@@ -87,6 +100,8 @@ public:
     void setBodyColours(const std::vector<QRgb>& colours);
     // Sets lines on the body's surface. They are drawn over the surface.
     void setBodyLines(const std::vector<ViewLine>& lines);
+    // Colours a part of the surface over the body's own colours. No triangles: nothing.
+    void setBodyPatch(PatchLayer layer, ViewPatch patch);
     void setBodyVisible(bool visible);
     // Sets the legend in the lower left corner, in this order. If empty, no legend is shown.
     void setLegend(std::vector<ViewLegendEntry> entries);
@@ -120,8 +135,29 @@ public:
 
     // Shows the linked cursor at `position` (world); nullopt hides it.
     void setMarker(const std::optional<Eigen::Vector3f>& position);
-    // Shows a measured distance with its label (world); no points hide it.
-    void setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label);
+    // Shows up to two places with the lines between them and their label (world); no places hide
+    // them.
+    void setMeasure(const std::vector<Eigen::Vector3f>& places,
+                    const std::vector<std::vector<Eigen::Vector3f>>& lines, const QString& label);
+
+    void setPins(std::vector<ViewPin> pins);
+
+    // Shows a cradle, translucent; null: none. `cradleToWorld` maps its coordinates.
+    void setCradle(std::shared_ptr<const TriangleMesh> cradle);
+    void setCradleTransform(const Eigen::Isometry3d& cradleToWorld);
+
+    // Whether the user drags a ring or an arrow.
+    bool isHandleHeld() const;
+    // Sets the drag to this angle in degrees, or to this distance in mm. It no longer follows the
+    // mouse until the value is nullopt again or the handle is released.
+    void setDragValue(std::optional<double> value);
+    // Ends the drag before the mouse button is released.
+    void releaseHandle();
+    // Shows a text beside the pointer while a handle is held.
+    void setDragText(const QString& text);
+
+    // Moves the camera as a SpaceMouse asks: the body follows the puck.
+    void fly(const PuckMotion& motion);
 
     // Adds a callback for presses of the left button. Each press is offered to the callbacks in
     // order until one returns true. The drag is then a stroke and does not move the camera.
@@ -130,12 +166,13 @@ public:
     // Sets how a drag with the left button turns the camera.
     void setNavigation(Navigation navigation);
     void setParallelProjection(bool parallel);
-    void look(ViewDirection direction); // also fits the view
+    void look(ViewDirection direction); // fits the view as the last fit did
     // Points the camera at a place on the body. `outward` is the direction from the body towards
     // the camera.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
     void fit();
-    void fitBody(); // shows the body as large as possible
+    void fitBody();         // shows the body as large as possible
+    void fitBodyToHandle(); // shows the body with its rings and arrows
     // Sets whether fit() shows body and film, or only the body. If fit() placed the camera last,
     // the camera is fitted again.
     void setFilmFitted(bool fitted);
@@ -162,6 +199,8 @@ signals:
     void menuRequested(const dipwright::ViewRay& ray, const QPoint& place);
     void stroked(const dipwright::ViewRay& ray); // emitted at the press and during the stroke
     void strokeFinished();
+    // A ring (`turns`) or an arrow was pressed.
+    void handleHeld(bool turns);
     // Angle since the press, about the world's X, Y or Z.
     void rotationDragged(int axis, double degrees);
     void rotationFinished();
@@ -171,9 +210,11 @@ signals:
     // A picture was drawn with a camera that the user moved in this view. Not emitted after
     // setCamera(), so that linked views do not react to each other endlessly.
     void cameraMoved(const dipwright::ViewCamera& camera);
+    void pinClicked(int pin);          // its number in setPins()
     void sectionDragged(double place); // `place`: mm along the section's axis
 
 protected:
+    bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
@@ -195,11 +236,17 @@ private:
     void take(const ViewPicture& picture);
     void dragRing(const QMouseEvent& event);
     void dragArrow(const QMouseEvent& event);
+    void dragTo(double value);
     bool holdHandle();
     void lightHandles(const QPointF& position);
     void dragSection(const QPointF& position);
     void lightSection(const QPointF& position);
     void paintLegend(QPainter& painter) const;
+    void paintPins(QPainter& painter) const;
+    void paintDragText(QPainter& painter) const;
+    int pinRadius() const; // pixels
+    bool facesCamera(const ViewPin& pin) const;
+    int pinAt(const QPointF& position) const; // −1: none
 
     std::unique_ptr<State> state_;
 };

@@ -24,8 +24,6 @@ FilmActor::FilmActor(vtkRenderer* renderer)
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-1, -4);
     actor_->SetMapper(mapper);
-    actor_->GetProperty()->SetAmbient(0.74);
-    actor_->GetProperty()->SetDiffuse(0.36);
     actor_->GetProperty()->SetSpecular(0.06);
     actor_->GetProperty()->SetSpecularPower(40);
     actor_->PickableOff();
@@ -38,6 +36,8 @@ FilmActor::FilmActor(vtkRenderer* renderer)
 
 void FilmActor::setShape(const FilmShape& shape, std::span<const float> positions) {
     shape_ = shape;
+    actor_->GetProperty()->SetAmbient(shape.isOnBody ? 0.15 : 0.74);
+    actor_->GetProperty()->SetDiffuse(shape.isOnBody ? 0.85 : 0.36);
     drawn_.clear();
     data_->SetPolys(vtkSmartPointer<vtkCellArray>::New());
     const auto count = vtkIdType(shape.texture.size());

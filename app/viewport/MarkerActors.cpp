@@ -1,5 +1,6 @@
 #include "MarkerActors.h"
 
+#include "SurfaceCut.h"
 #include "VtkConversions.h"
 
 #include <vtkCellArray.h>
@@ -7,6 +8,7 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkTextProperty.h>
+#include <vtkTrivialProducer.h>
 
 namespace dipwright {
 
@@ -37,11 +39,10 @@ MarkerActors::MarkerActors(vtkRenderer* renderer)
       label_(vtkSmartPointer<vtkBillboardTextActor3D>::New()) {
     ball_->SetThetaResolution(16);
     ball_->SetPhiResolution(16);
-    auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    mapper->SetInputData(lineData_);
-    line_->SetMapper(mapper);
+    auto lines = vtkSmartPointer<vtkTrivialProducer>::New();
+    lines->SetOutput(lineData_);
+    showLines(*line_, lines->GetOutputPort());
     setPixelRatio(1);
-    line_->GetProperty()->LightingOff();
     line_->VisibilityOff();
     line_->PickableOff();
     label_->SetDisplayOffset(8, 8);
@@ -61,28 +62,32 @@ void MarkerActors::setMarker(const std::optional<Eigen::Vector3f>& position) {
     }
 }
 
-void MarkerActors::setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label) {
+void MarkerActors::setMeasure(const std::vector<Eigen::Vector3f>& places,
+                              const std::vector<std::vector<Eigen::Vector3f>>& lines,
+                              const QString& label) {
     for (std::size_t end = 0; end < ends_.size(); ++end) {
         ends_[end]->VisibilityOff();
-        if (end < points.size()) {
-            place(*ends_[end], points[end]);
+        if (end < places.size()) {
+            place(*ends_[end], places[end]);
         }
     }
-    const bool whole = points.size() == 2;
-    line_->SetVisibility(whole);
-    label_->SetVisibility(whole);
-    if (!whole) {
+    line_->SetVisibility(!lines.empty());
+    label_->SetVisibility(!lines.empty());
+    if (lines.empty()) {
         return;
     }
     auto corners = vtkSmartPointer<vtkPoints>::New();
-    for (const Eigen::Vector3f& point : points) {
-        corners->InsertNextPoint(point.x(), point.y(), point.z());
-    }
     auto cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->InsertNextCell({0, 1});
+    for (const std::vector<Eigen::Vector3f>& line : lines) {
+        cells->InsertNextCell(int(line.size()));
+        for (const Eigen::Vector3f& point : line) {
+            cells->InsertCellPoint(corners->InsertNextPoint(point.x(), point.y(), point.z()));
+        }
+    }
     lineData_->SetPoints(corners);
     lineData_->SetLines(cells);
-    const Eigen::Vector3f middle = (points[0] + points[1]) / 2;
+    const std::vector<Eigen::Vector3f>& first = lines.front();
+    const Eigen::Vector3f middle = (first[(first.size() - 1) / 2] + first[first.size() / 2]) / 2;
     label_->SetPosition(middle.x(), middle.y(), middle.z());
     label_->SetInput(label.toUtf8().constData());
 }

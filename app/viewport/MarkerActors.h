@@ -20,7 +20,10 @@ public:
     explicit MarkerActors(vtkRenderer* renderer);
 
     void setMarker(const std::optional<Eigen::Vector3f>& position);
-    void setMeasure(const std::vector<Eigen::Vector3f>& points, const QString& label);
+    // Shows up to two places and, if there are two, the lines between them with their label. The
+    // first line is drawn over the surface that it lies in, and carries the label.
+    void setMeasure(const std::vector<Eigen::Vector3f>& places,
+                    const std::vector<std::vector<Eigen::Vector3f>>& lines, const QString& label);
     void setSize(double sceneSize); // mm, size of the whole scene
     void setColours(const QColor& accent, const QColor& ink);
     void setFontSize(int pixels);

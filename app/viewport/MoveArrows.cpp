@@ -50,6 +50,7 @@ ArrowActors::ArrowActors(vtkRenderer* renderer) {
 }
 
 void ArrowActors::set(const MoveArrows& arrows) {
+    shown_ = arrows;
     for (int axis = 0; axis < 3; ++axis) {
         vtkActor* actor = arrows_[std::size_t(axis)];
         Eigen::Vector3d place = arrows.centre.cast<double>();
@@ -57,6 +58,15 @@ void ArrowActors::set(const MoveArrows& arrows) {
         actor->SetPosition(place.data());
         actor->SetScale(arrows.end - arrows.begin);
         actor->SetVisibility(arrows.visible[std::size_t(axis)]);
+    }
+}
+
+void ArrowActors::addPlaces(std::vector<Eigen::Vector3d>& places) const {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (shown_.visible[std::size_t(axis)]) {
+            places.push_back(shown_.centre.cast<double>() +
+                             shown_.end * Eigen::Vector3d::Unit(axis));
+        }
     }
 }
 

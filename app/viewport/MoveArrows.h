@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 #include <vtkActor.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -28,9 +29,11 @@ public:
     explicit ArrowActors(vtkRenderer* renderer);
 
     void set(const MoveArrows& arrows);
-    void highlight(int axis); // −1: no arrow
+    void addPlaces(std::vector<Eigen::Vector3d>& places) const; // tips of the visible arrows
+    void highlight(int axis);                                   // −1: no arrow
 
 private:
+    MoveArrows shown_;
     std::array<vtkSmartPointer<vtkActor>, 3> arrows_;
 };
 

@@ -22,8 +22,8 @@ double lengthOf(QPointF vector) {
 } // namespace
 
 QColor axisColour(int axis) {
-    static const std::array<QColor, 3> colours{QColor(214, 69, 65), QColor(92, 176, 60),
-                                               QColor(66, 120, 224)};
+    static const std::array<QColor, 3> colours{QColor(200, 40, 40), QColor(110, 200, 70),
+                                               QColor(50, 100, 220)};
     return colours[std::size_t(axis)];
 }
 
@@ -47,10 +47,20 @@ RingActors::RingActors(vtkRenderer* renderer) {
 }
 
 void RingActors::set(const RotationRings& rings) {
+    shown_ = rings;
     for (const auto& ring : rings_) {
         ring->SetPosition(rings.centre.x(), rings.centre.y(), rings.centre.z());
         ring->SetScale(rings.radius);
         ring->SetVisibility(rings.visible);
+    }
+}
+
+void RingActors::addPlaces(std::vector<Eigen::Vector3d>& places) const {
+    constexpr double apart = 15; // degrees
+    for (int axis = 0; axis < 3 && shown_.visible; ++axis) {
+        for (double angle = 0; angle < 360; angle += apart) {
+            places.push_back(shown_.ringPoint(axis, angle).cast<double>());
+        }
     }
 }
 

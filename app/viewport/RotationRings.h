@@ -7,6 +7,7 @@
 #include <QColor>
 #include <array>
 #include <optional>
+#include <vector>
 #include <vtkActor.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
@@ -29,7 +30,7 @@ struct RotationRings {
     // `position`.
     double angleAt(int axis, QPointF position, const ViewProjection& shown) const;
 
-private:
+    // Returns the point of the ring of `axis` at this angle.
     Eigen::Vector3f ringPoint(int axis, double degrees) const;
 };
 
@@ -39,10 +40,12 @@ public:
     explicit RingActors(vtkRenderer* renderer);
 
     void set(const RotationRings& rings);
-    void highlight(int axis); // −1: no ring
+    void addPlaces(std::vector<Eigen::Vector3d>& places) const; // points on the visible rings
+    void highlight(int axis);                                   // −1: no ring
     void setPixelRatio(double ratio);
 
 private:
+    RotationRings shown_;
     int lit_ = -1;
     double pixelRatio_ = 1;
     std::array<vtkSmartPointer<vtkActor>, 3> rings_;

@@ -1,5 +1,6 @@
 #include "ViewScene.h"
 
+#include "SpaceMouse.h"
 #include "VtkConversions.h"
 #include "base/Units.h"
 
@@ -177,7 +178,7 @@ void ViewScene::look(ViewDirection direction) {
         return {30, 28};
     }();
     setCameraAngles(camera(), angles);
-    fit();
+    fitCamera();
 }
 
 void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward) {
@@ -199,13 +200,8 @@ void ViewScene::lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outw
     isMovedByUser_ = true;
 }
 
-void ViewScene::fit() {
-    fitsBodyOnly_ = false;
-    fitCamera();
-}
-
-void ViewScene::fitBody() {
-    fitsBodyOnly_ = true;
+void ViewScene::fit(FittedPlaces places) {
+    fits_ = places;
     fitCamera();
 }
 
@@ -215,11 +211,15 @@ void ViewScene::fitCamera() {
                                float(filmSize_.height() + margin) / 2);
     std::vector<Eigen::Vector3d> places;
     const BoundingBox body = body_.worldBox();
-    const bool hasFilm = (fitsFilm_ && !fitsBodyOnly_) || body.isEmpty();
+    const bool hasFilm = (fitsFilm_ && fits_ == FittedPlaces::Film) || body.isEmpty();
     for (const BoundingBox& box : {body, hasFilm ? BoundingBox(-half, half) : BoundingBox()}) {
         for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
             places.emplace_back(box.corner(BoundingBox::CornerType(corner)).cast<double>());
         }
+    }
+    if (fits_ == FittedPlaces::Handles) {
+        rings_.addPlaces(places);
+        arrows_.addPlaces(places);
     }
     const double aspect =
         double(std::max(1, size_.size.width())) / std::max(1, size_.size.height());
@@ -240,6 +240,27 @@ void ViewScene::turn(double rightPixels, double upPixels) {
     fitted_ = false;
     isMovedByUser_ = true;
     style_->turn(rightPixels, upPixels);
+}
+
+void ViewScene::fly(const PuckMotion& motion) {
+    constexpr double turned = 250; // pixels of a drag, in a second
+    constexpr double shifted = 1;  // times the visible height, in a second
+    constexpr double zoomed = 1.5; // exponent, in a second
+    turn(-turned * motion.turn.y(), turned * motion.turn.x());
+    zoom(std::exp(-zoomed * motion.push.z()));
+    vtkCamera& own = camera();
+    const Eigen::Vector3d focus(own.GetFocalPoint()), place(own.GetPosition());
+    const Eigen::Vector3d up(own.GetViewUp());
+    const Eigen::Vector3d right =
+        Eigen::Vector3d(own.GetDirectionOfProjection()).cross(up).normalized();
+    const double height =
+        2 * (own.GetParallelProjection()
+                 ? own.GetParallelScale()
+                 : own.GetDistance() * std::tan(radians(Degrees(own.GetViewAngle())) / 2));
+    const Eigen::Vector3d shift =
+        -shifted * height * (motion.push.x() * right + motion.push.y() * up.normalized());
+    own.SetFocalPoint(Eigen::Vector3d(focus + shift).data());
+    own.SetPosition(Eigen::Vector3d(place + shift).data());
 }
 
 void ViewScene::zoom(double factor) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "BodyActors.h"
+#include "CradleActor.h"
 #include "FilmActor.h"
 #include "MarkerActors.h"
 #include "MoveArrows.h"
@@ -33,6 +34,10 @@ struct ViewSize {
     double fontSize = 10;  // points
 };
 
+// What the camera shows as large as possible: body and film, the body with its rings and arrows, or
+// the body alone.
+enum class FittedPlaces { Film, Handles, Body };
+
 enum class MouseAction { Press, Release, Move };
 
 struct ViewMouse {
@@ -53,6 +58,7 @@ public:
     TankActors& tank() { return tank_; }
     RingActors& rings() { return rings_; }
     ArrowActors& arrows() { return arrows_; }
+    CradleActor& cradle() { return cradle_; }
     MarkerActors& markers() { return markers_; }
     SectionFrame& sectionFrame() { return frame_; }
     NavigationStyle& style() { return *style_; }
@@ -63,14 +69,14 @@ public:
     void setFilmFitted(bool fitted);
     void setSection(const std::optional<SectionPlane>& section); // no section: nothing is cut open
     void setColours(const ViewColours& colours);
-    void look(ViewDirection direction); // also fits the view
+    void look(ViewDirection direction); // fits the view as the last fit did
     // Points the camera at a place from outside, close to the body but with a large part of it
     // visible.
     void lookAt(const Eigen::Vector3f& place, const Eigen::Vector3f& outward);
-    void fit();
-    void fitBody();                                 // fits the body alone until the next fit()
+    void fit(FittedPlaces places);
     void turn(double rightPixels, double upPixels); // like a drag by these numbers of pixels
-    void zoom(double factor);                       // keeps the centre in place
+    void fly(const PuckMotion& motion);
+    void zoom(double factor); // keeps the centre in place
     // Keeps the surface point that is shown at the widget position `place` there.
     void zoomAt(const QPointF& place, double factor);
     void mouse(const ViewMouse& mouse);
@@ -88,6 +94,7 @@ private:
     vtkNew<vtkCameraOrientationWidget> orientation_;
     BodyActors body_{renderer_};
     FilmActor film_{renderer_};
+    CradleActor cradle_{renderer_};
     TankActors tank_{renderer_};
     RingActors rings_{renderer_};
     ArrowActors arrows_{renderer_};
@@ -97,8 +104,8 @@ private:
     QSizeF filmSize_{210, 297};
     std::function<void()> pictureRequested_;
     bool fitsFilm_ = true;
-    bool fitsBodyOnly_ = false;
-    bool fitted_ = false;  // the camera was placed by fit() or fitBody()
+    FittedPlaces fits_ = FittedPlaces::Film;
+    bool fitted_ = false;  // the camera was placed by fit() or look()
     bool resized_ = false; // the size has changed since the last picture
     bool isMovedByUser_ = true;
 };

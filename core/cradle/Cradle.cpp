@@ -2,6 +2,7 @@
 
 #include "cradle/CradleForm.h"
 #include "cradle/FormSurface.h"
+#include "cradle/ReducedSurface.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -22,6 +23,8 @@ constexpr double reachGrowth = 1.25; // factor on the reach from one trial to th
 constexpr double pieceEdgeInCells = 2; // longest edge of a surface piece, in cells
 // Largest number of samples of the form's grid; above it, the grid is made coarser.
 constexpr double mostSamples = 24e6;
+// How far the surface may move when its triangles are reduced, mm. A 3D printer is less exact.
+constexpr double mostMoved = 0.02;
 
 std::vector<SeatPiece> above(const std::vector<SeatPiece>& seat, double lowest) {
     std::vector<SeatPiece> result;
@@ -154,9 +157,9 @@ Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Prog
     CradleDistances distances = distancesOf(settings);
     const auto paintDistance =
         settings.onPaint ? std::nullopt : std::optional<double>(distances.earlierPaint);
-    const FilmSide side =
-        filmSide(dip.film, dip.earlier, dip.process, pieceEdgeInCells * settings.cell.value(),
-                 distances.film, paintDistance, progress.part(0, 0.15));
+    const FilmSide side = filmSide(dip.film, dip.earlier, dip.mask, dip.process,
+                                   pieceEdgeInCells * settings.cell.value(), distances.film,
+                                   paintDistance, progress.part(0, 0.15));
     if (side.seat.empty()) {
         return nothingToHold(dip, settings, side);
     }
@@ -179,11 +182,12 @@ Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Prog
     const DistanceField form =
         cradleForm(dip, settings, side, plate, distances, result.cell, progress.part(0.15, 0.6));
     progress(0.6, Text::tr("Forming the cradle"));
-    result.mesh = formSurface(form);
+    const TriangleMesh surface = formSurface(form);
     if (!body.path.isStraightDown() &&
-        touchesFilmOnPath(result.mesh, body.mesh, body.query, body.path)) {
+        touchesFilmOnPath(surface, body.mesh, body.query, body.path)) {
         return touchesWater(dip);
     }
+    result.mesh = reducedSurface(surface, mostMoved, result.cell, progress.part(0.65, 0.8)).mesh;
     result.poseToPrinter = toPrinter(plate);
     TriangleMesh untouched = side.film;
     if (!settings.onPaint) {
@@ -198,7 +202,7 @@ Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Prog
         untouched.triangles.empty() ? std::nullopt : std::optional<SurfaceQuery>(untouched);
     result.check =
         checkCradle(result.mesh, body.mesh, body.query, painted ? &*painted : nullptr, seat,
-                    distances.body + result.cell, settings.padding.value(), progress.part(0.7, 1));
+                    distances.body + result.cell, settings.padding.value(), progress.part(0.8, 1));
     result.notes = notesOn(result, dip, settings, plate);
     return result;
 }

@@ -21,6 +21,7 @@ namespace dipwright {
 
 struct DistanceField;
 class LaidFilm;
+class SurfaceMask;
 struct Immersion;
 struct ProcessSettings;
 
@@ -33,8 +34,9 @@ struct HeldDip {
     const Immersion& immersion;
     const ProcessSettings& process;
     const DatumPins& pins;
-    int number = 1;  // number of the dip, from 1
-    QString jobHash; // hash of the job, for the engraving
+    int number = 1;                    // number of the dip, from 1
+    QString jobHash;                   // hash of the job, for the engraving
+    const SurfaceMask* mask = nullptr; // the cradle may touch masked surface; null: none
 };
 
 struct Cradle {

@@ -21,6 +21,7 @@ struct Text {
 constexpr double leastSupport = 0.5; // smallest y of the normal of a place that carries the body
 constexpr int directions = 24;       // horizontal directions in which sliding is checked
 constexpr double samplesOfBody = 100'000;
+constexpr double samplesOfCradle = 300'000;
 constexpr std::size_t cradleCorners = 20'000; // number of corners checked on a path
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -143,6 +144,15 @@ double leastOf(std::size_t count, const One& one) {
                       : *std::min_element(values.begin(), values.end());
 }
 
+// Returns the corners of a surface, and about `count` points spread evenly over it.
+std::vector<Eigen::Vector3f> samplesOf(const TriangleMesh& surface, double count) {
+    std::vector<Eigen::Vector3f> places = surface.positions;
+    for (const SurfacePoint& sample : evenSamples(surface, surfaceArea(surface) / count)) {
+        places.push_back(position(surface, sample));
+    }
+    return places;
+}
+
 double signedDistance(const SurfaceQuery& query, const Eigen::Vector3f& place, double within) {
     const double distance = query.closest(place).distance;
     return distance < within && query.isInside(place) ? -distance : distance;
@@ -228,14 +238,11 @@ CradleCheck checkCradle(const TriangleMesh& cradle, const TriangleMesh& body,
     check.parts = partsOf(cradle, opposite);
     check.volume = volume(cradle);
 
-    std::vector<Eigen::Vector3f> samples = body.positions;
-    for (const SurfacePoint& sample : evenSamples(body, surfaceArea(body) / samplesOfBody)) {
-        samples.push_back(position(body, sample));
-    }
-    const auto& corners = cradle.positions;
+    const std::vector<Eigen::Vector3f> samples = samplesOf(body, samplesOfBody),
+                                       places = samplesOf(cradle, samplesOfCradle);
     progress(0.3, Text::tr("Checking the cradle"));
-    const double fromCradle = leastOf(corners.size(), [&](std::size_t i) {
-        return signedDistance(bodyQuery, corners[i], 2 * nearest);
+    const double fromCradle = leastOf(places.size(), [&](std::size_t i) {
+        return signedDistance(bodyQuery, places[i], 2 * nearest);
     });
     const double fromBody = leastOf(samples.size(), [&](std::size_t i) {
         return signedDistance(cradleQuery, samples[i], 2 * nearest);
@@ -243,11 +250,11 @@ CradleCheck checkCradle(const TriangleMesh& cradle, const TriangleMesh& body,
     check.leastGap = std::min(fromCradle, fromBody);
     check.paintGap =
         painted
-            ? leastOf(corners.size(),
-                      [&](std::size_t i) { return double(painted->closest(corners[i]).distance); })
+            ? leastOf(places.size(),
+                      [&](std::size_t i) { return double(painted->closest(places[i]).distance); })
             : std::numeric_limits<double>::infinity();
     progress(0.7, Text::tr("Checking the cradle"));
-    check.comesOut = meetsNothing(bodyQuery, corners, Eigen::Vector3f::UnitY()) &&
+    check.comesOut = meetsNothing(bodyQuery, places, Eigen::Vector3f::UnitY()) &&
                      meetsNothing(cradleQuery, samples, -Eigen::Vector3f::UnitY());
     const std::vector<SeatPiece> lying = lyingOn(cradleQuery, seat, nearest, padding);
     for (const SeatPiece& piece : lying) {

@@ -77,8 +77,8 @@ TriangleMesh meshOf(const std::vector<Piece>& pieces, const TriangleMesh& body, 
 class Sorting {
 public:
     Sorting(const LaidFilm& film, const std::vector<const LaidFilm*>& earlier,
-            const ProcessSettings& process)
-        : film_(film), earlier_(earlier), upward_(std::sin(radians(process.overhang))),
+            const SurfaceMask* mask, const ProcessSettings& process)
+        : film_(film), earlier_(earlier), mask_(mask), upward_(std::sin(radians(process.overhang))),
           waterline_(dipDepth(process, film.body())) {
         const PosedBody& body = film.body();
         if (!body.path.isStraightDown()) {
@@ -89,6 +89,9 @@ public:
     Side sideOf(const Piece& piece) const {
         const TriangleMesh& mesh = film_.body().mesh;
         const SurfacePoint middle = piece.middle();
+        if (mask_ && mask_->covers(middle)) {
+            return Side::Dry;
+        }
         if (mayTakeFilm(position(mesh, middle).cast<double>(),
                         triangleNormal(mesh, piece.triangle).cast<double>()) ||
             film_.place(middle)) {
@@ -120,6 +123,7 @@ private:
 
     const LaidFilm& film_;
     const std::vector<const LaidFilm*>& earlier_;
+    const SurfaceMask* mask_; // may be null
     double upward_, waterline_;
     std::vector<PathMoment> moments_; // of the path; empty if the body goes straight down
 };
@@ -137,13 +141,14 @@ std::optional<SurfaceQuery> queryOf(const TriangleMesh& mesh) {
 } // namespace
 
 FilmSide filmSide(const LaidFilm& film, const std::vector<const LaidFilm*>& earlier,
-                  const ProcessSettings& process, double edge, double filmDistance,
-                  std::optional<double> earlierDistance, const Progress& progress) {
+                  const SurfaceMask* mask, const ProcessSettings& process, double edge,
+                  double filmDistance, std::optional<double> earlierDistance,
+                  const Progress& progress) {
     progress(0, Text::tr("Finding the surface that stays dry"));
     const PosedBody& body = film.body();
     const TriangleMesh& mesh = body.mesh;
     std::vector<Piece> pieces = piecesOf(mesh, edge);
-    const Sorting sorting(film, earlier, process);
+    const Sorting sorting(film, earlier, mask, process);
     parallelFor(std::size_t(0), pieces.size(),
                 [&](std::size_t i) { pieces[i].side = sorting.sideOf(pieces[i]); });
     progress(0.5, Text::tr("Finding the surface that stays dry"));

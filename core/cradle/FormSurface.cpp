@@ -1,14 +1,13 @@
 #include "cradle/FormSurface.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
+#include "cradle/VtkSurface.h"
+
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 namespace dipwright {
 namespace {
@@ -25,24 +24,6 @@ vtkNew<vtkImageData> imageOf(const DistanceField& form) {
     return image;
 }
 
-TriangleMesh meshOf(vtkPolyData& surface) {
-    TriangleMesh mesh;
-    for (vtkIdType i = 0; i < surface.GetNumberOfPoints(); ++i) {
-        mesh.positions.push_back(
-            Eigen::Map<const Eigen::Vector3d>(surface.GetPoint(i)).cast<float>());
-    }
-    const auto triangles = vtk::TakeSmartPointer(surface.GetPolys()->NewIterator());
-    for (triangles->GoToFirstCell(); !triangles->IsDoneWithTraversal(); triangles->GoToNextCell()) {
-        vtkIdType count = 0;
-        const vtkIdType* corners = nullptr;
-        triangles->GetCurrentCell(count, corners);
-        // The filter expects higher values inside; here they are outside.
-        mesh.triangles.push_back(
-            {std::uint32_t(corners[0]), std::uint32_t(corners[2]), std::uint32_t(corners[1])});
-    }
-    return mesh;
-}
-
 } // namespace
 
 TriangleMesh formSurface(const DistanceField& form) {
@@ -52,7 +33,8 @@ TriangleMesh formSurface(const DistanceField& form) {
     surface->ComputeNormalsOff();
     surface->ComputeScalarsOff();
     surface->Update();
-    return meshOf(*surface->GetOutput());
+    // The filter expects higher values inside; here they are outside.
+    return meshOf(*surface->GetOutput(), true);
 }
 
 } // namespace dipwright

@@ -19,26 +19,31 @@ constexpr int samplesOfBody = 40'000;
 // Result of the samples of one body triangle.
 struct TriangleCover {
     double painted = 0; // mm²
+    double masked = 0;  // mm²
     MarkedArea marked;
     std::uint8_t marks = 0; // the marks that apply to at least half of the painted area
-    bool isCovered = false; // at least half of the triangle is painted
+    bool isCovered = false; // at least half of the triangle is painted or masked
 };
 
-TriangleCover triangleCover(const LaidFilm& laid, std::size_t triangle, double sampleArea) {
+TriangleCover triangleCover(const LaidFilm& laid, const SurfaceMask* mask, std::size_t triangle,
+                            double sampleArea) {
     const double area = triangleArea(laid.body().mesh, triangle);
     const int pieces =
         int(std::clamp(std::ceil(std::sqrt(area / sampleArea)), 1.0, double(mostPieces)));
     const double pieceArea = area / (pieces * pieces);
-    int hits = 0;
+    int hits = 0, masked = 0;
     TriangleCover cover;
     forEachPiece(std::uint32_t(triangle), pieces, [&](const SurfacePoint& sample) {
-        if (const auto place = laid.place(sample)) {
+        if (mask && mask->covers(sample)) {
+            ++masked;
+        } else if (const auto place = laid.place(sample)) {
             ++hits;
             cover.marked.add(laid.marks(place->triangle), pieceArea);
         }
     });
     cover.painted = area * hits / (pieces * pieces);
-    cover.isCovered = 2 * hits >= pieces * pieces;
+    cover.masked = area * masked / (pieces * pieces);
+    cover.isCovered = 2 * (hits + masked) >= pieces * pieces;
     for (std::size_t mark = 0; mark < filmMarks.size(); ++mark) {
         if (hits > 0 && 2 * cover.marked.each[mark] >= cover.painted) {
             cover.marks |= std::uint8_t(filmMarks[mark]);
@@ -49,30 +54,36 @@ TriangleCover triangleCover(const LaidFilm& laid, std::size_t triangle, double s
 
 } // namespace
 
-Coverage coverage(const LaidFilm& laid) {
+Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask) {
     const TriangleMesh& mesh = laid.body().mesh;
     const solver::FilmGrid& grid = laid.film().grid;
     const double sampleArea = grid.leastSpacingX() * grid.leastSpacingZ() / samplesPerFilmCell;
     std::vector<TriangleCover> covers(mesh.triangles.size());
     parallelFor(std::size_t(0), mesh.triangles.size(), [&](std::size_t triangle) {
-        covers[triangle] = triangleCover(laid, triangle, sampleArea);
+        covers[triangle] = triangleCover(laid, mask, triangle, sampleArea);
     });
     Coverage result;
+    double masked = 0; // mm²
     for (const TriangleCover& cover : covers) {
         result.covered.push_back(cover.isCovered ? 1 : 0);
         result.marks.push_back(cover.marks);
         result.paintedArea += cover.painted;
+        masked += cover.masked;
         result.marked.add(cover.marked);
     }
-    result.share = result.paintedArea / surfaceArea(mesh);
+    const double open = surfaceArea(mesh) - masked;
+    result.share = open > 0 ? result.paintedArea / open : 0;
     result.trappedAir = trappedAir(laid.body());
     return result;
 }
 
 double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& films,
-                        const Progress& progress) {
+                        const Progress& progress, const SurfaceMask* mask) {
     const TriangleMesh& mesh = films.front()->body().mesh;
-    const std::vector<SurfacePoint> samples = evenSamples(mesh, surfaceArea(mesh) / samplesOfBody);
+    std::vector<SurfacePoint> samples = evenSamples(mesh, surfaceArea(mesh) / samplesOfBody);
+    if (mask) {
+        std::erase_if(samples, [&](const SurfacePoint& place) { return mask->covers(place); });
+    }
     std::vector<std::uint8_t> painted(samples.size());
     parallelFor(std::size_t(0), samples.size(), [&](std::size_t sample) {
         progress.cancelToken.throwIfCancelled();
@@ -80,7 +91,8 @@ double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& film
             return laid->place(samples[sample]).has_value();
         });
     });
-    return double(std::count(painted.begin(), painted.end(), 1)) / double(samples.size());
+    return double(std::count(painted.begin(), painted.end(), 1)) /
+           double(std::max<std::size_t>(samples.size(), 1));
 }
 
 } // namespace dipwright

@@ -4,27 +4,29 @@
 #include "base/Progress.h"
 #include "dip/FilmMarks.h"
 #include "dip/TrappedAir.h"
+#include "marks/SurfaceMask.h"
 
 namespace dipwright {
 
 struct Coverage {
-    std::vector<std::uint8_t> covered; // per body triangle: 1 if at least half is painted
+    std::vector<std::uint8_t> covered; // per body triangle: 1 if at least half is painted or masked
     // Per body triangle: the solver::PointMark bits that apply to at least half of its painted
     // area.
     std::vector<std::uint8_t> marks;
     double paintedArea = 0; // mm²
     MarkedArea marked;      // the part of paintedArea that marked film paints
-    double share = 0;       // painted share of the surface, 0 … 1
+    double share = 0;       // painted share of the surface that is not masked, 0 … 1
     TrappedAir trappedAir;  // air pockets, whose walls film cannot reach
 };
 
 // Computes the coverage of one dip from samples: about four per film cell area, at least one per
-// body triangle. Uses all cores; deterministic.
-Coverage coverage(const LaidFilm& laid);
+// body triangle. Masked surface counts neither as painted nor as bare; `mask` may be null. Uses all
+// cores; deterministic.
+Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask = nullptr);
 
 // Returns the share of the surface that at least one of the films paints, from evenly spread
-// samples. All films must be of the same body. Throws Cancelled.
+// samples, without masked surface. All films must be of the same body. Throws Cancelled.
 double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& films,
-                        const Progress& progress);
+                        const Progress& progress, const SurfaceMask* mask = nullptr);
 
 } // namespace dipwright

@@ -51,7 +51,7 @@ Eigen::Vector3d closestWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& 
     return {areaA / area, areaB / area, areaC / area};
 }
 
-// State of a closest-point query while it descends the hierarchy.
+// State of a point query while it descends the hierarchy.
 struct ClosestSearch {
     const TriangleMesh& mesh;
     Eigen::Vector3d position;
@@ -60,10 +60,15 @@ struct ClosestSearch {
     double squaredDistance = std::numeric_limits<double>::infinity();
     std::uint32_t triangle = SurfacePoint::noTriangle;
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+    std::vector<std::uint32_t>* all = nullptr; // not null: collects all triangles instead
 };
 
 bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
     auto& search = *static_cast<ClosestSearch*>(arguments->userPtr);
+    if (search.all) {
+        search.all->push_back(arguments->primID);
+        return false;
+    }
     const auto& index = search.mesh.triangles[arguments->primID];
     const Eigen::Vector3d a = search.mesh.positions[index[0]].cast<double>();
     const Eigen::Vector3d b = search.mesh.positions[index[1]].cast<double>();
@@ -224,6 +229,20 @@ ClosestPoint SurfaceQuery::closest(const Eigen::Vector3f& position, float within
 ClosestPoint SurfaceQuery::closestNear(const Eigen::Vector3f& position, float likely) const {
     const ClosestPoint nearby = closest(position, likely);
     return nearby.point.isValid() ? nearby : closest(position);
+}
+
+std::vector<std::uint32_t> SurfaceQuery::trianglesNear(const Eigen::Vector3f& position,
+                                                       float distance) const {
+    std::vector<std::uint32_t> found;
+    const double slack = data_->slack + 4e-7 * position.cwiseAbs().maxCoeff();
+    ClosestSearch search{data_->mesh, position.cast<double>(), slack, 0};
+    search.all = &found;
+    RTCPointQuery query{position.x(), position.y(), position.z(), 0, float(distance + slack)};
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(data_->scene, &query, &context, nullptr, &search);
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 RayHit SurfaceQuery::hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,

@@ -33,6 +33,9 @@ public:
     // Returns the nearest surface point at any distance. Searches within `likely` mm first, which
     // is faster if the point is that near.
     ClosestPoint closestNear(const Eigen::Vector3f& position, float likely) const;
+    // Returns the triangles near a place, in ascending order: all that come within `distance` mm of
+    // it, and possibly a few others.
+    std::vector<std::uint32_t> trianglesNear(const Eigen::Vector3f& position, float distance) const;
     // Returns the first hit of the ray from `origin` along `direction`, up to `reach` times the
     // direction's length.
     RayHit hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,

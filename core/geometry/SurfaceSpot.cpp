@@ -38,11 +38,17 @@ std::vector<std::uint32_t> trianglesWithin(const TriangleMesh& mesh, const Surfa
 }
 
 std::vector<std::uint32_t> faceAround(const TriangleMesh& mesh, std::uint32_t triangle) {
+    return faceAround(mesh, oppositeEdges(mesh), triangle);
+}
+
+std::vector<std::uint32_t> faceAround(const TriangleMesh& mesh,
+                                      const std::vector<std::uint32_t>& opposite,
+                                      std::uint32_t triangle) {
     const Eigen::Vector3f normal = triangleNormal(mesh, triangle);
     const auto least = float(std::cos(faceAngle * std::numbers::pi / 180));
     std::vector<std::uint8_t> seen(mesh.triangles.size());
     return connectedTriangles(
-        oppositeEdges(mesh), triangle,
+        opposite, triangle,
         [&](std::uint32_t other) { return triangleNormal(mesh, other).dot(normal) >= least; },
         seen);
 }

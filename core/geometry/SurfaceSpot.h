@@ -15,5 +15,9 @@ std::vector<std::uint32_t> trianglesWithin(const TriangleMesh& mesh, const Surfa
 // Returns the face that a triangle lies on: the connected triangles whose normals differ from its
 // normal by at most 15°.
 std::vector<std::uint32_t> faceAround(const TriangleMesh& mesh, std::uint32_t triangle);
+// The same with oppositeEdges() of the mesh, for several faces.
+std::vector<std::uint32_t> faceAround(const TriangleMesh& mesh,
+                                      const std::vector<std::uint32_t>& opposite,
+                                      std::uint32_t triangle);
 
 } // namespace dipwright

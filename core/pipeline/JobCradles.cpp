@@ -21,9 +21,10 @@ std::vector<Cradle> jobCradles(const JobResult& result, const Progress& progress
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         const double begin = fieldDone + share * double(i);
-        cradles.push_back(makeCradle({*immersion.laid, earlier, *field, immersion.immersion,
-                                      project.process, pins, int(i) + 1, immersion.sheet.job.hash},
-                                     project.cradle, progress.part(begin, begin + share)));
+        cradles.push_back(
+            makeCradle({*immersion.laid, earlier, *field, immersion.immersion, project.process,
+                        pins, int(i) + 1, immersion.sheet.job.hash, result.mask.get()},
+                       project.cradle, progress.part(begin, begin + share)));
         earlier.push_back(immersion.laid.get());
     }
     return cradles;

@@ -111,6 +111,16 @@ QStringList filmsText(const PackedFilms& films) {
                      .arg(film.pieces.size())
                      .arg(QString::number(100 * film.used, 'f', 0));
     }
+    const PackingFilm& film = films.settings.film;
+    const DotsPerInch resolution = films.pieces.front().sheet.settings.resolution;
+    const double longest = longestFilm(resolution);
+    if (film.isRoll && lines.size() > 1 && longest < film.size.height()) {
+        lines << Text::tr("The roll is cut into films of at most %1 mm, because an image at %2 dpi "
+                          "has at most %3 pixels per side; a lower resolution allows longer films")
+                     .arg(longest)
+                     .arg(resolution.value())
+                     .arg(mostSheetPixels);
+    }
     return lines;
 }
 

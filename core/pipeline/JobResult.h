@@ -64,6 +64,7 @@ struct JobResult {
     std::shared_ptr<const DistanceField> field;  // null when no dip needed it
     PaintInputs paintInputs;                     // inputs of `painted`
     std::shared_ptr<const TexturedMesh> painted; // the model with texture and artwork
+    std::shared_ptr<const SurfaceMask> mask;     // surface without film; null: none
     std::vector<ImmersionResult> immersions;
     std::shared_ptr<const BodyShare> share; // null: each dip paints every place that it reaches
     // Prepared from the model or from `painted`, for further results with the same inputs. Null if

@@ -27,7 +27,8 @@ QByteArray identityOf(const Project& project, const QString& solver) {
     QJsonObject counting;
     for (const QLatin1String key :
          {QLatin1String("model"), QLatin1String("artwork"), QLatin1String("film"),
-          QLatin1String("process"), QLatin1String("body"), QLatin1String("tolerance")}) {
+          QLatin1String("process"), QLatin1String("body"), QLatin1String("tolerance"),
+          QLatin1String("masks")}) {
         if (whole.contains(key)) {
             counting[key] = whole[key];
         }
@@ -56,6 +57,7 @@ SearchSubject searchSubject(const Project& project, const QString& solver) {
     subject.process = project.process;
     subject.fieldResolution = project.fieldResolution;
     subject.tolerance = project.tolerance;
+    subject.mask = surfaceMask(subject.model, project.masks);
     subject.verdict = project.verdict;
     subject.registrationError = project.share.registrationError;
     subject.tank = project.profiles.tank;

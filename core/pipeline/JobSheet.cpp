@@ -26,8 +26,10 @@ QString plain(double number) {
 }
 
 QString filmText(const FilmSettings& film) {
-    return Text::tr("%1 %2 × %3 mm")
-        .arg(film.preset, plain(film.width.value()), plain(film.height.value()));
+    const QString size =
+        Text::tr("%1 × %2 mm").arg(plain(film.width.value()), plain(film.height.value()));
+    return film.preset == QLatin1String("custom") ? size
+                                                  : QStringLiteral("%1 %2").arg(film.preset, size);
 }
 
 QString scaleText(const FilmSettings& film) {

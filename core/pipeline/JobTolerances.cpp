@@ -47,7 +47,7 @@ JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& se
                              ? numericalErrorAt(*dip.numericalError, *dip.laid, places)
                              : std::vector<float>());
     }
-    tolerances.zones = zoneVerdicts(project.model, dips, errors, settings);
+    tolerances.zones = zoneVerdicts(project.model, dips, errors, settings, result.mask.get());
     return tolerances;
 }
 

@@ -88,6 +88,9 @@ Traveller travellerText(const JobResult& result) {
     traveller.profiles = project.profiles;
     traveller.pins =
         datumPins(result.immersions.front().sheet, project.film, project.cradle.pinSpan);
+    if (result.mask) {
+        traveller.masked = maskedAreas(*result.mask);
+    }
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         TravellerDip dip;
@@ -121,7 +124,8 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         const Cradle* cradle = i < result.cradles.size() ? &result.cradles[i] : nullptr;
-        const PoseView view{*immersion.body, *fine, cradle ? &cradle->mesh : nullptr, films};
+        const PoseView view{*immersion.body, *fine, cradle ? &cradle->mesh : nullptr, films,
+                            result.mask.get()};
         TravellerDip& dip = traveller.dips[i];
         dip.front = posePicture(view, PoseSide::Front, posePixels, progress.silent());
         dip.right = posePicture(view, PoseSide::Right, posePixels, progress.silent());
@@ -130,7 +134,8 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         if (tablePays(*fine, 3.0 * afterPixels.width() * afterPixels.height())) {
             films.back().places = std::make_shared<const FilmPlaces>(*fine, *dipped[i].laid);
         }
-        dip.after = afterDip({*immersion.body, *fine, nullptr, films}, progress.silent());
+        dip.after = afterDip({*immersion.body, *fine, nullptr, films, result.mask.get()},
+                             progress.silent());
     }
     return traveller;
 }

@@ -24,7 +24,10 @@ constexpr double bareSamples = 20'000; // number of points on the body
 // Returns the share of each zone that no dip paints, 0 … 1.
 std::array<double, zoneCount> bareZones(const JobResult& result, const ZonedBody& zones) {
     const TriangleMesh& mesh = result.project.model->mesh;
-    const std::vector<SurfacePoint> places = evenSamples(mesh, surfaceArea(mesh) / bareSamples);
+    std::vector<SurfacePoint> places = evenSamples(mesh, surfaceArea(mesh) / bareSamples);
+    if (result.mask) {
+        std::erase_if(places, [&](const auto& place) { return result.mask->covers(place); });
+    }
     std::vector<std::uint8_t> isPainted(places.size());
     parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
         for (const ImmersionResult& dip : result.immersions) {
@@ -67,8 +70,8 @@ void addHandlingReasons(ReasonList& found, const JobTolerances& tolerances) {
 }
 
 double unreached(const JobResult& result) {
-    return result.share ? result.share->areas.none / result.share->areas.total()
-                        : 1 - result.coverageTotal;
+    return result.share && !result.mask ? result.share->areas.none / result.share->areas.total()
+                                        : 1 - result.coverageTotal;
 }
 
 // Tells whether the model shows only one colour.
@@ -110,12 +113,14 @@ std::shared_ptr<const ZonedBody> markedZones(const Project& project) {
     return zones;
 }
 
-Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones) {
+Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones,
+                   const SurfaceMask* mask) {
     return verdict({*dip.laid, *dip.coverage, dip.numericalError.get(),
                     dip.inkShortfall.value_or(dip.texture->shortfallArea), zones,
                     tankFaults(project.profiles.tank, project.process, dip.immersion,
                                dip.body->mesh, dip.body->path)
-                        .join(QStringLiteral(". "))},
+                        .join(QStringLiteral(". ")),
+                    mask},
                    project.tolerance, project.verdict);
 }
 
@@ -136,6 +141,22 @@ Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
     }
     addOriginReasons(found, result);
     return std::move(found).verdict();
+}
+
+std::vector<UnpaintedPlace> unreachedPlaces(const JobResult& result) {
+    if (!result.share) {
+        return {};
+    }
+    std::vector<UnpaintedPlace> places = result.share->unpainted;
+    if (result.mask) {
+        const PosedBody& body = *result.immersions.front().body;
+        std::erase_if(places, [&](const UnpaintedPlace& place) {
+            const Eigen::Vector3f posed =
+                (body.modelToPose * place.place.cast<double>()).cast<float>();
+            return result.mask->covers(body.query.closest(posed).point);
+        });
+    }
+    return places;
 }
 
 Advice adviceOf(const JobResult& result) {

@@ -9,12 +9,16 @@ namespace dipwright {
 std::shared_ptr<const ZonedBody> markedZones(const Project& project);
 
 // Returns the verdict on a dip. Its film must be laid and measured, and its sheet made. `zones` is
-// the result of markedZones().
-Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones);
+// the result of markedZones(), `mask` that of surfaceMask().
+Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones,
+                   const SurfaceMask* mask);
 
 // Returns the verdict on all dips together, for JobResult::verdict. `zones` is the result of
 // markedZones().
 Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones);
+
+// Returns the places that neither of two dips paints, without masked places; the largest first.
+std::vector<UnpaintedPlace> unreachedPlaces(const JobResult& result);
 
 // A reason and the dip that it is about. Without a dip, the reason is about all dips together.
 struct JobReason {

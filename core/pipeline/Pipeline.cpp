@@ -64,7 +64,8 @@ struct Run {
     const JobOptions& options;
     const JobResult* previous; // may be null
     CancelToken user;
-    std::shared_ptr<const ZonedBody> zones; // null: no zones are marked
+    std::shared_ptr<const ZonedBody> zones;  // null: no zones are marked
+    std::shared_ptr<const SurfaceMask> mask; // null: nothing is masked
     // For each immersion, whether this run has refined its film, so that nothing made from the
     // earlier film is taken over.
     std::vector<char> isRefined = {};
@@ -162,9 +163,11 @@ void dip(ImmersionResult& result, const Run& run, std::size_t number, const Dist
 // appearance has changed, measures the read-back error alone.
 void measure(ImmersionResult& result, const ImmersionResult* earlier, const Run& run) {
     const bool isLaidAnew = !result.coverage;
+    const bool isMaskedAnew =
+        earlier && earlier->inputs.texture.masks != result.inputs.texture.masks;
     run.user.throwIfCancelled();
-    if (isLaidAnew) {
-        result.coverage = std::make_shared<const Coverage>(coverage(*result.laid));
+    if (isLaidAnew || isMaskedAnew) {
+        result.coverage = std::make_shared<const Coverage>(coverage(*result.laid, run.mask.get()));
     }
     run.user.throwIfCancelled();
     if (!run.options.draftPictures && (isLaidAnew || earlier->appearance != result.appearance)) {
@@ -216,8 +219,8 @@ ReverseTexture textureOf(const LaidFilm& laid, const BodyColours* colours,
     const FilmSettings& film = inputs.dip.film;
     const QSize pixels = sheetPixels(film.width, film.height, inputs.resolution);
     if (inputs.isReversed()) {
-        ReverseTextureOptions options{pixels, inputs.bleed.value(), inputs.ink, std::move(share),
-                                      inputs.white};
+        ReverseTextureOptions options{pixels,   inputs.bleed.value(), inputs.ink, std::move(share),
+                                      run.mask, inputs.white};
         if (run.options.draftPictures) {
             options.tolerance = draftTolerance * film.width.value() / pixels.width();
         }
@@ -327,8 +330,9 @@ void refine(ImmersionResult& now, Run& run, std::size_t number, JobResult& job,
     SolverChoice solver = dipping.solver; // a failure here must not change the other dips' solver
     const Dipping finer{solver, dipping.comparison, dipping.left};
     const auto next = [&] {
-        const Verdict verdict = numericalVerdict(*now.laid, now.numericalError.get(),
-                                                 run.zones.get(), run.project.tolerance);
+        const Verdict verdict =
+            numericalVerdict(*now.laid, now.numericalError.get(), run.zones.get(), run.mask.get(),
+                             run.project.tolerance);
         return nextRefinement(now, verdict, run.project.film);
     };
     double done = 0;
@@ -466,7 +470,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     }
     measuring.wait();
     judge(now, run, comparison);
-    now.verdict = dipVerdict(now, run.project, run.zones.get());
+    now.verdict = dipVerdict(now, run.project, run.zones.get(), run.mask.get());
     now.finer =
         run.options.refines ? std::nullopt : nextRefinement(now, now.verdict, run.project.film);
     if (run.options.finished) {
@@ -490,7 +494,8 @@ void varyLaws(JobResult& result, const Run& run, SolverChoice& solver, const Pro
     }
 }
 
-double coverageTotal(const std::vector<ImmersionResult>& immersions, const Progress& progress) {
+double coverageTotal(const std::vector<ImmersionResult>& immersions, const SurfaceMask* mask,
+                     const Progress& progress) {
     if (immersions.size() == 1) {
         return immersions.front().coverage->share;
     }
@@ -498,7 +503,7 @@ double coverageTotal(const std::vector<ImmersionResult>& immersions, const Progr
     for (const ImmersionResult& immersion : immersions) {
         films.push_back(immersion.laid);
     }
-    return coverageTogether(films, progress);
+    return coverageTogether(films, progress, mask);
 }
 
 bool hasProofOf(const JobResult* previous, const std::vector<SheetInputs>& inputs) {
@@ -648,7 +653,7 @@ void runImmersions(JobResult& result, Run& run, const std::vector<SheetInputs>& 
     const bool hasCoverage = hasProof && !hasOldNames(run.previous, inputs);
     runIsolated([&] { showTogether(result, run, hasProof, hasCoverage, progress); });
     sheets.wait();
-    result.coverageTotal = coverageTotal(immersions, progress);
+    result.coverageTotal = coverageTotal(immersions, run.mask.get(), progress);
 }
 
 QStringList notesOf(const JobResult& result) {
@@ -699,10 +704,17 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     if (const QString note = memoryNote(project, printed); !note.isEmpty()) {
         progress(0, note);
     }
-    Run run{project, registry, options, previous, progress.cancelToken, markedZones(project)};
+    Run run{project,
+            registry,
+            options,
+            previous,
+            progress.cancelToken,
+            markedZones(project),
+            surfaceMask(project.model, project.masks, previous ? previous->mask : nullptr)};
     run.isRefined.resize(project.immersions.size());
     JobResult result;
     result.project = project;
+    result.mask = run.mask;
     result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;
     SolverChoice solver = chooseSolver(result.wantedSolver, registry, progress.cancelToken);
     result.chosenSolver = solver.solver.id;

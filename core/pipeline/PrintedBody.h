@@ -14,4 +14,8 @@ std::vector<FilmAppearance> filmAppearances(const std::vector<ImmersionResult>& 
 // Returns the surface below the ink. `baseColour` is the body's own colour as "#rrggbb", or empty.
 Ground groundOf(const SheetSettings& sheet, const QString& baseColour);
 
+// Draws the part of a finished result as it will come out, from the side where most of its paint
+// is. `size` is in pixels. Uses all cores. Throws Cancelled.
+QImage portraitOf(const JobResult& result, QSize size, const CancelToken& cancelToken);
+
 } // namespace dipwright

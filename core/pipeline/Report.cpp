@@ -165,9 +165,10 @@ QJsonObject toJson(const SeamCost& cost) {
     return {{"length_mm", cost.length}, {"cost_mm", cost.cost}};
 }
 
-QJsonObject shareJson(const BodyShare& share) {
+QJsonObject shareJson(const JobResult& result) {
+    const BodyShare& share = *result.share;
     QJsonArray unpainted;
-    for (const UnpaintedPlace& place : share.unpainted) {
+    for (const UnpaintedPlace& place : unreachedPlaces(result)) {
         unpainted.append(QJsonObject{
             {"area_mm2", place.area},
             {"model_mm", QJsonArray{place.place.x(), place.place.y(), place.place.z()}}});
@@ -410,7 +411,11 @@ QJsonObject report(const Project& project, const JobResult& result) {
                      {"costs", costsJson(result, project)},
                      {"notes", QJsonArray::fromStringList(result.notes)}};
     if (result.share) {
-        json["share"] = shareJson(*result.share);
+        json["share"] = shareJson(result);
+    }
+    if (result.mask) {
+        const MaskedAreas masked = maskedAreas(*result.mask);
+        json["masks"] = QJsonObject{{"areas", qint64(masked.count)}, {"area_mm2", masked.area}};
     }
     if (!project.artwork.isEmpty()) {
         json["artwork"] = toJson(project).value(QLatin1String("artwork"));

@@ -79,6 +79,7 @@ TextureInputs textureInputs(const Project& project, const JobOptions& options, s
             project.sheet.bleed,
             project.ink,
             project.sheet.white == WhiteLayer::None ? 0 : project.sheet.whiteDensity,
+            project.masks,
             options.chessboard,
             options.filmImage};
 }

@@ -11,6 +11,7 @@
 #include "settings/DipPath.h"
 #include "settings/FilmSettings.h"
 #include "settings/InkSettings.h"
+#include "settings/MaskSettings.h"
 #include "settings/ProcessSettings.h"
 #include "settings/Profile.h"
 #include "settings/ShareSettings.h"
@@ -98,6 +99,7 @@ struct TextureInputs {
     Millimetres bleed{0};
     InkSettings ink;
     double white = 0; // tint of the white layer; 0: none
+    std::vector<MaskMark> masks;
     bool chessboard = false;
     QImage filmImage;
     bool isReversed() const { return !chessboard && filmImage.isNull(); }

@@ -1,10 +1,12 @@
 #include "project/Field.h"
 
 #include "base/Error.h"
+#include "base/TypedNumber.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QRegularExpression>
+#include <algorithm>
 #include <cmath>
 
 namespace dipwright {
@@ -33,7 +35,8 @@ QString expectation(const FieldRule& rule) {
     case FieldKind::Colour:
         return Text::tr("a colour such as #1a2b3c");
     case FieldKind::Number:
-        return Text::tr("a number from %1 to %2").arg(plain(rule.minimum), plain(rule.maximum));
+        return Text::tr("a number from %1 to %2").arg(plain(rule.minimum), plain(rule.maximum)) +
+               (rule.unit.isEmpty() ? QString() : u' ' + rule.unit);
     case FieldKind::WholeNumber:
         return Text::tr("a whole number from %1 to %2")
             .arg(plain(rule.minimum), plain(rule.maximum));
@@ -112,6 +115,19 @@ void checkPart(const FieldRule& rule, const QJsonValue& value, const QString& pa
     }
 }
 
+// Returns the text itself if it is not a calculation, and so keeps no rule for numbers. A comma is
+// none either: it could be a decimal sign or separate digit groups.
+QJsonValue parseCalculation(const FieldRule& rule, const QString& text) {
+    constexpr double rounding = 1e-9; // of units
+    const TypedNumber typed = typedNumber(text, rule.unit, QLocale::c());
+    if (typed.values.size() != 1 || text.contains(u',')) {
+        return text;
+    }
+    const double number = typed.values.front();
+    const double limited = std::clamp(number, rule.minimum, rule.maximum);
+    return std::abs(number - limited) <= rounding * std::abs(limited) ? limited : number;
+}
+
 QJsonValue parsePart(const FieldRule& rule, const QString& text) {
     if (rule.kind == FieldKind::Flag) {
         if (text == QLatin1String("true") || text == QLatin1String("false")) {
@@ -123,9 +139,9 @@ QJsonValue parsePart(const FieldRule& rule, const QString& text) {
         return {};
     }
     if (rule.kind == FieldKind::Number || rule.kind == FieldKind::WholeNumber) {
-        bool isNumber = false;
-        const double number = QLocale::c().toDouble(text, &isNumber);
-        return isNumber ? QJsonValue(number) : QJsonValue(text);
+        bool isPlain = false;
+        const double plain = QLocale::c().toDouble(text, &isPlain);
+        return isPlain ? QJsonValue(plain) : parseCalculation(rule, text);
     }
     return text;
 }

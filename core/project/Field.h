@@ -24,6 +24,7 @@ struct FieldRule {
     // > 0: the value is a list of at most this many values of the rule. Parts of the list's values
     // may be null if the rule is nullable.
     int mostItems = 0;
+    QString unit = {}; // of the stored number, such as "mm"; empty: none
 };
 
 // `set` is called only with values that satisfy the rule. It may throw Error for conditions that
@@ -55,7 +56,9 @@ void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& p
                 const QString& file);
 
 // Parses a value from the command line: parts separated by x or ;, items of a list by /, "null",
-// "true" or "false". The result satisfies the rule. Throws Error naming `path`.
+// "true" or "false". A number may be a calculation with units (base/TypedNumber.h), with a point as
+// decimal sign; in a list it has no quotients. The result satisfies the rule. Throws Error naming
+// `path`.
 QJsonValue parseValue(const FieldRule& rule, const QString& text, const QString& path);
 
 } // namespace dipwright

@@ -34,6 +34,21 @@ double plainNumber(Quantity<Unit> quantity) {
     return quantity.value();
 }
 
+// The unit in which the file holds a value of this type; empty for plain numbers.
+template <typename Value>
+QString storedUnit() {
+    const bool isSpeed = std::is_same_v<Value, MillimetresPerSecond>;
+    const bool isAcceleration = std::is_same_v<Value, MillimetresPerSecondSquared>;
+    return std::is_same_v<Value, Millimetres>        ? QStringLiteral("mm")
+           : std::is_same_v<Value, Seconds>          ? QStringLiteral("s")
+           : isSpeed                                 ? QStringLiteral("mm/s")
+           : isAcceleration                          ? QStringLiteral("mm/s²")
+           : std::is_same_v<Value, Degrees>          ? QStringLiteral("°")
+           : std::is_same_v<Value, DegreesPerSecond> ? QStringLiteral("°/s")
+           : std::is_same_v<Value, DotsPerInch>      ? QStringLiteral("dpi")
+                                                     : QString();
+}
+
 // `access` is a generic lambda that takes an owner, const or not, and returns a reference to the
 // value.
 template <typename Owner, typename Access>
@@ -42,9 +57,9 @@ using ValueOf = std::remove_cvref_t<decltype(std::declval<Access>()(std::declval
 template <typename Owner = Project, typename Access>
 Field<Owner> number(const char* path, double minimum, double maximum, Access access) {
     using Value = ValueOf<Owner, Access>;
-    const bool whole = std::is_integral_v<Value>;
+    const FieldKind kind = std::is_integral_v<Value> ? FieldKind::WholeNumber : FieldKind::Number;
     return {QString::fromLatin1(path),
-            {whole ? FieldKind::WholeNumber : FieldKind::Number, 1, false, minimum, maximum},
+            {kind, 1, false, minimum, maximum, {}, 0, storedUnit<Value>()},
             [access](const Owner& owner) { return QJsonValue(plainNumber(access(owner))); },
             [access](Owner& owner, const QJsonValue& value) {
                 access(owner) = Value(value.toDouble());
@@ -56,7 +71,7 @@ template <typename Owner = Project, typename Access>
 Field<Owner> numberOrInfinity(const char* path, double minimum, double maximum, Access access) {
     using Value = ValueOf<Owner, Access>;
     return {QString::fromLatin1(path),
-            {FieldKind::Number, 1, true, minimum, maximum},
+            {FieldKind::Number, 1, true, minimum, maximum, {}, 0, storedUnit<Value>()},
             [access](const Owner& owner) {
                 const double number = plainNumber(access(owner));
                 return std::isinf(number) ? QJsonValue() : QJsonValue(number);
@@ -72,7 +87,7 @@ template <typename Owner = Project, typename Access>
 Field<Owner> numberOrNone(const char* path, double minimum, double maximum, Access access) {
     using Value = typename ValueOf<Owner, Access>::value_type;
     return {QString::fromLatin1(path),
-            {FieldKind::Number, 1, true, minimum, maximum},
+            {FieldKind::Number, 1, true, minimum, maximum, {}, 0, storedUnit<Value>()},
             [access](const Owner& owner) {
                 const auto& number = access(owner);
                 return number ? QJsonValue(plainNumber(*number)) : QJsonValue();
@@ -147,7 +162,7 @@ template <typename Owner = Project, typename Access>
 Field<Owner> numbers(const char* path, int parts, double minimum, double maximum, Access access) {
     using Value = std::remove_cvref_t<decltype(access(std::declval<Owner&>(), 0))>;
     return {QString::fromLatin1(path),
-            {FieldKind::Number, parts, false, minimum, maximum},
+            {FieldKind::Number, parts, false, minimum, maximum, {}, 0, storedUnit<Value>()},
             [access, parts](const Owner& owner) {
                 QJsonArray array;
                 for (int part = 0; part < parts; ++part) {

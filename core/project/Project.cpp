@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QRegularExpression>
 #include <limits>
 
@@ -23,6 +24,7 @@ struct Text {
 constexpr int maximumImmersions = 2;
 constexpr const char* shareMarksPath = "share.marks";
 constexpr const char* zoneMarksPath = "tolerance.marks";
+constexpr const char* masksPath = "masks";
 constexpr const char* builtPartsPath = "as_built.parts";
 constexpr const char* builtPlacesPath = "as_built.places";
 constexpr const char* tankTimesPath = "as_built.times";
@@ -84,6 +86,25 @@ std::vector<Item> readEntries(const QJsonObject& json, const std::vector<Field<I
                     file);
     }
     return readList(value.toArray(), fields, path, file);
+}
+
+// Reads a list of marks on the body. Bounds the points of all their brush strokes together.
+template <typename Mark>
+std::vector<Mark> readMarks(const QJsonObject& json, const std::vector<Field<Mark>>& fields,
+                            const char* list, std::size_t most, const QString& file) {
+    std::vector<Mark> marks = readEntries(json, fields, list, most, file);
+    std::size_t points = 0;
+    for (const Mark& mark : marks) {
+        points += mark.path.size();
+    }
+    if (points > mostBrushPointsOfAll) {
+        throw Error(Text::tr("The brush strokes in %1 have %2 points; at most %3 are possible")
+                        .arg(QString::fromLatin1(list))
+                        .arg(points)
+                        .arg(mostBrushPointsOfAll),
+                    file);
+    }
+    return marks;
 }
 
 template <typename P>
@@ -158,8 +179,9 @@ QJsonObject unknownPart(const QJsonObject& json) {
     for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {
         removeAt(unknown, QLatin1String(path));
     }
-    for (const char* path : {shareMarksPath, zoneMarksPath, builtPartsPath, builtPlacesPath,
-                             tankTimesPath, photosPath, pairsPath, floatingPath, artworkPath}) {
+    for (const char* path :
+         {shareMarksPath, zoneMarksPath, masksPath, builtPartsPath, builtPlacesPath, tankTimesPath,
+          photosPath, pairsPath, floatingPath, artworkPath}) {
         removeAt(unknown, QString::fromLatin1(path));
     }
     QJsonArray immersions;
@@ -300,6 +322,30 @@ bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
 
 } // namespace
 
+namespace {
+
+// Sets a list of marks from its JSON text. Returns false if the path names no such list.
+bool setMarksAt(Project& project, const QString& path, const QString& value) {
+    const auto set = [&](const char* list, const auto& fields, std::size_t most, auto& marks) {
+        if (path != QLatin1String(list)) {
+            return false;
+        }
+        const QJsonDocument document = QJsonDocument::fromJson(value.toUtf8());
+        if (!document.isArray()) {
+            throw Error(Text::tr("The value must be a list in JSON, as in the project file"), path);
+        }
+        QJsonObject json;
+        insertAt(json, path, document.array());
+        marks = readMarks(json, fields, list, most, {});
+        return true;
+    };
+    return set(masksPath, maskMarkFields(), mostMaskMarks, project.masks) ||
+           set(zoneMarksPath, zoneMarkFields(), mostZoneMarks, project.tolerance.marks) ||
+           set(shareMarksPath, shareMarkFields(), mostShareMarks, project.share.marks);
+}
+
+} // namespace
+
 void setByPath(Project& project, const QString& path, const QString& value) {
     static const QRegularExpression immersionPath(
         QStringLiteral("^immersions\\[(\\d{1,3})\\]\\.(.+)$"));
@@ -315,7 +361,7 @@ void setByPath(Project& project, const QString& path, const QString& value) {
                        value)) {
             return;
         }
-    } else if (setArtworkAt(project.artwork, path, value) ||
+    } else if (setMarksAt(project, path, value) || setArtworkAt(project.artwork, path, value) ||
                (!path.startsWith(QLatin1String("model.")) &&
                 setFieldAt(project, projectFields(), path, path, value))) {
         return;
@@ -351,6 +397,10 @@ QJsonObject toJson(const Project& project) {
              writeList(project.share.marks, shareMarkFields(), {}));
     insertAt(json, QString::fromLatin1(zoneMarksPath),
              writeList(project.tolerance.marks, zoneMarkFields(), {}));
+    if (!project.masks.empty()) {
+        insertAt(json, QString::fromLatin1(masksPath),
+                 writeList(project.masks, maskMarkFields(), {}));
+    }
     insertAt(json, QString::fromLatin1(builtPartsPath),
              writeList(project.asBuilt.parts, builtPartFields(), {}));
     insertAt(json, QString::fromLatin1(builtPlacesPath),
@@ -387,9 +437,10 @@ Project fromJson(const QJsonObject& json, const QString& where) {
     readFields(project, projectFields(), current, {}, where);
     project.immersions = readImmersions(current.value(QLatin1String("immersions")), where);
     project.share.marks =
-        readEntries(current, shareMarkFields(), shareMarksPath, mostShareMarks, where);
+        readMarks(current, shareMarkFields(), shareMarksPath, mostShareMarks, where);
     project.tolerance.marks =
-        readEntries(current, zoneMarkFields(), zoneMarksPath, mostZoneMarks, where);
+        readMarks(current, zoneMarkFields(), zoneMarksPath, mostZoneMarks, where);
+    project.masks = readMarks(current, maskMarkFields(), masksPath, mostMaskMarks, where);
     project.asBuilt.parts =
         readEntries(current, builtPartFields(), builtPartsPath, mostBuiltParts, where);
     project.asBuilt.places =

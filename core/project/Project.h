@@ -10,6 +10,7 @@
 #include "settings/Immersion.h"
 #include "settings/InkSettings.h"
 #include "settings/InspectedPart.h"
+#include "settings/MaskSettings.h"
 #include "settings/ProcessSettings.h"
 #include "settings/Profile.h"
 #include "settings/SearchSettings.h"
@@ -61,8 +62,9 @@ struct Project {
     ShareSettings share; // of two immersions
     CradleSettings cradle;
     ToleranceSettings tolerance;
-    VerdictSettings verdict; // the file omits default values
-    PoseAims poseAims;       // of pose searches; the file omits default values
+    std::vector<MaskMark> masks; // later marks override earlier ones
+    VerdictSettings verdict;     // the file omits default values
+    PoseAims poseAims;           // of pose searches; the file omits default values
     AsBuilt asBuilt;
     InspectedPart inspection;
     FilmOnWater filmOnWater;
@@ -83,7 +85,8 @@ QString projectName(const QString& path);
 void applyPreset(Project& project, const QString& preset);
 
 // Sets one value by its path in the schema ("film.points", "immersions[0].rotation_deg"), parts of
-// an array separated by x or ;. Throws Error naming the path if it is unknown or the value is out
+// an array separated by x or ;. The lists masks, tolerance.marks and share.marks are set as a
+// whole, by their text in JSON. Throws Error naming the path if it is unknown or the value is out
 // of range; the project then does not change.
 void setByPath(Project& project, const QString& path, const QString& value);
 

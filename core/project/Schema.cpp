@@ -31,7 +31,7 @@ Field<Project> filmPreset() {
 
 Field<Project> filmSizeField() {
     return {QStringLiteral("film.size_mm"),
-            {FieldKind::Number, 2, false, 10, 3000},
+            {FieldKind::Number, 2, false, 10, 3000, {}, 0, QStringLiteral("mm")},
             [](const Project& project) {
                 return QJsonArray{project.film.width.value(), project.film.height.value()};
             },
@@ -67,7 +67,7 @@ Field<Project> filmPoints() {
 
 Field<Project> filmCell() {
     return {QStringLiteral("film.cell_mm"),
-            {FieldKind::Number, 1, false, 0.1, 20},
+            {FieldKind::Number, 1, false, 0.1, 20, {}, 0, QStringLiteral("mm")},
             [](const Project& project) { return QJsonValue(project.film.cell.value()); },
             [](Project& project, const QJsonValue& value) {
                 project.film.cell = Millimetres(value.toDouble());
@@ -573,17 +573,87 @@ const std::vector<Field<Immersion>>& immersionFields() {
     return fields;
 }
 
+namespace {
+
+// The points of a brush stroke, each as [x mm, y mm, z mm] and the surface normal.
+template <typename Mark>
+Field<Mark> brushPathField() {
+    constexpr int parts = 6;
+    constexpr double farthest = 1e5, longestNormal = 1;
+    const QString path = QStringLiteral("path");
+    Field<Mark> field{
+        path,
+        {FieldKind::Number, parts, false, -farthest, farthest, {}, int(mostBrushPoints)},
+        [](const Mark& mark) {
+            QJsonArray rows;
+            for (const BrushPoint& point : mark.path) {
+                QJsonArray row;
+                for (const Millimetres place : point.place) {
+                    row.append(place.value());
+                }
+                for (const double outward : point.outward) {
+                    row.append(outward);
+                }
+                rows.append(row);
+            }
+            return QJsonValue(rows);
+        },
+        [path](Mark& mark, const QJsonValue& value) {
+            mark.path.clear();
+            for (const QJsonValue& row : value.toArray()) {
+                BrushPoint point;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const double outward = row.toArray().at(3 + axis).toDouble();
+                    if (std::abs(outward) > longestNormal) {
+                        throw Error(Text::tr("The normals of a brush stroke have parts from −1 "
+                                             "to 1"),
+                                    path);
+                    }
+                    point.place[std::size_t(axis)] = Millimetres(row.toArray().at(axis).toDouble());
+                    point.outward[std::size_t(axis)] = outward;
+                }
+                mark.path.push_back(point);
+            }
+        }};
+    return omittedIfDefault(std::move(field));
+}
+
+template <typename Mark>
+Field<Mark> placeField() {
+    return numbers<Mark>(
+        "place_mm", 3, -1e5, 1e5, [](auto& m, int part) -> auto& { return m.place[part]; });
+}
+
+template <typename Mark>
+Field<Mark> radiusField() {
+    return number<Mark>(
+        "radius_mm", 0, 1000, [](auto& m) -> auto& { return m.radius; });
+}
+
+// In the order of MarkExtent.
+QStringList extentWords() {
+    return {QStringLiteral("spot"), QStringLiteral("face"), QStringLiteral("material"),
+            QStringLiteral("stroke")};
+}
+
+// A mask's extent; it has no spots.
+Field<MaskMark> maskExtentField() {
+    Field<MaskMark> field = choice<MaskMark>(
+        "extent", extentWords(), [](auto& m) -> auto& { return m.extent; });
+    field.rule.choices.removeFirst();
+    return field;
+}
+
+} // namespace
+
 const std::vector<Field<ShareMark>>& shareMarkFields() {
     static const std::vector<Field<ShareMark>> fields{
         choice<ShareMark>(
             "kind",
             {QStringLiteral("first"), QStringLiteral("second"), QStringLiteral("avoid"),
-             QStringLiteral("allow")},
+             QStringLiteral("allow"), QStringLiteral("none")},
             [](auto& m) -> auto& { return m.kind; }),
-        numbers<ShareMark>(
-            "place_mm", 3, -1e5, 1e5, [](auto& m, int part) -> auto& { return m.place[part]; }),
-        number<ShareMark>(
-            "radius_mm", 0, 1000, [](auto& m) -> auto& { return m.radius; })};
+        placeField<ShareMark>(), radiusField<ShareMark>(), brushPathField<ShareMark>()};
     return fields;
 }
 
@@ -592,13 +662,21 @@ const std::vector<Field<ZoneMark>>& zoneMarkFields() {
         choice<ZoneMark>(
             "zone", {QStringLiteral("A"), QStringLiteral("B"), QStringLiteral("C")},
             [](auto& m) -> auto& { return m.zone; }),
-        numbers<ZoneMark>(
-            "place_mm", 3, -1e5, 1e5, [](auto& m, int part) -> auto& { return m.place[part]; }),
+        placeField<ZoneMark>(),
         choice<ZoneMark>(
-            "extent", {QStringLiteral("spot"), QStringLiteral("face"), QStringLiteral("material")},
-            [](auto& m) -> auto& { return m.extent; }),
-        number<ZoneMark>(
-            "radius_mm", 0, 1000, [](auto& m) -> auto& { return m.radius; })};
+            "extent", extentWords(), [](auto& m) -> auto& { return m.extent; }),
+        radiusField<ZoneMark>(), brushPathField<ZoneMark>()};
+    return fields;
+}
+
+const std::vector<Field<MaskMark>>& maskMarkFields() {
+    static const std::vector<Field<MaskMark>> fields{
+        maskExtentField(), omittedIfDefault(placeField<MaskMark>()),
+        omittedIfDefault(number<MaskMark>(
+            "radius_mm", leastMaskRadius, 1000, [](auto& m) -> auto& { return m.radius; })),
+        omittedIfDefault(flag<MaskMark>(
+            "erase", [](auto& m) -> auto& { return m.erases; })),
+        brushPathField<MaskMark>()};
     return fields;
 }
 

@@ -18,6 +18,7 @@ const std::vector<Field<Project>>& projectFields();
 const std::vector<Field<Immersion>>& immersionFields();
 const std::vector<Field<ShareMark>>& shareMarkFields();
 const std::vector<Field<ZoneMark>>& zoneMarkFields();
+const std::vector<Field<MaskMark>>& maskMarkFields();
 const std::vector<Field<BuiltPart>>& builtPartFields();
 const std::vector<Field<TankTime>>& tankTimeFields();
 const std::vector<Field<BuiltPlace>>& builtPlaceFields();

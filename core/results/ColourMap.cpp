@@ -1,6 +1,7 @@
 // Defines colour maps as curves in OKLab (B. Ottosson, "A perceptual color space for image
 // processing", 2020). Lightness changes evenly. Equal steps of the value therefore look equal, and
 // the order of values is visible in grey and with any colour vision.
+#include "results/ColourMap.h"
 #include "results/Results.h"
 #include "texture/LinearLight.h"
 
@@ -76,9 +77,24 @@ OkLab grey(double value) {
 struct NamedMap {
     const char* name;
     OkLab (*colour)(double);
+    QRgb above;
 };
-constexpr NamedMap maps[] = {
-    {"lagoon", lagoon}, {"dusk", dusk}, {"balance", balance}, {"grey", grey}};
+constexpr NamedMap maps[] = {{"lagoon", lagoon, 0xffc00000},
+                             {"dusk", dusk, 0xffc000e0},
+                             {"balance", balance, 0xff000000},
+                             {"grey", grey, 0xffc000e0}};
+
+const NamedMap& mapOf(const QString& name) {
+    const auto* found = std::find_if(std::begin(maps), std::end(maps), [&](const NamedMap& known) {
+        return name == QLatin1String(known.name);
+    });
+    if (found == std::end(maps)) {
+        throw Error(Text::tr("There is no colour map of this name; choose one of %1")
+                        .arg(colourMaps().join(QStringLiteral(", "))),
+                    name);
+    }
+    return *found;
+}
 
 } // namespace
 
@@ -91,15 +107,11 @@ QStringList colourMaps() {
 }
 
 QColor mapColour(const QString& map, double value) {
-    const auto* found = std::find_if(std::begin(maps), std::end(maps), [&](const NamedMap& known) {
-        return map == QLatin1String(known.name);
-    });
-    if (found == std::end(maps)) {
-        throw Error(Text::tr("There is no colour map of this name; choose one of %1")
-                        .arg(colourMaps().join(QStringLiteral(", "))),
-                    map);
-    }
-    return shown(found->colour(std::clamp(value, 0.0, 1.0)));
+    return shown(mapOf(map).colour(std::clamp(value, 0.0, 1.0)));
+}
+
+QColor colourAbove(const QString& map) {
+    return QColor(mapOf(map).above);
 }
 
 QColor painterColour(Painter painter) {

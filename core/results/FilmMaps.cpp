@@ -1,3 +1,4 @@
+#include "results/ColourMap.h"
 #include "results/Results.h"
 
 #include "dip/FilmMarks.h"
@@ -22,9 +23,7 @@ struct Text {
 const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor paleInk(105, 112, 120);
-// Colours that no colour map contains:
-const QColor unknown(208, 60, 140);
-const QColor past(255, 128, 96); // values above the scale
+const QColor unknown(0, 0, 0); // no colour map is as dark
 
 // The range of values and its colour map.
 struct Scale {
@@ -38,6 +37,7 @@ struct Scale {
     double share(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
     // Returns the colour at a place of the scale, 0 … 1.
     QColor colour(double place) const { return mapColour(map, lowerHalf ? place / 2 : place); }
+    QColor past() const { return colourAbove(map); }
 };
 
 double niceStep(double span) {
@@ -112,7 +112,8 @@ public:
     FilmPicture(const FilmValues& film, const solver::FilmGrid& grid, const Scale& scale,
                 QSize size)
         : film_(film), scale_(scale), size_(size), colours_(colourTable(scale)),
-          reach_(std::max(1, size.height() / 1000)), hatch_(std::max(size.width(), size.height())) {
+          past_(scale.past().rgb()), reach_(std::max(1, size.height() / 1000)),
+          hatch_(std::max(size.width(), size.height())) {
         for (int x = -margin(); x < size.width() + margin(); ++x) {
             columns_.push_back(columnAt(grid, (x + 0.5) / size.width()));
         }
@@ -141,7 +142,7 @@ private:
         const bool isPast = scale_.hasColourAbove && value > scale_.high;
         const QRgb colour = std::isnan(value) ? unknown.rgb()
                             : isPast
-                                ? past.rgb()
+                                ? past_
                                 : colours_[std::size_t(std::lround(255 * scale_.share(value)))];
         if (!painted(column(x), row(y))) {
             return faded(colour);
@@ -171,6 +172,7 @@ private:
     const Scale& scale_;
     QSize size_;
     std::array<QRgb, 256> colours_;
+    QRgb past_; // colour of values above the scale
     int reach_; // half the width of the outline of painted film, pixels
     Hatch hatch_;
     std::vector<double> columns_, rows_; // of the pixels and a margin, in cells
@@ -224,15 +226,22 @@ public:
     }
 
 private:
-    static constexpr double rightMargin = 1;
+    static constexpr double rightMargin = 1, markSize = 1.5;
 
+    QFont fontOf(double size) const {
+        QFont font(QStringLiteral("DejaVu Sans"));
+        font.setStyleHint(QFont::SansSerif);
+        font.setPixelSize(std::max(1, int(std::lround(size * unit_))));
+        return font;
+    }
+    double textWidth(const QString& text, double size) const {
+        return QFontMetricsF(fontOf(size)).horizontalAdvance(text) / unit_;
+    }
     void letter(QPainter& painter, const QRectF& box, int flags, const QString& text, double size,
                 const QColor& colour, bool bold = false) const {
         painter.save();
         painter.scale(1 / unit_, 1 / unit_);
-        QFont font(QStringLiteral("DejaVu Sans"));
-        font.setStyleHint(QFont::SansSerif);
-        font.setPixelSize(std::max(1, int(std::lround(size * unit_))));
+        QFont font = fontOf(size);
         font.setBold(bold);
         // Texts in other languages may be longer; they must still fit.
         const double room = picture_.width() - (box.left() + rightMargin) * unit_;
@@ -317,7 +326,7 @@ private:
     // Draws the legend for values above the scale.
     void drawLegendAbove(QPainter& painter, const QRectF& box) const {
         painter.setPen(QPen(ink, 0.12));
-        painter.setBrush(past);
+        painter.setBrush(subject_.scale.past());
         painter.drawRect(box);
         letter(painter, QRectF(box.right() + 1.2, box.top(), 8, box.height()),
                Qt::AlignLeft | Qt::AlignVCenter, Text::tr("more"), 1.5, ink);
@@ -345,12 +354,22 @@ private:
     }
 
     void drawMarks(QPainter& painter, QRectF box) const {
+        constexpr double sample = 4, gap = 3;
+        std::vector<solver::PointMark> marks;
+        double texts = 0; // their width at full size
         for (const solver::PointMark mark : filmMarks) {
             if (has(subject_.marks, mark)) {
-                paintHatched(painter, QRectF(box.left(), box.top(), 3.2, 1.8), mark);
-                letter(painter, box.translated(4, 0), Qt::AlignLeft, markText(mark), 1.5, ink);
-                box.setLeft(box.left() + 24);
+                marks.push_back(mark);
+                texts += textWidth(markText(mark), markSize);
             }
+        }
+        const double room = picture_.width() / unit_ - rightMargin - box.left() -
+                            double(marks.size()) * (sample + gap);
+        const double size = markSize * std::min(1.0, room / texts);
+        for (const solver::PointMark mark : marks) {
+            paintHatched(painter, QRectF(box.left(), box.top(), 3.2, 1.8), mark);
+            letter(painter, box.translated(sample, 0), Qt::AlignLeft, markText(mark), size, ink);
+            box.setLeft(box.left() + sample + textWidth(markText(mark), size) + gap);
         }
     }
 

@@ -1,7 +1,7 @@
-#include "parallel/ParallelFor.h"
-#include "results/Results.h"
+#include "results/Portrait.h"
 
 #include "dip/FilmMarks.h"
+#include "parallel/ParallelFor.h"
 #include "results/BodyViews.h"
 #include "results/FilmPlaces.h"
 #include "results/Hatch.h"
@@ -179,6 +179,26 @@ QImage proofPicture(const ProofStage& stage, const std::vector<FilmAppearance>& 
     nameSides(painter, options.tile);
     painter.end();
     drawMarks(picture, scene.marks());
+    return picture;
+}
+
+QImage portraitPicture(const ProofStage& stage, const std::vector<FilmAppearance>& films,
+                       const ProofOptions& options, const Eigen::Vector3f& towards,
+                       const CancelToken& cancelToken) {
+    constexpr float steepest = 40 * std::numbers::pi_v<float> / 180;
+    constexpr float room = 1.08f; // around the body
+    const float rise = std::asin(std::clamp(towards.normalized().y(), -1.0f, 1.0f));
+    const BodyCamera camera(stage.box, std::atan2(towards.x(), towards.z()),
+                            std::clamp(rise, -steepest, steepest));
+    const Scene scene(stage, films, options);
+    const float span = room * camera.span(stage.mesh, options.tile);
+    QImage picture(options.tile, QImage::Format_RGB888);
+    drawView(
+        picture, picture.rect(), camera.see(scene.mesh(), span, options.tile),
+        [&](const BodyRay& ray, const SurfacePoint& seen) {
+            return scene.light(ray, seen, camera);
+        },
+        camera, span, cancelToken);
     return picture;
 }
 

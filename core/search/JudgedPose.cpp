@@ -56,8 +56,13 @@ double percentile(std::vector<std::uint16_t>& values, double share) {
 
 JudgedBody::JudgedBody(const SearchSubject& subject,
                        const std::array<double, zoneCount>& zoneWeights)
-    : model_(subject.model), area_(surfaceArea(model_->mesh)) {
+    : model_(subject.model), area_(surfaceArea(model_->mesh)), openArea_(area_) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
+    if (subject.mask) {
+        const auto all = double(samples_.size());
+        std::erase_if(samples_, [&](const auto& place) { return subject.mask->covers(place); });
+        openArea_ = area_ * double(samples_.size()) / all;
+    }
     equator_ = std::sqrt(pi * area_);
     linkReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
     const std::vector<LinearColour> colours = surfaceColours(*model_, samples_);
@@ -161,7 +166,7 @@ void JudgedBody::measureSeam(const std::vector<std::uint8_t>& painters,
             }
         }
     }
-    const double density = double(samples_.size()) / area_;
+    const double density = double(samples_.size()) / openArea_;
     measures[Measure::Join] =
         double(crossings) / (2.0 / 3 * density * density * std::pow(linkReach_, 3));
     measures[Measure::Narrow] = double(narrow) / double(std::max<std::size_t>(crossings, 1));
@@ -215,7 +220,8 @@ PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) co
     const auto painted = double(std::max<std::size_t>(stretches.size(), 1));
     PoseMeasures measures;
     measures[Measure::Quality] = quality / std::max(weights, 1e-12);
-    measures[Measure::Coverage] = double(stretches.size()) / double(samples_.size());
+    measures[Measure::Coverage] =
+        double(stretches.size()) / double(std::max<std::size_t>(samples_.size(), 1));
     measures[Measure::Certain] = double(certain) / painted;
     measures[Measure::Wrinkled] = double(wrinkled) / painted;
     measures[Measure::Torn] = double(torn) / painted;

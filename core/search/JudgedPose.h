@@ -64,7 +64,7 @@ private:
     std::vector<std::vector<Link>> links_; // from each sample to the samples within linkReach_
     // Per place: the overlap that it needs with unstretched film, mm.
     std::vector<float> bands_;
-    double area_ = 0, linkReach_ = 0, equator_ = 0;
+    double area_ = 0, openArea_ = 0, linkReach_ = 0, equator_ = 0;
 };
 
 } // namespace dipwright

@@ -26,6 +26,9 @@ std::vector<float> placeWeights(const SearchSubject& subject,
                            return float(zoneWeights[std::size_t(zoned.at(place))]);
                        });
     }
+    for (std::size_t place = 0; subject.mask && place < places.size(); ++place) {
+        weights[place] = subject.mask->covers(places[place]) ? 0 : weights[place];
+    }
     if (subject.isWhitePrinted) {
         return weights;
     }

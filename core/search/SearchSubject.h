@@ -1,6 +1,7 @@
 // The input of a pose search.
 #pragma once
 
+#include "marks/SurfaceMask.h"
 #include "model/TexturedMesh.h"
 #include "settings/FilmSettings.h"
 #include "settings/Immersion.h"
@@ -19,15 +20,17 @@ struct TexturedMesh;
 
 struct SearchSubject {
     QString name;
-    // Two subjects have the same identity if their model, artwork, film, process, zones and solver
-    // are equal. The identity shows which shards belong to one search.
+    // Two subjects have the same identity if their model, artwork, film, process, zones, masks and
+    // solver are equal. The identity shows which shards belong to one search.
     QByteArray identity;
     std::shared_ptr<const TexturedMesh> model; // with its artwork; never null
     bool isWhitePrinted = false;               // then white places need film, too
     FilmSettings film;
     ProcessSettings process;
     int fieldResolution = 128;
-    ToleranceSettings tolerance;        // marked zones and their limits
+    ToleranceSettings tolerance; // marked zones and their limits
+    // Surface that needs no film, of `model`; null: none.
+    std::shared_ptr<const SurfaceMask> mask = {};
     VerdictSettings verdict;            // limits for the verdict on confirmed poses
     Millimetres registrationError{0.7}; // expected position error of dip 2
     // Poses that exceed its limits rank after all others; none: no limits.

@@ -33,12 +33,13 @@ struct BuiltPlace {
 };
 
 // The steps of one dip at the tank, in the order of the traveller.
-enum class TankStep { Lay, Soak, Activator, Dip, Hold, Flash, Dry, Compare };
+enum class TankStep { Tape, Lay, Soak, Activator, Dip, Hold, Flash, Dry, RemoveTape, Compare };
 // Returns the steps' words in files, in the same order.
 inline QStringList tankStepKeys() {
-    return {QStringLiteral("lay"), QStringLiteral("soak"),   QStringLiteral("activator"),
-            QStringLiteral("dip"), QStringLiteral("hold"),   QStringLiteral("flash"),
-            QStringLiteral("dry"), QStringLiteral("compare")};
+    return {QStringLiteral("tape"),      QStringLiteral("lay"), QStringLiteral("soak"),
+            QStringLiteral("activator"), QStringLiteral("dip"), QStringLiteral("hold"),
+            QStringLiteral("flash"),     QStringLiteral("dry"), QStringLiteral("remove_tape"),
+            QStringLiteral("compare")};
 }
 
 // How long a step at the tank took.

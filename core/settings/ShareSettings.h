@@ -1,7 +1,7 @@
 // The user's settings for how two dips share a body, as in the project file's "share".
 #pragma once
 
-#include "base/Units.h"
+#include "settings/SurfaceMark.h"
 
 #include <array>
 #include <cstdint>
@@ -15,13 +15,15 @@ enum class ShareMarkKind : std::uint8_t {
     Second, // dip 2 paints this
     Avoid,  // the seam avoids this area if it can
     Allow,  // the seam may run here
+    None,   // takes the area out of earlier marks
 };
 
-// A round spot on the body, or the whole face at a place.
+// A round spot on the body, the whole face at a place, or a brush stroke.
 struct ShareMark {
     ShareMarkKind kind = ShareMarkKind::Avoid;
     std::array<Millimetres, 3> place{}; // marks the model's point nearest to it; model coordinates
     Millimetres radius{5};              // along the surface; 0: the whole face
+    BrushPath path = {};                // of a stroke; empty: a spot or a face
     bool operator==(const ShareMark&) const = default;
 };
 

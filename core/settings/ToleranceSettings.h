@@ -2,7 +2,7 @@
 // it has to be. As in the project file's "tolerance".
 #pragma once
 
-#include "base/Units.h"
+#include "settings/SurfaceMark.h"
 
 #include <array>
 #include <cstdint>
@@ -15,18 +15,8 @@ namespace dipwright {
 enum class Zone : std::uint8_t { A, B, C };
 inline constexpr std::size_t zoneCount = 3;
 
-// How far a mark extends around its place.
-enum class ZoneExtent : std::uint8_t {
-    Spot,     // a radius along the surface
-    Face,     // the face that the place lies on
-    Material, // all surface with the material of the place
-};
-
-struct ZoneMark {
+struct ZoneMark : SurfaceMark {
     Zone zone = Zone::A;
-    std::array<Millimetres, 3> place{}; // the point of the model nearest to this; model coordinates
-    ZoneExtent extent = ZoneExtent::Spot;
-    Millimetres radius{5}; // of a spot mark
     bool operator==(const ZoneMark&) const = default;
 };
 

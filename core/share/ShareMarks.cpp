@@ -1,6 +1,7 @@
 #include "share/ShareMarks.h"
 
 #include "geometry/SurfaceSpot.h"
+#include "marks/StrokeArea.h"
 #include "share/SeamPlaces.h"
 
 namespace dipwright {
@@ -16,6 +17,16 @@ SurfacePoint placeOf(const ShareMark& mark, const SurfaceQuery& query) {
         .closest({float(mark.place[0].value()), float(mark.place[1].value()),
                   float(mark.place[2].value())})
         .point;
+}
+
+std::vector<std::uint32_t> trianglesOf(const TriangleMesh& mesh, const SurfaceQuery& query,
+                                       const ShareMark& mark) {
+    if (!mark.path.empty()) {
+        return trianglesOf(mesh, StrokeArea(mark.path, mark.radius));
+    }
+    const SurfacePoint middle = placeOf(mark, query);
+    const auto radius = float(mark.radius.value());
+    return radius > 0 ? trianglesWithin(mesh, middle, radius) : faceAround(mesh, middle.triangle);
 }
 
 // Returns the edges between triangles of a set and triangles outside the set.
@@ -43,6 +54,9 @@ std::vector<std::array<Eigen::Vector3f, 2>> borderOf(const TriangleMesh& mesh,
 
 std::vector<std::array<Eigen::Vector3f, 2>>
 markOutline(const TriangleMesh& mesh, const SurfaceQuery& query, const ShareMark& mark) {
+    if (!mark.path.empty()) {
+        return borderOf(mesh, trianglesOf(mesh, query, mark));
+    }
     const SurfacePoint middle = placeOf(mark, query);
     const auto radius = float(mark.radius.value());
     if (radius <= 0) {
@@ -68,10 +82,7 @@ void applyShareMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& mar
     const std::vector<std::array<double, 2>> unmarkedCosts = costs;
     const std::vector<float> unmarkedWeights = weights;
     for (const ShareMark& mark : marks) {
-        const SurfacePoint middle = placeOf(mark, query);
-        const auto radius = float(mark.radius.value());
-        for (const std::uint32_t triangle : radius > 0 ? trianglesWithin(mesh, middle, radius)
-                                                       : faceAround(mesh, middle.triangle)) {
+        for (const std::uint32_t triangle : trianglesOf(mesh, query, mark)) {
             const double area = triangleArea(mesh, triangle);
             switch (mark.kind) {
             case ShareMarkKind::First:
@@ -87,6 +98,10 @@ void applyShareMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& mar
                 break;
             case ShareMarkKind::Allow:
                 weights[triangle] = allowFactor * unmarkedWeights[triangle];
+                break;
+            case ShareMarkKind::None:
+                costs[triangle] = unmarkedCosts[triangle];
+                weights[triangle] = unmarkedWeights[triangle];
                 break;
             }
         }

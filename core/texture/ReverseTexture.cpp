@@ -120,7 +120,7 @@ public:
                 Shown shown, const ReverseTextureOptions& options, QImage& image, QImage& wanted,
                 const AsidePicture& aside)
         : laid_(laid), grid_(laid.film().grid), map_(map), colours_(colours), ink_(options.ink),
-          share_(options.share ? &*options.share : nullptr),
+          share_(options.share ? &*options.share : nullptr), mask_(options.mask.get()),
           columns_(grid_, image.width(), grid_.columns - 1, columnAt),
           rows_(grid_, image.height(), grid_.rows - 1, rowAt),
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
@@ -131,8 +131,9 @@ public:
 
     // The result of painting one row of cells.
     struct PaintedRow {
-        double shortfall = 0;             // mm² of body that become visibly too pale
-        std::vector<unsigned char*> left; // pixels whose colour only the other film gives
+        double shortfall = 0; // mm² of body that become visibly too pale
+        // Pixels that stay blank: only the other film gives their colour, or they are masked.
+        std::vector<unsigned char*> left;
     };
     PaintedRow paintCells(int row) const {
         PaintedRow painted;
@@ -146,6 +147,7 @@ public:
                     std::erase_if(pixels, [&](const Pixel& pixel) {
                         return !laid_.contact().reaches(triangle, pixel.weights);
                     });
+                    leaveMasked(triangle, pixels, painted.left);
                     takeShare(triangle, pixels, painted.left);
                     painted.shortfall += paint(map_.whole(triangle), pixels);
                 }
@@ -198,6 +200,18 @@ private:
             }
         }
         std::erase_if(pixels, [](const Pixel& pixel) { return !(pixel.share > 0); });
+    }
+    void leaveMasked(std::uint32_t triangle, std::vector<Pixel>& pixels,
+                     std::vector<unsigned char*>& left) const {
+        if (mask_) {
+            std::erase_if(pixels, [&](const Pixel& pixel) {
+                const bool isMasked = mask_->covers(map_.surface({triangle, pixel.weights}));
+                if (isMasked) {
+                    left.push_back(bytesOf(pixel));
+                }
+                return isMasked;
+            });
+        }
     }
     // Returns the share of a whole film triangle if its first corner determines it.
     std::optional<float> shareOfAll(std::uint32_t triangle) const {
@@ -375,6 +389,7 @@ private:
     const BodyColours& colours_;
     InkCompensation ink_;
     const PaintShare* share_; // may be null
+    const SurfaceMask* mask_; // may be null
     CellPlaces columns_;
     CellPlaces rows_;
     Eigen::Vector2f pixelSize_; // mm

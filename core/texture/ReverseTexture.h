@@ -7,6 +7,7 @@
 
 #include "base/Progress.h"
 #include "dip/LaidFilm.h"
+#include "marks/SurfaceMask.h"
 #include "model/TexturedMesh.h"
 #include "settings/InkSettings.h"
 #include "texture/PaintShare.h"
@@ -32,6 +33,7 @@ struct ReverseTextureOptions {
     double bleed = 2; // mm by which the colour is continued past the painted area
     InkSettings ink;
     std::optional<PaintShare> share = {}; // none: the film gives the whole colour everywhere
+    std::shared_ptr<const SurfaceMask> mask = {}; // stays blank; null: nothing is masked
     double white = 0;           // tint of the white layer on the body, 0 … 1; 0: no layer
     double tolerance = 0.03;    // mm on the body by which the texture may be displaced
     bool returnsWanted = false; // whether to return `wanted` and `stretch`
@@ -57,9 +59,9 @@ struct ReverseTexture {
 
 // Computes the image to print so that the dip puts `appearance` in its place on the body. Each
 // pixel in a painted film triangle shows its place of the texture, filtered over the area that the
-// pixel covers on the texture. Where this film's share is 0, the film stays blank, and colour is
-// not continued into that area. Uses all cores. Deterministic. Throws Cancelled, or Error if the
-// image does not fit into memory.
+// pixel covers on the texture. Where this film's share is 0, and on masked surface,
+// the film stays blank, and colour is not continued into that area. Uses all cores. Deterministic.
+// Throws Cancelled, or Error if the image does not fit into memory.
 ReverseTexture reverseTexture(const LaidFilm& laid, const SurfaceAppearance& appearance,
                               const ReverseTextureOptions& options, const Progress& progress);
 // The same for colours that several films share.

@@ -13,7 +13,8 @@ namespace dipwright {
 
 namespace {
 
-constexpr int mostTaps = 8;
+constexpr int mostTaps = 16;  // along the longer axis
+constexpr int mostPlaces = 8; // along each axis, near a chart's border
 constexpr float fullLight = 65535;
 
 using LightTexel = std::array<std::uint16_t, 4>;
@@ -102,6 +103,44 @@ std::vector<Cover> halvingCovers(int length) {
     return covers;
 }
 
+// Places along one axis of a pixel, in texels of the first level.
+struct Taps {
+    int count = 1;
+    float step = 0;
+};
+// Returns the taps over a pixel's `length`. `spot` is its shorter side, and `texel` is the size of
+// the level's texels; all in texels of the first level. On a square of two texels or more, the two
+// taps of each axis lie 0.4 of its side apart. On a smaller square they lie closer, so that the
+// variance of taps and linear interpolation (texel²/6) together stays in proportion to its area.
+Taps tapsOver(float length, float spot, float texel) {
+    constexpr float widest = 0.8F; // twice the distance of two taps, in sides
+    constexpr float variance = widest * widest / 16 + 1.0F / 24;
+    const float ratio = texel / spot;
+    const float width =
+        4 * std::sqrt(std::max(std::min(variance - ratio * ratio / 6, widest * widest / 16), 0.0F));
+    const float taken = length - (1 - width) * spot;
+    if (!(taken > 0)) {
+        return {};
+    }
+    const int count = std::max(int(std::ceil(length / texel - 1e-3F)), 1);
+    return {count, taken / float(count)};
+}
+
+// Returns the share of cubic interpolation for a pixel with these sides in texels. Linear
+// interpolation blurs most where texels and pixels have the same size. Coarse textures stay linear,
+// because cubic interpolation would show rims at their edges.
+float cubicShare(float longer, float shorter) {
+    constexpr float coarse = 0.5F, fine = 1.386F;
+    return std::clamp(std::min((shorter - coarse) / (1 - coarse), (fine - longer) / (fine - 1)),
+                      0.0F, 1.0F);
+}
+
+// Returns the weights of four texels, for a place `x` after the second (Keys 1981, a = −½).
+std::array<float, 4> cubicWeights(float x) {
+    return {((-0.5F * x + 1) * x - 0.5F) * x, (1.5F * x - 2.5F) * x * x + 1,
+            ((-1.5F * x + 2) * x + 0.5F) * x, (0.5F * x - 0.5F) * x * x};
+}
+
 } // namespace
 
 TextureSampler::TextureSampler(const QImage& image, bool repeats)
@@ -160,21 +199,26 @@ TextureFootprint TextureSampler::footprint(const TextureSteps& steps) const {
     }
     const Eigen::JacobiSVD<Eigen::Matrix2f> axes(texels, Eigen::ComputeFullU);
     const float longer = axes.singularValues()[0];
-    const float shorter = std::max(axes.singularValues()[1], 1.0f);
+    const float shorter = axes.singularValues()[1];
     TextureFootprint footprint;
-    if (longer <= 1) {
-        return footprint;
-    }
-    footprint.taps = int(std::clamp(std::ceil(longer / shorter), 1.0f, float(mostTaps)));
-    const float spot = std::max(longer / float(footprint.taps), shorter);
-    footprint.level = std::clamp(std::log2(spot), 0.0f, float(levels_.size() - 1));
-    const Eigen::Vector2f axis = axes.matrixU().col(0) * (longer / float(footprint.taps));
-    footprint.step = axis.cwiseQuotient(size());
+    footprint.cubic = cubicShare(longer, shorter);
+    const float spot = std::max(shorter, longer / float(mostTaps / 2)); // texels
+    const float texel = std::max(spot / 2, 1.0f);                       // of the level
+    footprint.level = std::clamp(std::log2(texel), 0.0f, float(levels_.size() - 1));
+    const Taps along = tapsOver(longer, spot, texel);
+    const Taps across = tapsOver(spot, spot, texel);
+    const auto step = [&](int axis, const Taps& taps) -> Eigen::Vector2f {
+        return (axes.matrixU().col(axis) * taps.step).cwiseQuotient(size());
+    };
+    footprint.along = along.count;
+    footprint.alongStep = step(0, along);
+    footprint.across = across.count;
+    footprint.acrossStep = step(1, across);
     return footprint;
 }
 
-TextureSampler::Corners TextureSampler::corners(const Level& level,
-                                                const Eigen::Vector2f& coordinate) const {
+Eigen::Vector2f TextureSampler::onLevel(const Level& level,
+                                        const Eigen::Vector2f& coordinate) const {
     float u = coordinate.x();
     float v = 1 - coordinate.y();
     if (repeats_) {
@@ -184,22 +228,27 @@ TextureSampler::Corners TextureSampler::corners(const Level& level,
         u = std::clamp(u, 0.0f, 1.0f);
         v = std::clamp(v, 0.0f, 1.0f);
     }
-    const float x = u * float(level.width) - 0.5f;
-    const float y = v * float(level.height) - 0.5f;
+    return {u * float(level.width) - 0.5f, v * float(level.height) - 0.5f};
+}
+
+std::size_t TextureSampler::inside(int index, int length) const {
+    if (repeats_) {
+        return std::size_t((index % length + length) % length);
+    }
+    return std::size_t(std::clamp(index, 0, length - 1));
+}
+
+TextureSampler::Corners TextureSampler::corners(const Level& level,
+                                                const Eigen::Vector2f& coordinate) const {
+    const Eigen::Vector2f place = onLevel(level, coordinate);
+    const float x = place.x();
+    const float y = place.y();
     const float left = std::floor(x);
     const float top = std::floor(y);
-    const auto place = [&](int index, int length) {
-        if (repeats_) {
-            return std::size_t(index < 0         ? index + length
-                               : index >= length ? index - length
-                                                 : index);
-        }
-        return std::size_t(std::clamp(index, 0, length - 1));
-    };
-    const std::size_t x0 = place(int(left), level.width);
-    const std::size_t x1 = place(int(left) + 1, level.width);
-    const std::size_t y0 = place(int(top), level.height) * std::size_t(level.width);
-    const std::size_t y1 = place(int(top) + 1, level.height) * std::size_t(level.width);
+    const std::size_t x0 = inside(int(left), level.width);
+    const std::size_t x1 = inside(int(left) + 1, level.width);
+    const std::size_t y0 = inside(int(top), level.height) * std::size_t(level.width);
+    const std::size_t y1 = inside(int(top) + 1, level.height) * std::size_t(level.width);
     const float right = x - left;
     const float down = y - top;
     return {{y0 + x0, y0 + x1, y1 + x0, y1 + x1},
@@ -225,21 +274,49 @@ LinearColour TextureSampler::trilinear(const Eigen::Vector2f& coordinate, float 
     return (1 - between) * colour + between * bilinear(levels_[finer + 1], coordinate);
 }
 
+LinearColour TextureSampler::cubic(const Eigen::Vector2f& coordinate) const {
+    const Level& level = levels_[0];
+    const Eigen::Vector2f place = onLevel(level, coordinate);
+    const int left = int(std::floor(place.x()));
+    const int top = int(std::floor(place.y()));
+    const std::array<float, 4> across = cubicWeights(place.x() - float(left));
+    const std::array<float, 4> down = cubicWeights(place.y() - float(top));
+    LinearColour sum = LinearColour::Zero();
+    for (int row = 0; row < 4; ++row) {
+        const std::size_t first = inside(top - 1 + row, level.height) * std::size_t(level.width);
+        LinearColour line = LinearColour::Zero();
+        for (int column = 0; column < 4; ++column) {
+            line += across[std::size_t(column)] *
+                    texel(level, first + inside(left - 1 + column, level.width));
+        }
+        sum += down[std::size_t(row)] * line;
+    }
+    return sum.max(0.0f).min(1.0f);
+}
+
 LinearColour TextureSampler::sample(const Eigen::Vector2f& coordinate,
                                     const TextureFootprint& footprint) const {
-    LinearColour sum = LinearColour::Zero();
-    for (int tap = 0; tap < footprint.taps; ++tap) {
-        const float offset = float(tap) - float(footprint.taps - 1) / 2;
-        sum += trilinear(coordinate + offset * footprint.step, footprint.level);
+    if (footprint.cubic > 0) {
+        return footprint.cubic * cubic(coordinate) +
+               (1 - footprint.cubic) * bilinear(levels_[0], coordinate);
     }
-    return sum / float(footprint.taps);
+    LinearColour sum = LinearColour::Zero();
+    for (int tap = 0; tap < footprint.along; ++tap) {
+        const Eigen::Vector2f line =
+            coordinate + (float(tap) - float(footprint.along - 1) / 2) * footprint.alongStep;
+        for (int side = 0; side < footprint.across; ++side) {
+            const float offset = float(side) - float(footprint.across - 1) / 2;
+            sum += trilinear(line + offset * footprint.acrossStep, footprint.level);
+        }
+    }
+    return sum / float(footprint.along * footprint.across);
 }
 
 LinearColour TextureSampler::sampleWithin(const Eigen::Vector2f& coordinate,
                                           const TextureSteps& steps, const ChartMap& charts,
                                           std::uint32_t chart) const {
     const float texels = longestStep(steps);
-    const int places = int(std::clamp(std::ceil(texels), 1.0f, float(mostTaps)));
+    const int places = int(std::clamp(std::ceil(texels), 1.0f, float(mostPlaces)));
     LinearColour sum = LinearColour::Zero();
     float weights = 0;
     for (int row = 0; row < places; ++row) {

@@ -61,13 +61,13 @@ std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& wher
     return readings;
 }
 
-QByteArray blankWedge(int stretches, bool black) {
+QByteArray blankWedge(const std::vector<WedgeInk>& rows, int stretches) {
     QByteArray table = columns + '\n';
-    for (int ink = 0; ink < (black ? lightInks + 1 : lightInks); ++ink) {
-        for (const double tone : wedgeTones) {
-            for (int stretch = 0; stretch < stretches; ++stretch) {
-                table += inkName(FilmInk(ink)).toUtf8() + ',' + QByteArray::number(tone) + ",,,,\n";
-            }
+    for (const WedgeInk& row : rows) {
+        for (std::size_t tone = 0; tone < row.tones; ++tone) {
+            const QByteArray line =
+                inkName(row.ink).toUtf8() + ',' + QByteArray::number(wedgeTones[tone]) + ",,,,\n";
+            table += line.repeated(stretches);
         }
     }
     return table;

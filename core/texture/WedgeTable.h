@@ -4,6 +4,8 @@
 #include "texture/InkLaw.h"
 
 #include <QByteArray>
+#include <array>
+#include <vector>
 
 namespace dipwright {
 
@@ -18,8 +20,12 @@ inline constexpr qint64 mostWedgeBytes = 1 << 20;
 // `across` and `down` are the lengths in mm of the page's two rulers on the stretched film; `shown`
 // is the density there. Throws Error that names the line.
 std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& where);
-// Returns a table to fill in, with `stretches` lines per tone and ink. The inks are cyan, magenta
-// and yellow, and also black if `black` is true.
-QByteArray blankWedge(int stretches, bool black = false);
+// A row of the wedge page: the first `tones` of wedgeTones in one ink.
+struct WedgeInk {
+    FilmInk ink = FilmInk::Cyan;
+    std::size_t tones = wedgeTones.size();
+};
+// Returns a table to fill in, with `stretches` lines per patch of the page.
+QByteArray blankWedge(const std::vector<WedgeInk>& rows, int stretches);
 
 } // namespace dipwright

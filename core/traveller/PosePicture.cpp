@@ -1,5 +1,6 @@
 #include "traveller/PosePicture.h"
 
+#include "marks/MaskColour.h"
 #include "parallel/ParallelFor.h"
 #include "results/AdaptiveSampling.h"
 #include "results/SeenBody.h"
@@ -121,6 +122,9 @@ private:
     }
 
     Eigen::Array3f filmColour(const SurfacePoint& point) const {
+        if (view_.mask && view_.mask->covers(view_.fine.onCoarse(point))) {
+            return channels(maskColour);
+        }
         for (auto film = view_.films.rbegin(); film != view_.films.rend(); ++film) {
             const auto place = film->places
                                    ? film->places->at(point)

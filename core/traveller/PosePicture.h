@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dip/LaidFilm.h"
+#include "marks/SurfaceMask.h"
 #include "results/FilmPlaces.h"
 #include "results/Results.h"
 
@@ -26,6 +27,7 @@ struct PoseView {
     const RefinedMesh& fine;              // of the body; the films' tables refer to it
     const TriangleMesh* cradle = nullptr; // in the body's frame; null or empty: no cradle
     std::vector<PoseFilm> films;          // later ones lie over earlier ones
+    const SurfaceMask* mask = nullptr;    // drawn as tape; null: nothing is masked
 };
 
 struct PosePicture {

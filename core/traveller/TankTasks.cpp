@@ -15,6 +15,8 @@ struct Text {
 
 QString tankStepTitle(TankStep step) {
     switch (step) {
+    case TankStep::Tape:
+        return Text::tr("Tape the masked surface");
     case TankStep::Lay:
         return Text::tr("Lay the film");
     case TankStep::Soak:
@@ -29,6 +31,8 @@ QString tankStepTitle(TankStep step) {
         return Text::tr("Let it flash off");
     case TankStep::Dry:
         return Text::tr("Rinse and dry");
+    case TankStep::RemoveTape:
+        return Text::tr("Remove the tape");
     case TankStep::Compare:
         break;
     }

@@ -301,6 +301,16 @@ std::vector<TankTask> stepsOf(const Traveller& traveller, std::size_t number) {
                               const std::optional<Seconds>& time) {
         add(step, text.arg(secondsText(time)), time);
     };
+    const bool isMasked = traveller.masked.count > 0, isLast = number + 1 == traveller.dips.size();
+    if (isMasked) {
+        add(TankStep::Tape,
+            number == 0 ? Text::tr("Cover the masked surface of the part with tape (pink in "
+                                   "the pictures). Number of areas: %1; in total %2 mm².")
+                              .arg(traveller.masked.count)
+                              .arg(plain(traveller.masked.area, 0))
+                        : Text::tr("Check that the tape still covers the masked surface (pink "
+                                   "in the pictures)."));
+    }
     add(TankStep::Lay, lay);
     addTimed(TankStep::Soak, Text::tr("Soak the film: %1"),
              ofFilm(traveller, &FilmProfile::soakTime));
@@ -323,8 +333,11 @@ std::vector<TankTask> stepsOf(const Traveller& traveller, std::size_t number) {
              ofFilm(traveller, &FilmProfile::flashTime));
     addTimed(TankStep::Dry, Text::tr("Rinse the part, then let it dry: %1"),
              ofFilm(traveller, &FilmProfile::dryingTime));
+    if (isMasked && isLast) {
+        add(TankStep::RemoveTape, Text::tr("Remove the tape from the masked surface."));
+    }
     add(TankStep::Compare,
-        number + 1 < traveller.dips.size()
+        !isLast
             ? Text::tr("Before dip %1, compare the part with the picture below: the colours are "
                        "in place, nothing is torn or folded, and the part is dry where it will "
                        "be held.")

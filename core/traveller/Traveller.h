@@ -35,6 +35,7 @@ struct Traveller {
     FilmSettings film;
     ProjectProfiles profiles;
     DatumPins pins;
+    MaskedAreas masked;             // surface that is taped before the first dip
     std::vector<TravellerDip> dips; // in the order of dipping
 };
 

@@ -27,15 +27,16 @@ constexpr int shownPlaces = 5;
 const QString fieldScheme = QStringLiteral("field:"); // marks a link to a field of the project
 constexpr double mostText = 0.65; // share of the panel's height; longer text scrolls
 
-// Returns the colour of the band beside the text. It is readable on light and dark windows.
+// Returns the colour of the band beside the text. It is readable on light and dark windows. The
+// colours differ with any colour vision.
 QString colourOf(Advice advice) {
     switch (advice) {
     case Advice::Print:
-        return QStringLiteral("#2e8b57");
+        return QStringLiteral("#008a9a");
     case Advice::CheckFirst:
-        return QStringLiteral("#d08700");
+        return QStringLiteral("#c88000");
     case Advice::DoNotPrint:
-        return QStringLiteral("#c83c3c");
+        return QStringLiteral("#d2304f");
     case Advice::NotJudged:
         break;
     }
@@ -128,7 +129,6 @@ void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, 
     text_->setHtml(outcome.fineness.isDraft()
                        ? paragraph(tr("This is a draft. The verdict follows with the result."))
                        : html(*outcome.result, result, unit));
-    fitText();
     const NumericalErrorEstimate* estimate = result.numericalError.get();
     if (estimate && estimate->failure.isEmpty()) {
         const QImage map = numericalErrorMap(
@@ -136,6 +136,7 @@ void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, 
             allowedError(Zone::C, outcome.result->project.tolerance), mapEdge, unit);
         map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     }
+    fitText();
 }
 
 void VerdictPanel::resizeEvent(QResizeEvent* event) {
@@ -143,14 +144,29 @@ void VerdictPanel::resizeEvent(QResizeEvent* event) {
     fitText();
 }
 
-// Makes the text field as tall as its text. Measures a copy, because a scroll bar changes the line
-// breaks of the original.
+// Returns the height of the map at the panel's width, with its buttons; 0 while it is hidden.
+int VerdictPanel::wantedMapHeight() const {
+    if (map_->isHidden()) {
+        return 0;
+    }
+    const PictureView& view = map_->view();
+    const int least = map_->minimumSizeHint().height();
+    const QSize picture = view.picture().size();
+    return picture.isEmpty() ? least
+                             : least - view.minimumSizeHint().height() +
+                                   picture.scaled(width(), height(), Qt::KeepAspectRatio).height();
+}
+
+// Makes the text field as tall as its text, but leaves the map the height that it fills at the
+// panel's width, up to a share of the panel's height. Measures a copy, because a scroll bar changes
+// the line breaks of the original.
 void VerdictPanel::fitText() {
     const QMargins around = layout()->contentsMargins();
     const std::unique_ptr<QTextDocument> measured(text_->document()->clone());
     measured->setTextWidth(width() - around.left() - around.right());
     const int words = int(std::ceil(measured->size().height()));
-    const int most = int(mostText * height());
+    const int free = height() - around.top() - around.bottom() - layout()->spacing();
+    const int most = std::max(int(mostText * height()), free - wantedMapHeight());
     text_->setVerticalScrollBarPolicy(words > most ? Qt::ScrollBarAlwaysOn
                                                    : Qt::ScrollBarAlwaysOff);
     text_->setFixedHeight(std::min(words, most));

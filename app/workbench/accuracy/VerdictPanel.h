@@ -32,6 +32,7 @@ signals:
 
 private:
     void choosePlace(const QUrl& link);
+    int wantedMapHeight() const;
     void fitText();
 
     std::vector<PlaceToCheck> places_;

@@ -17,11 +17,11 @@ struct Text {
 
 // Distinguishable with any colour vision (Okabe & Ito).
 const std::array<QColor, zoneCount> hues{QColor(0x00, 0x72, 0xb2), QColor(0x00, 0x9e, 0x73),
-                                         QColor(0x7a, 0x86, 0x92)};
+                                         QColor(80, 70, 90)};
 const QColor past(0xd5, 0x5e, 0x00);
 
-constexpr double even = 0.55; // strength of a zone's colour without tolerances
-constexpr double steps = 4;   // shades that the eye can distinguish
+constexpr double even = 0.8; // strength of a zone's colour without tolerances
+constexpr double steps = 4;  // shades that the eye can distinguish
 
 QColor mixed(const QColor& colour, double share) {
     const auto part = [share](int value) { return int(std::lround(255 + share * (value - 255))); };
@@ -46,6 +46,10 @@ QColor colourOf(std::size_t zone, double spread, double limit) {
 }
 
 } // namespace
+
+QColor zoneColour(Zone zone) {
+    return mixed(hues[std::size_t(zone)], even);
+}
 
 BodyAppearance zoneAppearance(std::shared_ptr<const TexturedMesh> body, const ZonedBody& zones,
                               const JobTolerances* tolerances, const ToleranceSettings& settings) {

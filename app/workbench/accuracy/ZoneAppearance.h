@@ -5,6 +5,8 @@
 
 namespace dipwright {
 
+QColor zoneColour(Zone zone);
+
 // Each zone has its own colour. The colour is pale where the image uses up little of the zone's
 // limit. If `tolerances` is null, the whole zone has one shade. `zones` must come from the marks in
 // `settings`, and `body` must be plainBody() of its mesh.

@@ -16,25 +16,29 @@ ZoneFields::ZoneFields(LengthUnit unit, QWidget* parent)
     extent_->setAccessibleName(tr("Extent"));
     extent_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     extent_->setMinimumContentsLength(8);
-    extent_->addItem(tr("Spot"), int(ZoneExtent::Spot));
-    extent_->addItem(tr("Whole face"), int(ZoneExtent::Face));
-    extent_->addItem(tr("Whole material"), int(ZoneExtent::Material));
+    extent_->addItem(tr("Brush"), int(MarkExtent::Stroke));
+    extent_->addItem(tr("Whole face"), int(MarkExtent::Face));
+    extent_->addItem(tr("Whole material"), int(MarkExtent::Material));
     extent_->setToolTip(
-        tr("How far the mark extends around the click: a radius along the surface, the face up to "
-           "its edges, or everything with the same material in the model."));
+        tr("What a click marks: the surface under the brush, the face up to its edges, or "
+           "everything with the same material in the model."));
     form().insertRow(radiusRow, tr("Extent"), extent_);
     connect(extent_, &QComboBox::currentIndexChanged, this, [this] {
-        setRadiusEnabled(extent_->currentData().toInt() == int(ZoneExtent::Spot));
+        setRadiusEnabled(extent_->currentData().toInt() == int(MarkExtent::Stroke));
         emit changed();
     });
 }
 
-MarkBrush ZoneFields::brush() const {
+MarkBrush ZoneFields::chosen() const {
     const int zone = kind().currentData().toInt();
     if (zone == noKind) {
         return {};
     }
-    return ZoneMark{Zone(zone), {}, ZoneExtent(extent_->currentData().toInt()), radius()};
+    ZoneMark mark;
+    mark.zone = Zone(zone);
+    mark.extent = MarkExtent(extent_->currentData().toInt());
+    mark.radius = radius();
+    return mark;
 }
 
 } // namespace dipwright

@@ -11,7 +11,8 @@ class ZoneFields : public MarkFields {
 public:
     explicit ZoneFields(LengthUnit unit, QWidget* parent = nullptr);
 
-    MarkBrush brush() const override;
+protected:
+    MarkBrush chosen() const override;
 
 private:
     QComboBox* extent_;

@@ -250,9 +250,26 @@ std::vector<WindowActions::Entry> WindowActions::displayEntries() {
          key("Ctrl+K"), Kind::ToggledOff},
         {&A::seeThrough, "seeThrough", "see-through", tr("S&ee-through film"),
          tr("Show the part through the film"), key("Ctrl+T"), Kind::ToggledOff},
-        {&A::measure, "measure", "measure", tr("&Measure"),
-         tr("Click two places on the part to measure the distance between them"), key("Ctrl+M"),
+        {&A::warnings,
+         "warnings",
+         "warning",
+         tr("Warnings on t&he part"),
+         tr("Mark trapped air, torn film and places that are not reached. Click a mark to see it "
+            "in "
+            "the report"),
+         {},
+         Kind::ToggledOn},
+        {&A::cradle,
+         "cradle",
+         "",
+         tr("Cradle aro&und the part"),
+         tr("Make the cradle of this dip and show it, before you export it"),
+         {},
          Kind::ToggledOff},
+        {&A::measure, "measure", "measure", tr("&Measure"),
+         tr("Click two places on the part to measure the straight distance between them, and the "
+            "distance along the surface"),
+         key("Ctrl+M"), Kind::ToggledOff},
     };
 }
 
@@ -264,8 +281,8 @@ void WindowActions::addFilmLooks() {
         action->setData(int(look));
         filmLook->addAction(action);
     };
-    addLook("filmLines", tr("&Lines every 10 mm"), FilmLook::Lines, Kind::ToggledOn);
-    addLook("filmSheet", tr("Film &image"), FilmLook::Sheet, Kind::ToggledOff);
+    addLook("filmLines", tr("&Lines every 10 mm"), FilmLook::Lines, Kind::ToggledOff);
+    addLook("filmSheet", tr("Film &image"), FilmLook::Sheet, Kind::ToggledOn);
     addLook("filmStretch", tr("S&tretch"), FilmLook::Stretch, Kind::ToggledOff);
     addLook("filmShares", tr("&Shares of the dips"), FilmLook::Shares, Kind::ToggledOff);
     addLook("filmChessboard", tr("&Chessboard, 17 mm squares"), FilmLook::Chessboard,
@@ -322,9 +339,10 @@ void WindowActions::enable(const WindowState& state) {
     const bool any = state.document != nullptr;
     const std::size_t immersions = any ? state.document->project().immersions.size() : 0;
     for (QAction* action :
-         {saveAs, snapshots, replaceModel, replaceTexture, fit,    fitPart,  oblique,   front,
-          right,  top,       back,         left,           bottom, parallel, rings,     water,
-          body,   section,   seeThrough,   measure,        live,   zones,    findPoses, artwork}) {
+         {saveAs, snapshots, replaceModel, replaceTexture, fit,        fitPart, oblique,
+          front,  right,     top,          back,           left,       bottom,  parallel,
+          rings,  water,     body,         section,        seeThrough, measure, live,
+          zones,  findPoses, artwork,      warnings}) {
         action->setEnabled(any);
     }
     for (QActionGroup* group : {filmLook, bodyTurns, bodyMoves}) {
@@ -343,7 +361,7 @@ void WindowActions::enable(const WindowState& state) {
         action->setEnabled(state.hasSheet);
     }
     // What is exported is what is on show.
-    for (QAction* action : {exportResults, exportPdf, exportPng, exportCradles, tank}) {
+    for (QAction* action : {exportResults, exportPdf, exportPng, exportCradles, cradle, tank}) {
         action->setEnabled(state.hasSheet && !state.isDraft);
     }
     play->setEnabled(state.isRecorded);

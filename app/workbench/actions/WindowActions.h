@@ -39,7 +39,7 @@ public:
     QAction *fit, *fitPart, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout,
         *saveLayout, *parallel;
     QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *wearsFilm, *section,
-        *seeThrough, *measure;
+        *seeThrough, *warnings, *cradle, *measure;
     QActionGroup* filmLook;              // each action's data is its FilmLook
     QActionGroup *bodyTurns, *bodyMoves; // each action's data is its BodyStep
     QAction *tour, *guide, *whatsThis, *about;

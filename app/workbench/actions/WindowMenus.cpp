@@ -69,7 +69,7 @@ void WindowMenus::makeViewMenu(QMenu& menu, const WindowActions& a) {
     film_ = menu.addMenu(icon(QStringLiteral("film")), tr("Film appearan&ce"));
     film_->addActions(a.filmLook->actions());
     menu.addActions({a.wearsFilm, a.filmOnBody, a.seeThrough, a.section, a.body, a.coverage,
-                     a.bodyPrint, a.zones, a.water, a.rings, a.measure});
+                     a.bodyPrint, a.zones, a.warnings, a.cradle, a.water, a.rings, a.measure});
 }
 
 void WindowMenus::makeWindowMenu(QMenu& menu, const WindowActions& a,

@@ -28,6 +28,15 @@ std::shared_ptr<const TexturedMesh> plainBody(const TriangleMesh& mesh) {
     return body;
 }
 
+BodyAppearance bareAppearance(std::shared_ptr<const TexturedMesh> model,
+                              const std::optional<QColor>& base) {
+    const QColor bare = base.value_or(QColor(206, 206, 203)); // as in the proof
+    BodyAppearance appearance{std::move(model), {}};
+    appearance.colours.assign(appearance.model->mesh.triangles.size(), bare.rgb());
+    appearance.legend = {{bare, Text::tr("Not painted")}};
+    return appearance;
+}
+
 BodyAppearance previewAppearance(std::shared_ptr<const TexturedMesh> body,
                                  const std::vector<std::uint8_t>& covered) {
     const QRgb painted = mapColour(QStringLiteral("balance"), 0.1).rgb();

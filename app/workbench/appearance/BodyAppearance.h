@@ -21,6 +21,10 @@ std::shared_ptr<const TexturedMesh> plainBody(const RefinedMesh& mesh);
 // Returns `mesh`, which is fine enough already, as a body of one plain colour.
 std::shared_ptr<const TexturedMesh> plainBody(const TriangleMesh& mesh);
 
+// Shows `model` in one colour, as it is where no film paints it. `base` is the body's own colour;
+// none: light grey.
+BodyAppearance bareAppearance(std::shared_ptr<const TexturedMesh> model,
+                              const std::optional<QColor>& base);
 // Colours the area that a dip would paint. `covered`: one value for each triangle of `body`; not 0:
 // the dip would paint it.
 BodyAppearance previewAppearance(std::shared_ptr<const TexturedMesh> body,

@@ -10,21 +10,23 @@ namespace {
 
 constexpr double fineTriangles = 40'000; // approximate
 
-QColor colourOf(ShareMarkKind kind) {
+} // namespace
+
+QColor shareMarkColour(ShareMarkKind kind) {
     switch (kind) {
     case ShareMarkKind::First:
         return painterColour(Painter::First).lighter(140);
     case ShareMarkKind::Second:
         return painterColour(Painter::Second).lighter(120);
     case ShareMarkKind::Avoid:
-        return {214, 66, 66};
+        return {170, 20, 40};
     case ShareMarkKind::Allow:
-        return {70, 170, 96};
+        return {200, 230, 90};
+    case ShareMarkKind::None:
+        return {150, 150, 150};
     }
     return {};
 }
-
-} // namespace
 
 MarkLines::MarkLines(const TriangleMesh& body)
     : mesh_(body, edgeForTriangles(body, fineTriangles)), query_(mesh_.mesh()) {}
@@ -40,7 +42,7 @@ std::vector<ViewLine> MarkLines::lines(const std::vector<ShareMark>& marks) {
         } else {
             drawn.push_back({mark, {}});
             for (const auto& ends : markOutline(mesh_.mesh(), query_, mark)) {
-                drawn.back().lines.push_back({ends, colourOf(mark.kind)});
+                drawn.back().lines.push_back({ends, shareMarkColour(mark.kind)});
             }
         }
         all.insert(all.end(), drawn.back().lines.begin(), drawn.back().lines.end());

@@ -8,6 +8,8 @@
 
 namespace dipwright {
 
+QColor shareMarkColour(ShareMarkKind kind);
+
 // Caches the lines of each mark, so that only new marks cost time. UI thread only.
 class MarkLines {
 public:

@@ -21,7 +21,6 @@
 #include <QRegularExpressionValidator>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QStringList>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -221,14 +220,16 @@ void ArtworkPage::makeFields() {
     colour_ = addColour(*form_, "layerColour", tr("Colour"), &ArtworkLayer::colour);
     secondColour_ =
         addColour(*form_, "layerSecondColour", tr("Light colour"), &ArtworkLayer::secondColour);
-    seed_ = new QSpinBox;
+    seed_ = new NumberBox;
+    seed_->setDecimals(0);
     seed_->setObjectName(QStringLiteral("layerSeed"));
     seed_->setAccessibleName(tr("Variant"));
     seed_->setToolTip(tr("Each number gives a different pattern of the same kind."));
     seed_->setRange(0, mostSeed);
     seed_->setKeyboardTracking(false);
-    connect(seed_, &QSpinBox::valueChanged, this, [this](int value) {
-        change(QStringLiteral("layerSeed"), [&](ArtworkLayer& layer) { layer.seed = value; });
+    connect(seed_, &NumberBox::valueChanged, this, [this] {
+        change(QStringLiteral("layerSeed"),
+               [&](ArtworkLayer& layer) { layer.seed = seed_->wholeValue(); });
     });
     form_->addRow(tr("Variant"), seed_);
     opacity_ = addNumber(*form_, "layerOpacity", tr("Opacity"),

@@ -17,10 +17,11 @@ class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
 class QPushButton;
-class QSpinBox;
 class QToolButton;
 
 namespace dipwright {
+
+class NumberBox;
 
 class ArtworkPage : public QWidget {
     Q_OBJECT
@@ -73,7 +74,7 @@ private:
     QPlainTextEdit* text_;
     QFontComboBox* font_;
     QPushButton *colour_, *secondColour_;
-    QSpinBox* seed_;
+    NumberBox* seed_;
     QDoubleSpinBox *opacity_, *turn_, *repeat_;
     std::array<QDoubleSpinBox*, 2> size_{};
     QLabel* shownSize_; // the size at which the layer is printed

@@ -141,6 +141,8 @@ std::vector<ProjectDifference> projectDifferences(const Project& first, const Pr
                     count(second.share.marks.size()));
     differences.add(Text::tr("Marks for zones"), count(first.tolerance.marks.size()),
                     count(second.tolerance.marks.size()));
+    differences.add(Text::tr("Marks for masks"), count(first.masks.size()),
+                    count(second.masks.size()));
     differences.addAims(first.poseAims, second.poseAims);
     const auto nameOfAny = [](const auto& profile) {
         return profile ? profile->name : QStringLiteral("–");

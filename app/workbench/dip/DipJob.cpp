@@ -1,5 +1,6 @@
 #include "workbench/dip/DipJob.h"
 
+#include "pipeline/PrintedBody.h"
 #include "sheet/page/SheetLayout.h"
 
 #include <QCoreApplication>
@@ -14,6 +15,7 @@ constexpr std::size_t mostFrames = 240;
 constexpr double previewResolution = 150; // dpi, if the sheet has as many
 constexpr double longestPreview = 2800;   // pixels
 constexpr double dipDone = 0.95;
+constexpr QSize portraitSize(384, 240);
 
 } // namespace
 
@@ -89,6 +91,10 @@ void DipJob::process(const Progress& progress) {
         outcome_.readings.push_back(std::make_shared<FilmReadout>(immersion.laid));
         progress.cancelToken.throwIfCancelled();
         outcome_.sheets.push_back(sheetPreview(immersion.sheet));
+    }
+    if (!fineness.isDraft()) {
+        outcome_.warnings = jobWarnings(*result);
+        outcome_.portrait = portraitOf(*result, portraitSize, progress.cancelToken);
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pipeline/JobDraft.h"
+#include "pipeline/JobWarnings.h"
 #include "workbench/dip/DipRecording.h"
 #include "workbench/dip/FilmReadout.h"
 #include "workbench/jobs/Job.h"
@@ -33,6 +34,8 @@ struct DipOutcome {
     std::vector<SheetPreview> sheets;
     Project project = {}; // the project that was run; `result` of a draft has a coarser one
     Fineness fineness = {};
+    std::vector<JobWarning> warnings = {}; // empty for a draft
+    QImage portrait = {};                  // portraitOf(); null for a draft
     DipRecordings recordings = {}; // one for each dip; null for a draft or a dip that was reused
 };
 

@@ -51,7 +51,8 @@ Eigen::Vector3f weightsIn(const std::array<Eigen::Vector2f, 3>& corners,
 } // namespace
 
 FilmReadout::FilmReadout(std::shared_ptr<const LaidFilm> laid)
-    : laid_(std::move(laid)), mesh_{film().positions, laid_->triangles()} {
+    : laid_(std::move(laid)), mesh_{film().positions, laid_->triangles()},
+      draped_(drapedFilm(*laid_)) {
     query_ = std::make_unique<SurfaceQuery>(mesh_);
     const auto mean = [&](float (*value)(const PrincipalStretch&)) {
         return perPoint(film().positions.size(), mesh_.triangles, laid_->stretches(), value);

@@ -2,7 +2,7 @@
 // Built on the worker thread, then constant.
 #pragma once
 
-#include "dip/LaidFilm.h"
+#include "workbench/dip/DrapedFilm.h"
 
 #include <optional>
 
@@ -30,6 +30,8 @@ public:
     explicit FilmReadout(std::shared_ptr<const LaidFilm> laid);
 
     const DippedFilm& film() const { return laid_->film(); }
+    // The film as it is drawn.
+    const DrapedFilm& draped() const { return draped_; }
     // One value for each film point.
     const std::vector<float>& values(FilmQuantity quantity) const {
         return values_[std::size_t(quantity)];
@@ -54,6 +56,7 @@ private:
 
     std::shared_ptr<const LaidFilm> laid_;
     TriangleMesh mesh_; // the dipped film
+    DrapedFilm draped_;
     std::unique_ptr<SurfaceQuery> query_;
     std::array<std::vector<float>, filmQuantityCount> values_, painted_;
     std::array<Distribution, filmQuantityCount> spreads_;

@@ -1,4 +1,5 @@
-// Adds and removes the user's marks on the body: for the seam of two dips, and for zones.
+// Adds and removes the user's marks on the body: for the seam of two dips, for zones, and for
+// masks.
 #pragma once
 
 #include "workbench/document/Document.h"
@@ -8,14 +9,19 @@
 namespace dipwright {
 
 // The mark that a click on the body sets, without its place. monostate: no mark.
-using MarkBrush = std::variant<std::monostate, ShareMark, ZoneMark>;
+using MarkBrush = std::variant<std::monostate, ShareMark, ZoneMark, MaskMark>;
 
-// Removes the oldest mark of the kind if the project holds the maximum number. Marks in a row are
-// one undo step, until Document::endMerge().
-void addMark(Document& document, const ShareMark& mark);
-void addMark(Document& document, const ZoneMark& mark);
+// Returns whether a brush draws strokes. Other brushes mark a whole face or material.
+bool drawsStrokes(const MarkBrush& brush);
+// Returns the brush that takes its area out of marks of the same kind.
+MarkBrush eraserOf(const MarkBrush& brush);
+// Sets the paths of a brush as marks, in one undo step. Removes the oldest marks of the kind if the
+// project holds the maximum number. The brush must draw strokes.
+void addStrokes(Document& document, const MarkBrush& brush, const std::vector<BrushPath>& paths);
+// Sets the mark of a brush that draws no strokes, in one undo step.
+void addMark(Document& document, const MarkBrush& brush, const std::array<Millimetres, 3>& place);
 
-// Each is one undo step. `Mark` is ShareMark or ZoneMark.
+// Each is one undo step. `Mark` is ShareMark, ZoneMark or MaskMark.
 template <typename Mark>
 void removeLastMark(Document& document);
 template <typename Mark>

@@ -6,11 +6,26 @@
 namespace dipwright {
 namespace {
 
+constexpr double mostRadius = 1000; // mm, of a stroke
+
+void scalePlace(std::array<Millimetres, 3>& place, double factor) {
+    for (Millimetres& coordinate : place) {
+        coordinate = Millimetres(coordinate.value() * factor);
+    }
+}
+
 template <typename Mark>
 void scaleMarks(std::vector<Mark>& marks, double factor) {
     for (Mark& mark : marks) {
-        for (Millimetres& coordinate : mark.place) {
-            coordinate = Millimetres(coordinate.value() * factor);
+        scalePlace(mark.place, factor);
+        if constexpr (requires { mark.path; }) {
+            for (BrushPoint& point : mark.path) {
+                scalePlace(point.place, factor);
+            }
+            if (!mark.path.empty()) {
+                mark.radius = Millimetres(
+                    std::clamp(mark.radius.value() * factor, leastMaskRadius, mostRadius));
+            }
         }
     }
 }
@@ -41,6 +56,7 @@ void resizeModel(Document& document, Millimetres longestEdge) {
                       project.modelOrigin.sha256.clear();
                       scaleMarks(project.share.marks, factor);
                       scaleMarks(project.tolerance.marks, factor);
+                      scaleMarks(project.masks, factor);
                       scaleArtwork(project.artwork, factor);
                   });
 }

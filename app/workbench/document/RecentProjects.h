@@ -1,4 +1,4 @@
-// The list of recent projects, newest first, each with a thumbnail of its view.
+// The list of recent projects, newest first, each with a thumbnail of its part.
 #pragma once
 
 #include <QImage>

@@ -63,8 +63,10 @@ QWidget* inARow(const QList<QPushButton*>& buttons) {
 }
 
 QString hintText() {
-    return FilmPage::tr("Add photos of the film's chessboard on the water with the card beside it, "
-                        "or drop them here. The guide explains how to take them.");
+    return FilmPage::tr(
+        "Print the two pages, then add photos of the film's chessboard on the water with "
+        "the card beside it, or drop them here. The guide explains how to take "
+        "them.");
 }
 
 } // namespace
@@ -215,6 +217,12 @@ QWidget* FilmPage::makeRulers() {
 }
 
 QWidget* FilmPage::makePhotoButtons() {
+    pages_ = new QPushButton(tr("Pages to p&rint…"));
+    pages_->setObjectName(QStringLiteral("filmPages"));
+    pages_->setToolTip(tr("Saves the chessboard for the film (film.pdf) and the card (card.pdf) to "
+                          "a folder. Print the film's page on the film and the card's page on "
+                          "stiff, waterproof cardboard, both at 100 %."));
+    connect(pages_, &QPushButton::clicked, this, &FilmPage::pagesAsked);
     auto* add = new QPushButton(icon(QStringLiteral("add")), tr("Add &photos…"));
     add->setObjectName(QStringLiteral("addFilmPhotos"));
     remove_ = new QPushButton(tr("&Remove"));
@@ -230,7 +238,12 @@ QWidget* FilmPage::makePhotoButtons() {
     });
     connect(remove_, &QPushButton::clicked, this, &FilmPage::removeChosen);
     connect(measure_, &QPushButton::clicked, this, &FilmPage::measureAsked);
-    return inARow({add, remove_, measure_});
+    auto* all = new QWidget;
+    auto* rows = new QVBoxLayout(all);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addWidget(inARow({add, remove_, measure_}));
+    rows->addWidget(inARow({pages_}));
+    return all;
 }
 
 QWidget* FilmPage::makeResultButtons() {
@@ -280,7 +293,8 @@ void FilmPage::showPhotos() {
         table_->setItem(row, 0, name);
         auto* seconds = qobject_cast<NumberBox*>(table_->cellWidget(row, 1));
         if (!seconds) {
-            seconds = box("photoSeconds", none, longestWatch, 1, {}, tr("at the start of the dip"));
+            seconds =
+                box("photoSeconds", none, longestWatch, 1, tr(" s"), tr("at the start of the dip"));
             seconds->setAccessibleName(tr("Seconds since the film was laid on the water"));
             table_->setCellWidget(row, 1, seconds);
         }
@@ -373,6 +387,7 @@ void FilmPage::setBusy(bool busy) {
 void FilmPage::enable() {
     remove_->setEnabled(!table_->selectedItems().isEmpty() && !busy_);
     measure_->setEnabled(!film_.photos.empty() && !busy_);
+    pages_->setEnabled(!busy_);
     save_->setEnabled(measured_ && !busy_);
     export_->setEnabled(measured_ && !busy_);
 }

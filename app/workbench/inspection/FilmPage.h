@@ -43,6 +43,7 @@ signals:
     // `what`: the name of the changed field. Consecutive changes of the same field are one undo
     // step.
     void filmChanged(const FilmOnWater& film, const QString& what);
+    void pagesAsked(); // the film and the card to print
     void measureAsked();
     void saveAsked();
     void exportAsked();
@@ -74,7 +75,7 @@ private:
     NumberBox *begin_, *water_, *rulerError_, *cardAbove_, *focal_, *k1_, *k2_;
     std::array<NumberBox*, 2> cardRulers_, filmRulers_;
     QLineEdit* lot_;
-    QPushButton *remove_, *measure_, *save_, *export_;
+    QPushButton *pages_, *remove_, *measure_, *save_, *export_;
     QLabel *words_, *photoWords_;
     QTabWidget* pictures_;
     PicturePanel *boards_, *map_;

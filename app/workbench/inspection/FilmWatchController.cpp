@@ -1,13 +1,16 @@
 #include "workbench/inspection/FilmWatchController.h"
 
+#include "disk/AtomicFile.h"
 #include "import/trusted/ReadPhotos.h"
 #include "inspection/FilmWatchFiles.h"
+#include "sheet/page/WatchPage.h"
 #include "workbench/inspection/InspectionEdits.h"
 #include "workbench/inspection/ProfileName.h"
 #include "workbench/jobs/StartJob.h"
 #include "workbench/jobs/WriteFiles.h"
 
 #include <QDate>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 
@@ -39,6 +42,17 @@ WatchedFilm watched(const FilmOnWater& film, double begin, const Progress& progr
     return result;
 }
 
+// Writes the pages for the film and the card. `page` gives their lot and scale.
+void writePages(WatchPage page, const QString& folder) {
+    for (const auto& [kind, file] : {std::pair(BoardKind::Film, QStringLiteral("film.pdf")),
+                                     std::pair(BoardKind::Card, QStringLiteral("card.pdf"))}) {
+        page.kind = kind;
+        page.paper = usualPaper(kind);
+        writeAtomically(QDir(folder).filePath(file),
+                        [&page](QIODevice& device) { writeWatchPdf(page, device); });
+    }
+}
+
 } // namespace
 
 FilmWatchController::FilmWatchController(const DipSession& session, JobRunner& jobs,
@@ -51,6 +65,7 @@ FilmWatchController::FilmWatchController(const DipSession& session, JobRunner& j
             [this](const FilmOnWater& film, const QString& what) {
                 changeFilmOnWater(*session_.document(), film, what);
             });
+    connect(page_, &FilmPage::pagesAsked, this, &FilmWatchController::savePages);
     connect(page_, &FilmPage::measureAsked, this, &FilmWatchController::measure);
     connect(page_, &FilmPage::saveAsked, this, &FilmWatchController::askProfile);
     connect(page_, &FilmPage::exportAsked, this, &FilmWatchController::exportFilm);
@@ -171,6 +186,26 @@ void FilmWatchController::save(const QString& name) {
             return withMeasurement(profile, measured_->watch, notes());
         });
     }
+}
+
+void FilmWatchController::savePages() {
+    const QString folder = QFileDialog::getExistingDirectory(
+        &window_, tr("Save the pages for the film and the card to a folder"));
+    if (folder.isEmpty()) {
+        return;
+    }
+    const Document* document = session_.document();
+    WatchPage page;
+    page.lot = document ? document->project().filmOnWater.lot : QString();
+    if (const auto printer = document ? document->project().profiles.printer : std::nullopt) {
+        page.scaleX = printer->scaleX;
+        page.scaleY = printer->scaleY;
+    }
+    writeFiles(jobs_, messages_, tr("Save pages to print"),
+               tr("Wrote film.pdf and card.pdf to %1. Print them at 100 %; the rulers must measure "
+                  "100 mm."),
+               folder,
+               [page](const QString& target, const Progress&) { writePages(page, target); });
 }
 
 void FilmWatchController::exportFilm() {

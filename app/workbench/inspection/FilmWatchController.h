@@ -27,6 +27,7 @@ private:
     void reportChangedPhotos(const FilmOnWater& film, const FilmWatch& watch);
     void askProfile();
     void save(const QString& profile);
+    void savePages();
     void exportFilm();
     WatchNotes notes() const;
 

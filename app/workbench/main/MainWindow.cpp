@@ -20,6 +20,7 @@
 #include "workbench/results/ResultsPanel.h"
 #include "workbench/results/StretchPanel.h"
 #include "workbench/results/Timeline.h"
+#include "workbench/results/WarningTexts.h"
 
 #include <QAction>
 #include <QApplication>
@@ -50,7 +51,8 @@ MainWindow::MainWindow(Workbench& workbench)
       playback_(session_, *parts_.view, scene_, *parts_.timeline),
       reader_(session_, *parts_.view, scene_, *parts_.results),
       measure_(*parts_.view, scene_, messages_), marks_(*parts_.view, scene_, session_),
-      handles_(session_, *parts_.view, scene_),
+      handles_(session_, *parts_.view, scene_), typedDrag_(*parts_.view),
+      cradle_(*actions_.cradle, scene_, session_, jobs_, messages_),
       dip_(actions_, session_, check_, jobs_, workbench.registry(), playback_, messages_,
            *parts_.results, *parts_.staleBanner),
       documentActions_(actions_, documents_, messages_, workbench, *this),
@@ -223,6 +225,13 @@ void MainWindow::connectSession() {
             parts_.properties->showField(path);
         }
     });
+    connect(&scene_, &DipScene::pinClicked, this, [this](std::size_t pin) {
+        parts_.resultsDock->show();
+        parts_.resultsDock->raise();
+        parts_.results->showWarning(pin);
+        messages_.say(warningText(session_.shown().warnings[pin], *session_.shown().result,
+                                  workbench_.preferences().unit));
+    });
     connect(&reader_, &FilmProbe::read, status_, &StatusLine::setReading);
     connect(&handles_, &BodyHandles::held, &dip_, &DipController::setHeld);
     connect(&handles_, &BodyHandles::held, &scene_, &DipScene::setPreviewed);
@@ -269,6 +278,7 @@ void MainWindow::applyPreferences() {
     reader_.setLengthUnit(preferences.unit);
     measure_.setLengthUnit(preferences.unit);
     handles_.setLengthUnit(preferences.unit);
+    typedDrag_.setLengthUnit(preferences.unit);
     tolerances_.setLengthUnit(preferences.unit);
     viewActions_.setPreferences(preferences);
     dip_.setPreferences(preferences);
@@ -304,7 +314,9 @@ void MainWindow::updateActions() {
 }
 
 void MainWindow::keepThumbnail() {
-    keepProjectThumbnail(document()->path(), parts_.view->shownPicture());
+    const QImage& portrait = session_.outcome().portrait;
+    keepProjectThumbnail(document()->path(),
+                         portrait.isNull() ? parts_.view->shownPicture() : portrait);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -16,10 +16,12 @@
 #include "workbench/main/WindowLayout.h"
 #include "workbench/main/WindowMessages.h"
 #include "workbench/view/BodyHandles.h"
+#include "workbench/view/CradleView.h"
 #include "workbench/view/DipPlayback.h"
 #include "workbench/view/FilmProbe.h"
 #include "workbench/view/MarkTool.h"
 #include "workbench/view/MeasureTool.h"
+#include "workbench/view/TypedDrag.h"
 #include "workbench/view/ViewController.h"
 
 #include <QMainWindow>
@@ -85,6 +87,8 @@ private:
     MeasureTool measure_;
     MarkTool marks_;
     BodyHandles handles_;
+    TypedDrag typedDrag_;
+    CradleView cradle_;
     DipController dip_;
     DocumentController documentActions_;
     EditController edits_;

@@ -1,6 +1,7 @@
 #include "workbench/main/StatusLine.h"
 
 #include "workbench/jobs/JobRunner.h"
+#include "workbench/jobs/TimeLeft.h"
 #include "workbench/widgets/Icons.h"
 
 #include <QAction>
@@ -20,7 +21,7 @@ constexpr std::chrono::seconds answerTime{15}; // time for a cancelled job to en
 
 StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
     : QObject(&bar), reading_(new QLabel), warning_(new QToolButton), job_(new QLabel),
-      progress_(new QProgressBar), cancel_(new QToolButton) {
+      progress_(new QProgressBar), timeLeft_(new QLabel), cancel_(new QToolButton) {
     reading_->setObjectName(QStringLiteral("reading"));
     reading_->setAccessibleName(tr("Value under the cursor"));
     reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -36,12 +37,15 @@ StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
     progress_->setRange(0, progressSteps);
     progress_->setFixedWidth(200);
     progress_->setTextVisible(false);
+    timeLeft_->setObjectName(QStringLiteral("timeLeft"));
+    timeLeft_->setToolTip(tr("Estimated from the progress of the job."));
     cancel_->setDefaultAction(&cancel);
     cancel_->setAutoRaise(true);
     bar.addWidget(reading_, 1);
     bar.addPermanentWidget(warning_);
     bar.addPermanentWidget(job_);
     bar.addPermanentWidget(progress_);
+    bar.addPermanentWidget(timeLeft_);
     bar.addPermanentWidget(cancel_);
     showJob(false);
     unanswered_.setSingleShot(true);
@@ -53,6 +57,7 @@ StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
         job_->setText(
             tr("The job does not respond. Save your work, then close the window to end the job."));
     });
+    connect(new TimeLeft(jobs, this), &TimeLeft::told, timeLeft_, &QLabel::setText);
     connect(&jobs, &JobRunner::busy, this, [this] { showJob(true); });
     connect(&jobs, &JobRunner::idle, this, [this] { showJob(false); });
     connect(&jobs, &JobRunner::started, this, [this](const QString& title) {
@@ -82,7 +87,7 @@ void StatusLine::setJob(const QString& text) {
 
 void StatusLine::showJob(bool shown) {
     for (QWidget* widget : {static_cast<QWidget*>(job_), static_cast<QWidget*>(progress_),
-                            static_cast<QWidget*>(cancel_)}) {
+                            static_cast<QWidget*>(timeLeft_), static_cast<QWidget*>(cancel_)}) {
         widget->setVisible(shown);
     }
 }

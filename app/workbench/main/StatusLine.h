@@ -1,4 +1,5 @@
-// The line at the bottom of a window: the value under the cursor, and the progress of the job.
+// The line at the bottom of a window: the value under the cursor, the progress of the job, and the
+// time it will still take.
 #pragma once
 
 #include <QObject>
@@ -35,6 +36,7 @@ private:
     QToolButton* warning_;
     QLabel* job_;
     QProgressBar* progress_;
+    QLabel* timeLeft_;
     QToolButton* cancel_;
     QTimer unanswered_; // starts when a job is cancelled
 };

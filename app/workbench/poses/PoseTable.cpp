@@ -21,8 +21,8 @@ namespace {
 constexpr QSize pictureSize(56, 56);
 constexpr std::size_t shownDifferences = 4; // in the cell; the tool tip has all
 constexpr int htmlRole = Qt::UserRole;
-// Readable on light and dark windows.
-const QString betterColour = QStringLiteral("#2e8b57"), worseColour = QStringLiteral("#c83c3c");
+// Of signs, on light and dark windows.
+const QString betterColour = QStringLiteral("#008a9a"), worseColour = QStringLiteral("#d2304f");
 enum Column { Picture, Objective, Painted, Reasons, Columns };
 
 QString posesText(const RankedPoses& poses) {
@@ -76,7 +76,7 @@ QString differencesHtml(const std::vector<MeasureDifference>& differences) {
     QStringList lines;
     for (const MeasureDifference& difference :
          std::span(differences).first(std::min(differences.size(), shownDifferences))) {
-        lines << QStringLiteral("<span style='color:%1'>%2 %3</span>")
+        lines << QStringLiteral("<span style='color:%1'>%2</span> %3")
                      .arg(difference.isBetter ? betterColour : worseColour,
                           difference.isBetter ? QStringLiteral("▲") : QStringLiteral("▼"),
                           reasonText({difference}).toHtmlEscaped());

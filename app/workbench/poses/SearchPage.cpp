@@ -1,11 +1,13 @@
 #include "workbench/poses/SearchPage.h"
 
 #include "search/PoseCandidates.h"
+#include "workbench/jobs/TimeLeft.h"
 #include "workbench/poses/MeasurePlot.h"
 #include "workbench/poses/OrientationMap.h"
 #include "workbench/poses/PoseTable.h"
 #include "workbench/poses/WeightFields.h"
 #include "workbench/widgets/Icons.h"
+#include "workbench/widgets/NumberBox.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -15,7 +17,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -24,7 +25,7 @@
 namespace dipwright {
 
 SearchPage::SearchPage(QWidget* parent)
-    : QWidget(parent), immersions_(new QComboBox), simulated_(new QSpinBox), seed_(new QSpinBox),
+    : QWidget(parent), immersions_(new QComboBox), simulated_(new NumberBox), seed_(new NumberBox),
       paths_(new QCheckBox), weights_(new WeightFields), start_(new QPushButton(tr("&Search"))),
       pause_(new QPushButton(tr("Pause"))), stop_(new QPushButton(tr("Stop"))),
       progress_(new QProgressBar), left_(new QLabel), note_(new QLabel), table_(new PoseTable),
@@ -67,6 +68,7 @@ QWidget* SearchPage::makeSettings() {
     immersions_->addItem(tr("One dip"), 1);
     immersions_->addItem(tr("Two dips, judged together"), 2);
     immersions_->setObjectName(QStringLiteral("searchedImmersions"));
+    simulated_->setDecimals(0);
     simulated_->setRange(simulatedRange.least, simulatedRange.most);
     simulated_->setValue(usual.simulated);
     simulated_->setSuffix(tr(" poses"));
@@ -75,6 +77,7 @@ QWidget* SearchPage::makeSettings() {
         tr("Number of poses that are simulated with a coarse film. They are chosen from %1 poses "
            "that are judged by the part's shape alone. The best simulated poses are refined.")
             .arg(usual.directions));
+    seed_->setDecimals(0);
     seed_->setRange(seedRange.least, seedRange.most);
     seed_->setValue(usual.seed);
     seed_->setToolTip(
@@ -173,8 +176,8 @@ QWidget* SearchPage::makeFound() {
 SearchSettings SearchPage::settings() const {
     SearchSettings settings;
     settings.immersions = immersions_->currentData().toInt();
-    settings.simulated = simulated_->value();
-    settings.seed = seed_->value();
+    settings.simulated = simulated_->wholeValue();
+    settings.seed = seed_->wholeValue();
     settings.paths = paths_->isChecked();
     settings.aims = weights_->aims();
     return settings;
@@ -230,10 +233,9 @@ void SearchPage::setProgress(int done, int wanted, std::optional<double> seconds
     progress_->setRange(0, wanted);
     progress_->setValue(done);
     const QString dips = tr("%1 of %2 dips").arg(done).arg(wanted);
-    showDoing(
-        secondsLeft
-            ? tr("%1, about %2 s left").arg(dips, locale().toString(int(std::ceil(*secondsLeft))))
-            : dips);
+    showDoing(secondsLeft ? QStringLiteral("%1, %2").arg(
+                                dips, timeLeftText(steadySeconds(*secondsLeft, {})))
+                          : dips);
 }
 
 void SearchPage::setResult(const SearchResult& result, const std::vector<QImage>& pictures) {

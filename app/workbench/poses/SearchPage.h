@@ -12,11 +12,11 @@ class QLabel;
 class QProgressBar;
 class QPushButton;
 class QCheckBox;
-class QSpinBox;
 
 namespace dipwright {
 
 class MeasurePlot;
+class NumberBox;
 class OrientationMap;
 class PoseTable;
 class WeightFields;
@@ -64,8 +64,8 @@ private:
     void compareChosen();
 
     QComboBox* immersions_;
-    QSpinBox* simulated_;
-    QSpinBox* seed_;
+    NumberBox* simulated_;
+    NumberBox* seed_;
     QCheckBox* paths_;
     WeightFields* weights_;
     QWidget* settings_;

@@ -5,6 +5,7 @@
 #include "workbench/preferences/SolverPage.h"
 #include "workbench/project/FilmMeasured.h"
 #include "workbench/widgets/Languages.h"
+#include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/ShippedNames.h"
 
 #include <QAction>
@@ -16,7 +17,6 @@
 #include <QKeySequenceEdit>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTabWidget>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -27,7 +27,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, const Solve
                                      const QList<QAction*>& actions, QWidget* parent)
     : QDialog(parent), preferences_(preferences), language_(new QComboBox), unit_(new QComboBox),
       theme_(new QComboBox), navigation_(new QComboBox), film_(new QComboBox),
-      filmProfile_(new QComboBox), printer_(new QComboBox), autosave_(new QSpinBox),
+      filmProfile_(new QComboBox), printer_(new QComboBox), autosave_(new NumberBox),
       live_(new QCheckBox(tr("Run again after each change"))),
       keeps_(new QCheckBox(tr("Keep results next to the project file"))),
       shortcuts_(new QTreeWidget), clash_(new QLabel),
@@ -92,6 +92,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     filmProfile_->setObjectName(QStringLiteral("defaultFilm"));
     printer_->setObjectName(QStringLiteral("defaultPrinter"));
     keeps_->setObjectName(QStringLiteral("keepResults"));
+    autosave_->setDecimals(0);
     autosave_->setRange(1, 3600);
     autosave_->setSuffix(tr(" s"));
     autosave_->setValue(preferences_.autosaveSeconds);
@@ -195,7 +196,7 @@ Preferences PreferencesDialog::preferences() const {
     chosen.filmPreset = film_->currentText();
     chosen.filmProfile = filmProfile_->currentData().toString();
     chosen.printerProfile = printer_->currentData().toString();
-    chosen.autosaveSeconds = autosave_->value();
+    chosen.autosaveSeconds = autosave_->wholeValue();
     chosen.liveUpdate = live_->isChecked();
     chosen.keepsResults = keeps_->isChecked();
     return chosen;

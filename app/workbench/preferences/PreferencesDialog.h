@@ -11,11 +11,12 @@ class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
 class QLabel;
-class QSpinBox;
 class QTabWidget;
 class QTreeWidget;
 
 namespace dipwright {
+
+class NumberBox;
 
 class PreferencesDialog : public QDialog {
     Q_OBJECT
@@ -42,7 +43,7 @@ private:
     QComboBox* film_; // the size
     QComboBox* filmProfile_;
     QComboBox* printer_;
-    QSpinBox* autosave_;
+    NumberBox* autosave_;
     QCheckBox *live_, *keeps_;
     QTreeWidget* shortcuts_;
     QLabel* clash_;

@@ -8,13 +8,13 @@
 #include "workbench/jobs/Messages.h"
 #include "workbench/printing/PrintDialog.h"
 #include "workbench/project/NewProjectDialog.h"
+#include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -24,7 +24,6 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -40,7 +39,7 @@ const QString rollFilm = QStringLiteral("roll"), customFilm = QStringLiteral("cu
 constexpr double mostLength = 3000; // mm
 
 QDoubleSpinBox* lengthBox(const char* name, double least, double most, double value) {
-    auto* box = new QDoubleSpinBox;
+    auto* box = new NumberBox;
     box->setObjectName(QLatin1String(name));
     box->setDecimals(1);
     box->setRange(least, most);
@@ -217,11 +216,12 @@ void PackDialog::add(const QStringList& projects) {
         name->setData(Qt::UserRole, path);
         name->setToolTip(QDir::toNativeSeparators(path));
         table_->setItem(row, Name, name);
-        auto* copies = new QSpinBox;
+        auto* copies = new NumberBox;
+        copies->setDecimals(0);
         copies->setRange(1, 999);
         copies->setKeyboardTracking(false);
         copies->setAccessibleName(tr("Copies of %1").arg(name->text()));
-        connect(copies, &QSpinBox::valueChanged, this, &PackDialog::changed);
+        connect(copies, &NumberBox::valueChanged, this, &PackDialog::changed);
         table_->setCellWidget(row, Copies, copies);
     }
     changed();
@@ -291,7 +291,7 @@ std::vector<PackDialog::Wanted> PackDialog::wanted() const {
     for (int row = 0; row < table_->rowCount(); ++row) {
         Wanted project;
         project.path = table_->item(row, Name)->data(Qt::UserRole).toString();
-        project.copies = qobject_cast<QSpinBox*>(table_->cellWidget(row, Copies))->value();
+        project.copies = qobject_cast<NumberBox*>(table_->cellWidget(row, Copies))->wholeValue();
         const Dipped dipped = dipped_.value(project.path);
         if (dipped.written == QFileInfo(project.path).lastModified()) {
             project.dipped = dipped;

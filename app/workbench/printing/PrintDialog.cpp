@@ -5,6 +5,7 @@
 #include "printing/PrintFile.h"
 #include "project/Profiles.h"
 #include "workbench/widgets/NoticeBar.h"
+#include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
 #include "workbench/widgets/PictureView.h"
 #include "workbench/widgets/Units.h"
@@ -21,7 +22,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 namespace dipwright {
@@ -50,7 +50,7 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
     : QDialog(parent), outcome_(outcome),
       source_(printSource(outcome.result->project, projectFile)), shown_(immersion),
       preview_(new PicturePanel(tr("Page"), {})), printer_(new QComboBox), paper_(new QComboBox),
-      orientation_(new QComboBox), proof_(new QComboBox), copies_(new QSpinBox),
+      orientation_(new QComboBox), proof_(new QComboBox), copies_(new NumberBox),
       tile_(new QCheckBox(tr("Tile the sheet if the paper is too small"))),
       grey_(new QCheckBox(tr("Print in grey on a monochrome printer"))),
       clipped_(new QCheckBox(tr("Clip what lies outside the printable area"))),
@@ -142,6 +142,7 @@ QWidget* PrintDialog::makeChoices() {
     form->setContentsMargins(0, 0, 0, 0);
     printer_->setAccessibleName(tr("Printer"));
     printer_->setToolTip(tr("The printers that are set up on this computer."));
+    copies_->setDecimals(0);
     copies_->setRange(1, 99);
     copies_->setToolTip(tr("Number of copies of each sheet."));
     printer_->setPlaceholderText(tr("No printer set up"));
@@ -181,7 +182,7 @@ QWidget* PrintDialog::makeChoices() {
     }
     form->addRow(tr("Sheets"), sheets);
     connect(printer_, &QComboBox::currentIndexChanged, this, &PrintDialog::judge);
-    connect(copies_, &QSpinBox::valueChanged, this, &PrintDialog::judge);
+    connect(copies_, &NumberBox::valueChanged, this, &PrintDialog::judge);
     connect(paper_, &QComboBox::currentIndexChanged, this, &PrintDialog::choosePaper);
     connect(orientation_, &QComboBox::currentIndexChanged, this, &PrintDialog::choosePaper);
     return box;
@@ -346,7 +347,7 @@ void PrintDialog::showPrinters(const QStringList& printers) {
 PrintRequest PrintDialog::request() const {
     PrintRequest request;
     request.printer = printer_->currentText();
-    request.copies = copies_->value();
+    request.copies = copies_->wholeValue();
     request.profile = outcome_.result->project.profiles.printer;
     request.tile = tile_->isChecked();
     request.acceptMonochrome = grey_->isChecked();

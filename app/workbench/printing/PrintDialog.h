@@ -13,11 +13,11 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
 
 namespace dipwright {
 
 class NoticeBar;
+class NumberBox;
 class PicturePanel;
 
 class PrintDialog : public QDialog {
@@ -58,7 +58,7 @@ private:
     std::size_t shown_;         // index of the shown sheet
     PicturePanel* preview_;
     QComboBox *printer_, *paper_, *orientation_, *proof_;
-    QSpinBox* copies_;
+    NumberBox* copies_;
     std::vector<QCheckBox*> immersions_;
     QCheckBox* tile_;
     QCheckBox* grey_;

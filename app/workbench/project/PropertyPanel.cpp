@@ -8,6 +8,7 @@
 #include "workbench/document/ModelEdits.h"
 #include "workbench/document/ProjectValue.h"
 #include "workbench/jobs/SolverListing.h"
+#include "workbench/project/MaskFields.h"
 #include "workbench/project/PathKeyFields.h"
 #include "workbench/project/PropertySpecs.h"
 #include "workbench/project/SeamFields.h"
@@ -93,6 +94,9 @@ void PropertyPanel::rebuild() {
         for (const PropertySection& section : propertySections(node_)) {
             addSection(*form, section);
         }
+    }
+    if (document_ && node_.part == ProjectPart::Model) {
+        addMaskFields(*form);
     }
     if (document_ && node_.part == ProjectPart::Immersion) {
         addPathKeys(*form);
@@ -369,6 +373,13 @@ void PropertyPanel::addZoneFields(QFormLayout& form) {
     addMarkFields<ZoneMark>(form, tr("Zones on the part"), *fields);
     refreshers_.push_back(
         [this, fields] { fields->setMarkCount(document_->project().tolerance.marks.size()); });
+}
+
+void PropertyPanel::addMaskFields(QFormLayout& form) {
+    auto* fields = new MaskFields(lengthUnit_);
+    addMarkFields<MaskMark>(form, tr("Masks on the part"), *fields);
+    refreshers_.push_back(
+        [this, fields] { fields->setMarkCount(document_->project().masks.size()); });
 }
 
 void PropertyPanel::addTolerancesButton(QFormLayout& form) {

@@ -63,6 +63,7 @@ private:
     void addPathKeys(QFormLayout& form);
     void addPrintFields(QFormLayout& form);
     void addZoneFields(QFormLayout& form);
+    void addMaskFields(QFormLayout& form);
     void addTolerancesButton(QFormLayout& form);
     void addPreset(QFormLayout& form);
     void addSolver(QFormLayout& form);

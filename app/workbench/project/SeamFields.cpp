@@ -23,7 +23,7 @@ SeamFields::SeamFields(LengthUnit unit, QWidget* parent)
     });
 }
 
-MarkBrush SeamFields::brush() const {
+MarkBrush SeamFields::chosen() const {
     const int marks = kind().currentData().toInt();
     if (marks == noKind) {
         return {};

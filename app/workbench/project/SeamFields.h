@@ -14,8 +14,10 @@ class SeamFields : public MarkFields {
 public:
     explicit SeamFields(LengthUnit unit, QWidget* parent = nullptr);
 
-    MarkBrush brush() const override;
     void setDips(const QString& first, const QString& second); // names of the two dips
+
+protected:
+    MarkBrush chosen() const override;
 
 private:
     QCheckBox* face_;

@@ -1,5 +1,6 @@
 #include "workbench/queue/QueueDialog.h"
 
+#include "workbench/jobs/TimeLeft.h"
 #include "workbench/project/NewProjectDialog.h"
 
 #include <QApplication>
@@ -228,7 +229,7 @@ void QueueDialog::showChosen() {
     }
     QString sum = tr("%1 of %2 finished").arg(ended).arg(projects.size());
     if (const auto left = queue_.secondsLeft(); left && queue_.isBusy()) {
-        sum += tr(", about %1 left").arg(timeText(*left));
+        sum += QStringLiteral(", ") + timeLeftText(steadySeconds(*left, {}));
     }
     sum_->setText(sum);
 }

@@ -1,15 +1,18 @@
 #include "workbench/results/ReportPanel.h"
 
 #include "cost/CostText.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
 #include "texture/ReverseTexture.h"
 #include "traveller/TankTasks.h"
+#include "workbench/results/WarningTexts.h"
 #include "workbench/widgets/ShippedNames.h"
 
 #include <QCoreApplication>
 #include <QLabel>
 #include <QLocale>
 #include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -117,6 +120,22 @@ std::optional<Eigen::Vector3f> placeOfLargestStretch(const LaidFilm& laid, doubl
     return std::nullopt; // no film on the body
 }
 
+QString warningAnchor(std::size_t number) {
+    return QStringLiteral("warning-%1").arg(number);
+}
+
+QString warningsHtml(const std::vector<JobWarning>& warnings, const JobResult& result,
+                     LengthUnit unit, PlaceLinks& links) {
+    Table table;
+    for (std::size_t number = 0; number < warnings.size(); ++number) {
+        table.htmlRow(QStringLiteral("<a name='%1'></a>%2")
+                          .arg(warningAnchor(number),
+                               warningText(warnings[number], result, unit).toHtmlEscaped()),
+                      links.html(warnings[number].place));
+    }
+    return heading(Text::tr("Warnings on the part")) + table.html();
+}
+
 QString shareHtml(const JobResult& result, LengthUnit unit, PlaceLinks& links) {
     const BodyShare& share = *result.share;
     const auto area = [&](double squareMillimetres) {
@@ -137,15 +156,16 @@ QString shareHtml(const JobResult& result, LengthUnit unit, PlaceLinks& links) {
                   .arg(shownLength(result.project.share.registrationError.value(), unit)),
               percent(share.narrow));
     table.row(Text::tr("Length of the seam"), shownLength(share.cost.length, unit));
-    const std::size_t listed = std::min(share.unpainted.size(), mostPlaces);
-    for (const UnpaintedPlace& place : std::span(share.unpainted).first(listed)) {
+    const std::vector<UnpaintedPlace> unpainted = unreachedPlaces(result);
+    const std::size_t listed = std::min(unpainted.size(), mostPlaces);
+    for (const UnpaintedPlace& place : std::span(unpainted).first(listed)) {
         table.htmlRow(
             Text::tr("Area not reached, at %1").toHtmlEscaped().arg(links.html(place.place)),
             shownArea(place.area, unit).toHtmlEscaped());
     }
-    if (listed < share.unpainted.size()) {
+    if (listed < unpainted.size()) {
         table.row(Text::tr("Number of smaller areas not reached"),
-                  QLocale().toString(qulonglong(share.unpainted.size() - listed)));
+                  QLocale().toString(qulonglong(unpainted.size() - listed)));
     }
     return heading(Text::tr("Seam")) + table.html();
 }
@@ -280,8 +300,10 @@ ReportPanel::ReportPanel(QWidget* parent)
     text_->hide();
 }
 
-void ReportPanel::setResult(std::shared_ptr<const JobResult> result, LengthUnit unit) {
+void ReportPanel::setResult(std::shared_ptr<const JobResult> result,
+                            std::vector<JobWarning> warnings, LengthUnit unit) {
     result_ = std::move(result);
+    warnings_ = std::move(warnings);
     unit_ = unit;
     show();
 }
@@ -307,6 +329,21 @@ void ReportPanel::setTankTimes(const std::vector<TankTime>& times) {
     }
 }
 
+void ReportPanel::showWarning(std::size_t number) {
+    const QString anchor = warningAnchor(number);
+    for (QTextBlock block = text_->document()->begin(); block.isValid(); block = block.next()) {
+        for (auto part = block.begin(); !part.atEnd(); ++part) {
+            if (part.fragment().charFormat().anchorNames().contains(anchor)) {
+                QTextCursor cursor(block);
+                cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+                text_->setTextCursor(cursor);
+                text_->ensureCursorVisible();
+                return;
+            }
+        }
+    }
+}
+
 void ReportPanel::show() {
     text_->setVisible(result_ != nullptr);
     hint_->setVisible(!result_);
@@ -316,12 +353,20 @@ void ReportPanel::show() {
     PlaceLinks links(unit_);
     Table whole;
     whole.row(tr("Total coverage"), percent(result_->coverageTotal));
+    if (result_->mask) {
+        const MaskedAreas masked = maskedAreas(*result_->mask);
+        whole.row(tr("Masked areas"),
+                  QStringLiteral("%1 · %2").arg(masked.count).arg(shownArea(masked.area, unit_)));
+    }
     whole.row(tr("Film used"), percent(filmUsed(*result_)));
     whole.row(tr("Solver"), shownName(result_->solver.name));
     whole.row(tr("Device"), result_->solver.device);
     QString html = whole.html() + smallerFilmHtml(*result_, unit_);
     for (const QString& note : result_->notes) {
         html += QStringLiteral("<p><b>%1</b></p>").arg(note.toHtmlEscaped());
+    }
+    if (!warnings_.empty()) {
+        html += warningsHtml(warnings_, *result_, unit_, links);
     }
     if (result_->share) {
         html += shareHtml(*result_, unit_, links);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cost/OrderCost.h"
-#include "pipeline/JobResult.h"
+#include "pipeline/JobWarnings.h"
 #include "settings/AsBuilt.h"
 #include "workbench/widgets/Units.h"
 
@@ -22,7 +22,10 @@ class ReportPanel : public QWidget {
 public:
     explicit ReportPanel(QWidget* parent = nullptr);
 
-    void setResult(std::shared_ptr<const JobResult> result, LengthUnit unit); // null: none yet
+    // `result`: null: none yet. `warnings`: those of jobWarnings(); empty for a draft.
+    void setResult(std::shared_ptr<const JobResult> result, std::vector<JobWarning> warnings,
+                   LengthUnit unit);
+    void showWarning(std::size_t number); // scrolls to a warning and selects it
     // Sets one sentence for each zone on how far handling may move the colours. Empty: not
     // computed.
     void setTolerances(const QStringList& sentences);
@@ -44,6 +47,7 @@ private:
 
     std::shared_ptr<const JobResult> result_;
     LengthUnit unit_ = LengthUnit::Millimetre;
+    std::vector<JobWarning> warnings_;
     QStringList tolerances_;
     std::vector<OrderCost> costs_;
     std::vector<TankTime> tankTimes_;

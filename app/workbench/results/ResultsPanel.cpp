@@ -102,10 +102,15 @@ void ResultsPanel::hoverShare(double across, double down) {
     emit hovered({float((across - 0.5) * grid.width), float((down - 0.5) * grid.depth)});
 }
 
+void ResultsPanel::showWarning(std::size_t number) {
+    setCurrentWidget(report_);
+    report_->showWarning(number);
+}
+
 void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) {
     outcome_ = outcome;
     immersion_ = immersion;
-    report_->setResult(outcome.result, unit_);
+    report_->setResult(outcome.result, outcome.warnings, unit_);
     numericalError_->setOutcome(outcome, immersion, unit_);
     if (immersion >= outcome.readings.size()) {
         stretch_->setReading(nullptr);
@@ -161,7 +166,7 @@ void ResultsPanel::showSheet() {
 
 void ResultsPanel::setLengthUnit(LengthUnit unit) {
     unit_ = unit;
-    report_->setResult(outcome_.result, unit);
+    report_->setResult(outcome_.result, outcome_.warnings, unit);
     numericalError_->setOutcome(outcome_, immersion_, unit);
 }
 

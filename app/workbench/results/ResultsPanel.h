@@ -25,6 +25,7 @@ public:
 
     void setOutcome(const DipOutcome& outcome, std::size_t immersion); // may be empty
     void setLengthUnit(LengthUnit unit);
+    void showWarning(std::size_t number);          // in the report
     void setFreshness(const Freshness& freshness); // marks the outdated tabs
     void showReading(const std::optional<FilmReadoutPoint>& point);
     // Adds a button over the picture of the reverse texture.

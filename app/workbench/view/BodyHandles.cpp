@@ -45,7 +45,7 @@ void BodyHandles::turn(int axis, double degrees) {
     session_.document()->edit(tr("Turn part"), QStringLiteral("turn"), [&](Project& project) {
         project.immersions[session_.immersion()] = turned(*before_, axis, degrees, shownBefore_);
     });
-    emit told(tr("Turned by %1° about %2 (hold Shift for steps of %3°)")
+    emit told(tr("Turned by %1° about %2 (type an angle, or hold Shift for steps of %3°)")
                   .arg(QLocale().toString(degrees, 'f', 1), axisName(axis),
                        QLocale().toString(ringStep)));
 }
@@ -65,7 +65,7 @@ void BodyHandles::move(int axis, double millimetres) {
     const std::size_t part = axis == 0 ? 0 : 1;
     const Millimetres now =
         shownBefore_.key ? after.path.keys[*shownBefore_.key].beside[part] : after.offset[part];
-    emit told(tr("Moved to %1 along %2 (hold Shift for steps of %3)")
+    emit told(tr("Moved to %1 along %2 (type a distance, or hold Shift for steps of %3)")
                   .arg(shownLength(now.value(), unit_), axisName(axis), steps));
 }
 
@@ -84,7 +84,7 @@ void BodyHandles::moveDown(double millimetres) {
             project.process.depth = depth;
         }
     });
-    emit told(tr("Depth %1 (hold Shift for steps of %2)")
+    emit told(tr("Depth %1 (type a distance, or hold Shift for steps of %2)")
                   .arg(shownLength(depth.value(), unit_), shownLength(arrowStep, unit_)));
 }
 

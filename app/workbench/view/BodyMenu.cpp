@@ -32,8 +32,17 @@ void BodyMenu::show(const ViewRay& ray, const QPoint& place) {
     };
     add("layFaceDown", tr("Turn this face &down"),
         [this](const SurfacePoint& point) { layDown(point.triangle); });
-    add("faceMustBeGood", tr("Mark this face as &zone A"),
-        [this](const SurfacePoint& point) { markAsZoneA(point); });
+    add("faceMustBeGood", tr("Mark this face as &zone A"), [this](const SurfacePoint& point) {
+        ZoneMark mark;
+        mark.extent = MarkExtent::Face;
+        markFace(point, mark);
+    });
+    add("maskFace", tr("Mask this face, so that it &stays free of film"),
+        [this](const SurfacePoint& point) {
+            MaskMark mark;
+            mark.extent = MarkExtent::Face;
+            markFace(point, mark);
+        });
     menu->addSeparator();
     menu->addMenu(tr("&Turn"))->addActions(turns_.actions());
     menu->addMenu(tr("&Move"))->addActions(moves_.actions());
@@ -73,16 +82,13 @@ void BodyMenu::layDown(std::uint32_t triangle) {
     }
 }
 
-void BodyMenu::markAsZoneA(const SurfacePoint& place) {
-    ZoneMark mark;
-    mark.zone = Zone::A;
-    mark.extent = ZoneExtent::Face;
+void BodyMenu::markFace(const SurfacePoint& place, const MarkBrush& brush) {
     const Eigen::Vector3f point = position(scene_.model()->mesh, place);
+    std::array<Millimetres, 3> at;
     for (int axis = 0; axis < 3; ++axis) {
-        mark.place[std::size_t(axis)] = Millimetres(double(point[axis]));
+        at[std::size_t(axis)] = Millimetres(double(point[axis]));
     }
-    addMark(*session_.document(), mark);
-    session_.document()->endMerge();
+    addMark(*session_.document(), brush, at);
 }
 
 } // namespace dipwright

@@ -1,9 +1,10 @@
 // Edits the body from its context menu and by keys: turn and move it by steps, lay a face down, or
-// mark a face as zone A. Each edit is one undo step.
+// mark a face as zone A or as a mask. Each edit is one undo step.
 #pragma once
 
 #include "workbench/actions/BodyStep.h"
 #include "workbench/dip/DipSession.h"
+#include "workbench/document/MarkEdits.h"
 #include "workbench/view/DipScene.h"
 
 class QAction;
@@ -26,7 +27,7 @@ private:
     void turn(const QAction& action);
     void move(const QAction& action);
     void layDown(std::uint32_t triangle);
-    void markAsZoneA(const SurfacePoint& place);
+    void markFace(const SurfacePoint& place, const MarkBrush& brush);
 
     DipView& view_;
     const DipScene& scene_;

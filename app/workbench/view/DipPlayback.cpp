@@ -3,6 +3,7 @@
 #include "results/Results.h"
 #include "workbench/dip/DipMoments.h"
 #include "workbench/results/Timeline.h"
+#include "workbench/results/WarningTexts.h"
 
 #include <QCoreApplication>
 #include <QSignalBlocker>
@@ -104,6 +105,7 @@ void DipPlayback::showResults() {
     const auto reading = session_.reading();
     const auto recording = session_.recording();
     scene_.setResult(reading ? session_.shown().result : nullptr, reading);
+    showWarnings();
     scene_.setShowsDipped(live_ || session_.freshness().dip);
     const QSignalBlocker quiet(&timeline_);
     // Drafts and cached dips have only their end.
@@ -121,6 +123,16 @@ void DipPlayback::showResults() {
     if (frames > 1 && std::exchange(playsNext_, false)) {
         timeline_.play();
     }
+}
+
+void DipPlayback::showWarnings() {
+    std::vector<DipScene::Pin> pins;
+    for (const JobWarning& warning : session_.shown().warnings) {
+        pins.push_back({warning.dip,
+                        {warning.place, warning.outward, warningColour(warning.kind),
+                         warningText(warning, *session_.shown().result, unit_)}});
+    }
+    scene_.setPins(std::move(pins));
 }
 
 void DipPlayback::showMarks(const DipRecording& recording, const ImmersionResult& result) {

@@ -37,6 +37,7 @@ signals:
 private:
     void showProject();
     void showResults();
+    void showWarnings();
     void showMarks(const DipRecording& recording, const ImmersionResult& result);
     void showMoment(int position);
     void showDepth();

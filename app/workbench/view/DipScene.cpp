@@ -5,6 +5,7 @@
 #include "dip/PathKeys.h"
 #include "dip/Pose.h"
 #include "film/FilmGrid.h"
+#include "marks/MaskColour.h"
 #include "pipeline/PrintedBody.h"
 #include "results/Results.h"
 #include "texture/Chessboard.h"
@@ -111,6 +112,8 @@ constexpr std::size_t setupPoints = 2500;
 } // namespace
 
 DipScene::DipScene(DipView& view, QObject* parent) : QObject(parent), view_(view) {
+    connect(&view, &DipView::pinClicked, this,
+            [this](int pin) { emit pinClicked(shownPins_[std::size_t(pin)]); });
     connect(
         &printer_, &FinishedPartPreview::printed, this,
         [this](const std::shared_ptr<const TexturedMesh>& model, const BodyAppearance& appearance) {
@@ -147,11 +150,15 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     const bool otherModel = project.model != project_.model;
     const bool otherArtwork = project.artwork != project_.artwork;
     const bool otherMarks = project.share.marks != project_.share.marks;
+    const bool otherMasks = project.masks != project_.masks;
     const bool otherZones = project.tolerance != project_.tolerance;
     const bool otherBase = project.baseColour != project_.baseColour;
     const bool otherFilm = !(project.film == project_.film) || !project_.model;
     project_ = project;
-    immersion_ = std::min(immersion, project.immersions.size() - 1);
+    if (std::exchange(immersion_, std::min(immersion, project.immersions.size() - 1)) !=
+        immersion_) {
+        setCradles(cradles_);
+    }
     if (otherModel) {
         modelBox_ = boundingBox(project.model->mesh);
         query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
@@ -163,6 +170,9 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     } else if (otherMarks) {
         showLines();
     }
+    if (otherModel || otherMasks) {
+        showMasks();
+    }
     if (otherModel || otherArtwork) {
         paintArtwork();
     }
@@ -173,7 +183,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         filmSource_ = {};
     }
     if ((bodyLook_ == BodyLook::Zones && (otherModel || otherZones)) ||
-        (bodyLook_ == BodyLook::Print && !otherModel && otherBase)) {
+        (bodyLook_ != BodyLook::Zones && !otherModel && otherBase)) {
         updateBody();
     }
     if (moment_ == Moment::Setup) {
@@ -183,7 +193,7 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
         showPreview();
     }
     if (otherModel) {
-        view_.fit();
+        view_.fitBodyToHandle();
     }
 }
 
@@ -226,6 +236,8 @@ void DipScene::placeBody(const Immersion& immersion, double descent, const solve
         shownPose_.turn = placeOnPath(placedOn_, std::min(descent, travel)).linear();
     }
     view_.setBodyTransform(modelToWorld_);
+    showPins();
+    showCradle();
     const BoundingBox& box = modelBox_;
     const Eigen::Vector3f centre = (modelToWorld_ * box.center().cast<double>()).cast<float>();
     const double radius = 0.58 * double(box.diagonal().norm());
@@ -371,28 +383,36 @@ void DipScene::showEnd() {
 }
 
 bool DipScene::isDippedDrawn() const {
-    const bool fits = reading_ && result_ && immersion_ < result_->immersions.size() &&
-                      result_->project.model == project_.model;
-    return fits &&
+    return reading_ && fitsResult() &&
            (moment_ == Moment::End || (moment_ == Moment::Setup && showsDipped_ && wearsFilm_));
+}
+
+bool DipScene::fitsResult() const {
+    return result_ && immersion_ < result_->immersions.size() &&
+           result_->project.model == project_.model;
 }
 
 void DipScene::drawDipped(FilmExtent extent) {
     const ImmersionResult& result = result_->immersions[immersion_];
     if (filmSource_ != FilmSource(Dipped{reading_, extent})) {
         const DippedFilm& film = reading_->film();
+        const DrapedFilm& draped = reading_->draped();
         FilmShape shape;
-        std::vector<float> positions;
         for (std::size_t point = 0; point < film.positions.size(); ++point) {
             const Eigen::Vector2f rest = restPosition(film.grid, point);
             shape.texture.emplace_back(rest.x() / float(film.grid.width) + 0.5f,
                                        rest.y() / float(film.grid.depth) + 0.5f);
-            positions.insert(positions.end(), film.positions[point].begin(),
-                             film.positions[point].end());
         }
+        shape.texture = draped.onAllPoints(std::move(shape.texture));
+        std::vector<float> positions;
+        positions.reserve(3 * draped.positions.size());
+        for (const Eigen::Vector3f& position : draped.positions) {
+            positions.insert(positions.end(), position.begin(), position.end());
+        }
+        shape.isOnBody = extent == FilmExtent::OnBody;
         shape.longestSide = longestDrawnSide(film.grid, thinFilm(film.grid, film.grid.pointCount()),
                                              result_->project.process.tearStretch);
-        shape.triangles = shownTriangles(*result.laid, extent);
+        shape.triangles = shownTriangles(draped, extent);
         shapeGrid_ = film.grid;
         view_.setFilm(shape, positions);
         filmSource_ = Dipped{reading_, extent};
@@ -401,15 +421,15 @@ void DipScene::drawDipped(FilmExtent extent) {
     view_.setFilmTransform(modelToWorld_ * result.body->modelToPose.inverse());
 }
 
-std::vector<FilmTriangle> DipScene::shownTriangles(const LaidFilm& laid, FilmExtent extent) const {
+std::vector<FilmTriangle> DipScene::shownTriangles(const DrapedFilm& film,
+                                                   FilmExtent extent) const {
     if (bodyLook_ != BodyLook::Own) { // floating film would hide the body
         return {};
     }
-    const FilmContact& contact = laid.contact();
     std::vector<FilmTriangle> shown;
-    for (std::uint32_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
-        if (extent == FilmExtent::Whole || contact.painted[triangle]) {
-            shown.push_back(laid.triangles()[triangle]);
+    for (std::size_t triangle = 0; triangle < film.triangles.size(); ++triangle) {
+        if (extent == FilmExtent::Whole || film.painted[triangle]) {
+            shown.push_back(film.triangles[triangle]);
         }
     }
     return shown;
@@ -434,8 +454,54 @@ void DipScene::showDippedAnew() {
 }
 
 void DipScene::setShowsDipped(bool shows) {
-    if (shows != std::exchange(showsDipped_, shows) && moment_ == Moment::Setup) {
-        showSetup();
+    if (shows != std::exchange(showsDipped_, shows)) {
+        showPins();
+        if (moment_ == Moment::Setup) {
+            showSetup();
+        }
+    }
+}
+
+void DipScene::setPins(std::vector<Pin> pins) {
+    pins_ = std::move(pins);
+    showPins();
+}
+
+void DipScene::setShowPins(bool show) {
+    showsPins_ = show;
+    showPins();
+}
+
+void DipScene::showPins() {
+    std::vector<ViewPin> shown;
+    shownPins_.clear();
+    for (std::size_t pin = 0; pin < pins_.size() && showsPins_ && showsDipped_ && !brushed_;
+         ++pin) {
+        if (pins_[pin].dip.value_or(immersion_) == immersion_) {
+            shown.push_back(pins_[pin].pin);
+            shown.back().place = toWorld(shown.back().place);
+            shown.back().outward = modelToWorld_.linear().cast<float>() * shown.back().outward;
+            shownPins_.push_back(pin);
+        }
+    }
+    view_.setPins(std::move(shown));
+}
+
+void DipScene::setCradles(std::shared_ptr<const std::vector<Cradle>> cradles) {
+    cradles_ = std::move(cradles);
+    const bool isShown = cradles_ && immersion_ < cradles_->size() &&
+                         !(*cradles_)[immersion_].mesh.triangles.empty();
+    view_.setCradle(
+        isShown ? std::shared_ptr<const TriangleMesh>(cradles_, &(*cradles_)[immersion_].mesh)
+                : nullptr);
+    showCradle();
+}
+
+// The cradle moves with the body.
+void DipScene::showCradle() {
+    if (cradles_ && fitsResult()) {
+        const Eigen::Isometry3d& toPose = result_->immersions[immersion_].body->modelToPose;
+        view_.setCradleTransform(modelToWorld_ * toPose.inverse());
     }
 }
 
@@ -510,8 +576,11 @@ void DipScene::setShowHandles(bool show) {
 }
 
 void DipScene::setBrushed(bool brushed) {
-    if (brushed != std::exchange(brushed_, brushed) && moment_ == Moment::Setup) {
-        showSetup();
+    if (brushed != std::exchange(brushed_, brushed)) {
+        showPins();
+        if (moment_ == Moment::Setup) {
+            showSetup();
+        }
     }
 }
 
@@ -519,13 +588,20 @@ void DipScene::updateFilm() {
     if (!project_.model) {
         return;
     }
+    colourFilm();
+    if (bodyLook_ == BodyLook::Own && !previewed_) { // bare under printed film
+        updateBody();
+    }
+}
+
+void DipScene::colourFilm() {
     view_.setFilmColours({});
     const bool hasSheet = result_ && immersion_ < result_->immersions.size();
     switch (look_) {
     case FilmLook::Stretch:
         if (isDippedDrawn()) {
             std::vector<QRgb> colours;
-            for (const float value : reading_->values(quantity_)) {
+            for (const float value : reading_->draped().onAllPoints(reading_->values(quantity_))) {
                 colours.push_back(scale_.colour(double(value)));
             }
             view_.setFilmColours(colours);
@@ -602,7 +678,7 @@ void DipScene::updateBody() {
         showZones();
     } else if (bodyLook_ == BodyLook::Own || !result_ || result_->project.model != project_.model ||
                immersion_ >= result_->immersions.size()) {
-        showBody({own_, {}});
+        showBody(isPrintDrawn() ? bareAppearance(own_, ground().base) : BodyAppearance{own_, {}});
     } else if (bodyLook_ == BodyLook::Print) {
         print();
     } else if (result_->share) {
@@ -630,8 +706,15 @@ void DipScene::print() {
         films.resize(std::min(films.size(), shownPrint_.dips));
     }
     const SheetInputs& inputs = result.immersions.front().inputs;
-    printer_.print(project_.model, std::move(films), inputs.texture.printedInk(),
-                   groundOf(inputs.settings, project_.baseColour));
+    printer_.print(project_.model, std::move(films), inputs.texture.printedInk(), ground());
+}
+
+Ground DipScene::ground() const {
+    return groundOf(result_->immersions.front().inputs.settings, project_.baseColour);
+}
+
+bool DipScene::isPrintDrawn() const {
+    return look_ == FilmLook::Sheet && isDippedDrawn();
 }
 
 void DipScene::slip(FilmAppearance& film) {
@@ -680,13 +763,35 @@ void DipScene::showZones() {
     showBody(zoneAppearance(zonedBody_, *zones_, tolerances_.get(), project_.tolerance));
 }
 
+void DipScene::showMasks() {
+    mask_ = surfaceMask(project_.model, project_.masks, mask_);
+    ViewPatch patch{{}, maskColour};
+    for (const MarkedPiece& piece : mask_ ? mask_->pieces() : std::vector<MarkedPiece>()) {
+        patch.triangles.push_back(piece.corners);
+    }
+    view_.setBodyPatch(PatchLayer::Masks, std::move(patch));
+    showLegend();
+}
+
+void DipScene::setStroke(ViewPatch patch) {
+    view_.setBodyPatch(PatchLayer::Stroke, std::move(patch));
+}
+
+void DipScene::showLegend() {
+    std::vector<ViewLegendEntry> legend = shown_.legend;
+    if (mask_) {
+        legend.push_back({maskColour, tr("Mask: stays free of film")});
+    }
+    view_.setLegend(std::move(legend));
+}
+
 void DipScene::showBody(BodyAppearance appearance) {
     if (appearance.model != shown_.model) {
         view_.setBody(appearance.model);
     }
     shown_ = std::move(appearance);
     view_.setBodyColours(shown_.colours);
-    view_.setLegend(shown_.legend);
+    showLegend();
     showLines();
 }
 

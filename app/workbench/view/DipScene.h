@@ -1,7 +1,9 @@
 // Shows project, recording and result in the 3D view, at a chosen moment.
 #pragma once
 
+#include "cradle/Cradle.h"
 #include "dip/BodyPath.h"
+#include "marks/SurfaceMask.h"
 #include "search/CoveragePreview.h"
 #include "workbench/appearance/ArtworkPainter.h"
 #include "workbench/appearance/FinishedPartPreview.h"
@@ -74,8 +76,20 @@ public:
     void setShowsDipped(bool shows);
     // Whether the user wants to see the film of the result on the body before the dip.
     void setWearsFilm(bool wears);
+    // What the user's brush marks at the moment; empty: nothing.
+    void setStroke(ViewPatch patch);
     // A frame around the selected artwork layer, in model coordinates; empty: none.
     void setFrame(std::vector<ViewLine> frame);
+    // Pins on the body of the result; places and directions in model coordinates. A pin is shown
+    // with its dip; without one, with every dip.
+    struct Pin {
+        std::optional<std::size_t> dip;
+        ViewPin pin;
+    };
+    void setPins(std::vector<Pin> pins);
+    void setShowPins(bool show);
+    // The cradles of the result, one for each dip; null: none are shown.
+    void setCradles(std::shared_ptr<const std::vector<Cradle>> cradles);
     // While the user turns the body, it shows an estimate of the coverage from its shape.
     void setPreviewed(bool previewed);
 
@@ -86,6 +100,8 @@ public:
     // The first place of the shown model that `ray` meets, in model coordinates.
     std::optional<Eigen::Vector3f> modelPoint(const ViewRay& ray) const;
     std::optional<SurfacePoint> modelSurface(const ViewRay& ray) const;
+    // For queries of the shown model; null without a model.
+    const SurfaceQuery* query() const { return query_.get(); }
     Eigen::Vector3f toWorld(const Eigen::Vector3f& modelPoint) const;
     Eigen::Vector3f toModel(const Eigen::Vector3f& worldPoint) const;
     // A model must be shown.
@@ -93,6 +109,7 @@ public:
 
 signals:
     void bodyRoomChanged();
+    void pinClicked(std::size_t pin); // its number in setPins()
     // The shown print needs the last film of the result dipped deeper.
     void deeperFilmWanted(const std::shared_ptr<const dipwright::JobResult>& result);
 
@@ -122,19 +139,27 @@ private:
     void setShape(const solver::FilmGrid& grid, const ThinnedFilm& film,
                   const std::vector<float>& positions);
     void updateFilm();
+    void colourFilm();
     void updateBody();
     void paintArtwork();
     void print();
+    Ground ground() const;           // of the part of the result
+    bool isPrintDrawn() const;       // whether the film on the body shows what is printed
     void slip(FilmAppearance& film); // displaces the film as in the shown print
     void showBody(BodyAppearance appearance);
     void showZones();
+    void showMasks();
+    void showLegend();
     void showPreview();
     void showLines();
+    void showPins();
+    void showCradle();
+    bool fitsResult() const;    // whether the result is of the shown model and dip
     bool isDippedDrawn() const; // whether the film of the result is drawn
     void drawDipped(FilmExtent extent);
     void showDippedAnew(); // draws the film of the result again if it is drawn
     // The triangles to draw of the dipped film. Empty over a body that shows its coverage.
-    std::vector<FilmTriangle> shownTriangles(const LaidFilm& laid, FilmExtent extent) const;
+    std::vector<FilmTriangle> shownTriangles(const DrapedFilm& film, FilmExtent extent) const;
     std::vector<QRgb> frameColours() const;
 
     DipView& view_;
@@ -144,11 +169,16 @@ private:
     std::shared_ptr<const TexturedMesh> own_; // the project's model with its painted artwork
     ArtworkPainter artworkPainter_;
     std::vector<ViewLine> frame_;
+    std::vector<Pin> pins_;
+    std::vector<std::size_t> shownPins_; // numbers in `pins_`
+    bool showsPins_ = true;
+    std::shared_ptr<const std::vector<Cradle>> cradles_;
     FinishedPartPreview printer_;
     std::shared_ptr<const BodyShare> shared_; // `sharedBody_` was built for it
     std::shared_ptr<const TexturedMesh> sharedBody_;
     std::unique_ptr<ZonedBody> zones_; // for the project's model; null until first shown
     std::shared_ptr<const TexturedMesh> zonedBody_;
+    std::shared_ptr<const SurfaceMask> mask_;  // of the project; null: nothing is masked
     std::unique_ptr<CoveragePreview> preview_; // for the project's model; null until first shown
     std::shared_ptr<const TexturedMesh> previewedBody_;
     std::shared_ptr<const JobTolerances> tolerances_; // null: none that match the project
@@ -177,7 +207,7 @@ private:
     ThinnedFilm shape_;
     solver::FilmGrid shapeGrid_;
     std::vector<float> positions_;
-    FilmLook look_ = FilmLook::Lines;
+    FilmLook look_ = FilmLook::Sheet;
     FilmExtent extent_ = FilmExtent::Whole;
     QImage picture_;
     FilmQuantity quantity_ = FilmQuantity::Length;

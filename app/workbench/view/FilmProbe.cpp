@@ -43,6 +43,7 @@ void FilmProbe::readAlong(const ViewRay& ray) {
         show(session_.reading()->at(toPose * ray.origin, toPose.linear() * ray.direction));
         return;
     }
+    view_.setMarker({}); // it may be left from a film that is no longer drawn
     const auto place = scene_.modelPoint(ray);
     emit read(place ? describeBody(*place) : QString());
 }

@@ -1,6 +1,9 @@
-// Sets marks on the body where the user clicks or drags, for the seam of two dips or for zones.
+// Marks the body where the user clicks or draws with a brush: for the seam of two dips, for zones,
+// or for masks. The view shows at once what the brush marks; the project changes when the stroke
+// ends.
 #pragma once
 
+#include "marks/StrokePatch.h"
 #include "workbench/dip/DipSession.h"
 #include "workbench/document/MarkEdits.h"
 #include "workbench/view/DipScene.h"
@@ -11,11 +14,10 @@ class MarkTool : public QObject {
     Q_OBJECT
 
 public:
-    MarkTool(DipView& view, const DipScene& scene, const DipSession& session,
-             QObject* parent = nullptr);
+    MarkTool(DipView& view, DipScene& scene, const DipSession& session, QObject* parent = nullptr);
 
     // Without a brush, the tool ignores presses on the body.
-    void setBrush(const MarkBrush& brush) { brush_ = brush; }
+    void setBrush(const MarkBrush& brush);
 
 signals:
     void begun(); // a stroke; it is one undo step
@@ -24,12 +26,23 @@ signals:
 private:
     bool begins(const ViewRay& ray);
     void stroke(const ViewRay& ray);
+    void addPoint(const SurfacePoint& place);
     void finish();
+    void hover(const ViewRay& ray);
+    void forget(); // drops the stroke
+    void show(const std::vector<StrokePatch>& parts, int opacity);
+    MarkBrush brushNow() const; // an eraser while Shift is held
+    BrushPoint pointAt(const SurfacePoint& place) const;
+    StrokePatch newPart() const;
 
-    const DipScene& scene_;
+    DipScene& scene_;
     const DipSession& session_;
     MarkBrush brush_;
-    std::optional<Eigen::Vector3f> last_; // place of the stroke's last mark
+    MarkBrush drawn_; // the brush of the stroke
+    // The parts of the stroke. It is interrupted where it jumps, for example past an edge.
+    std::vector<StrokePatch> parts_;
+    std::optional<ViewRay> lastRay_;
+    std::optional<ViewRay> hovered_; // where the mouse is over the view
 };
 
 } // namespace dipwright

@@ -1,5 +1,7 @@
 #include "workbench/view/MeasureTool.h"
 
+#include "geometry/SurfacePath.h"
+
 namespace dipwright {
 
 MeasureTool::MeasureTool(DipView& view, const DipScene& scene, Messages& messages, QObject* parent)
@@ -9,8 +11,8 @@ MeasureTool::MeasureTool(DipView& view, const DipScene& scene, Messages& message
 
 void MeasureTool::setActive(bool active) {
     active_ = active;
-    places_.clear();
-    view_.setMeasure({}, {});
+    clear();
+    show();
 }
 
 void MeasureTool::setLengthUnit(LengthUnit unit) {
@@ -18,36 +20,82 @@ void MeasureTool::setLengthUnit(LengthUnit unit) {
     show();
 }
 
+void MeasureTool::clear() {
+    search_.cancel();
+    places_.clear();
+    line_.clear();
+}
+
 void MeasureTool::click(const ViewRay& ray) {
-    const auto place = active_ ? scene_.modelPoint(ray) : std::nullopt;
+    const auto place = active_ ? scene_.modelSurface(ray) : std::nullopt;
     if (!place) {
         return;
     }
-    if (places_.size() == 2) {
-        places_.clear();
+    if (places_.size() == 2 || scene_.model() != model_) {
+        clear();
     }
     places_.push_back(*place);
     model_ = scene_.model();
     show();
-    messages_.say(places_.size() < 2 ? tr("Click the second place on the part")
-                                     : tr("Distance %1").arg(distance()),
-                  0);
+    if (places_.size() < 2) {
+        messages_.say(tr("Click the second place on the part"), 0);
+    } else {
+        messages_.say(distance(), 0);
+        findLine();
+    }
+}
+
+void MeasureTool::findLine() {
+    search_ = jobs_.start(std::make_unique<ValueJob<Line>>(
+        QString(),
+        [model = model_, from = places_[0], to = places_[1]](const Progress&) {
+            return surfacePath(model->mesh, from, to);
+        },
+        [this](const Line& line) { takeLine(line); }, [](const std::exception_ptr&) {}));
+}
+
+void MeasureTool::takeLine(const Line& line) {
+    line_ = line;
+    show();
+    if (!line_.empty()) {
+        messages_.say(distance(), 0);
+    }
 }
 
 QString MeasureTool::distance() const {
-    return places_.size() < 2 ? QString()
-                              : shownLength(double((places_[1] - places_[0]).norm()), unit_);
+    if (places_.size() < 2) {
+        return {};
+    }
+    const Eigen::Vector3f apart =
+        position(model_->mesh, places_[1]) - position(model_->mesh, places_[0]);
+    const QString straight = tr("Distance %1").arg(shownLength(double(apart.norm()), unit_));
+    return line_.empty()
+               ? straight
+               : tr("%1, along the surface %2").arg(straight, shownLength(lengthOf(line_), unit_));
 }
 
 void MeasureTool::show() {
     if (scene_.model() != model_) {
-        places_.clear();
+        clear();
     }
-    std::vector<Eigen::Vector3f> shown;
-    for (const Eigen::Vector3f& place : places_) {
-        shown.push_back(scene_.toWorld(place));
+    const auto inWorld = [this](Line line) {
+        for (Eigen::Vector3f& point : line) {
+            point = scene_.toWorld(point);
+        }
+        return line;
+    };
+    Line places;
+    for (const SurfacePoint& place : places_) {
+        places.push_back(position(model_->mesh, place));
     }
-    view_.setMeasure(shown, distance());
+    std::vector<Line> lines;
+    if (!line_.empty()) {
+        lines.push_back(inWorld(line_));
+    }
+    if (places.size() == 2) {
+        lines.push_back(inWorld(places));
+    }
+    view_.setMeasure(inWorld(places), lines, distance());
 }
 
 } // namespace dipwright

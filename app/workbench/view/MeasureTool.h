@@ -1,6 +1,8 @@
-// Measures the distance between two places of the body that the user clicks.
+// Measures between two places of the body that the user clicks: the straight distance, and the
+// length of the shortest line along the surface.
 #pragma once
 
+#include "workbench/jobs/JobRunner.h"
 #include "workbench/jobs/Messages.h"
 #include "workbench/view/DipScene.h"
 #include "workbench/widgets/Units.h"
@@ -21,7 +23,11 @@ public:
     void show();
 
 private:
+    using Line = std::vector<Eigen::Vector3f>; // model coordinates
     void click(const ViewRay& ray);
+    void clear();
+    void findLine();
+    void takeLine(const Line& line);
     QString distance() const; // empty until there are two places
 
     DipView& view_;
@@ -29,8 +35,11 @@ private:
     Messages& messages_;
     LengthUnit unit_ = LengthUnit::Millimetre;
     bool active_ = false;
-    std::vector<Eigen::Vector3f> places_; // model coordinates
+    std::vector<SurfacePoint> places_;
+    Line line_; // along the surface; empty: not known
     std::shared_ptr<const TexturedMesh> model_;
+    CancelToken search_; // of the line
+    JobRunner jobs_;     // its own, so that the line does not wait for a dip
 };
 
 } // namespace dipwright

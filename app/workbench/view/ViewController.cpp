@@ -51,6 +51,7 @@ void ViewController::connectDisplay(const WindowActions& actions) {
             [&actions] { actions.measure->setChecked(false); });
     connect(actions.rings, &QAction::toggled, &scene_, &DipScene::setShowHandles);
     connect(actions.wearsFilm, &QAction::toggled, &scene_, &DipScene::setWearsFilm);
+    connect(actions.warnings, &QAction::toggled, &scene_, &DipScene::setShowPins);
     connect(actions.body, &QAction::toggled, &view_, &DipView::setBodyVisible);
     // Water is hidden so that it does not change the colours of the body.
     const auto showLooks = [this, &actions] {

@@ -1,6 +1,7 @@
 #include "workbench/widgets/HeatScale.h"
 
 #include "film/DippedFilm.h"
+#include "results/ColourMap.h"
 #include "results/Results.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace dipwright {
 namespace {
 
 constexpr int tableSize = 256;
-constexpr QRgb warningColour = 0xffd81b60; // differs from all maps in all kinds of colour vision
 
 std::vector<QRgb> colourTable(const QString& map) {
     std::vector<QRgb> table(tableSize);
@@ -46,7 +46,7 @@ std::vector<Place> placesOf(const solver::FilmGrid& film, int pixels, int count,
 
 QRgb HeatScale::colour(double value) const {
     if (limit && value > *limit) {
-        return warningColour;
+        return colourAbove(map).rgb();
     }
     return mapColour(map, std::clamp((value - low) / std::max(1e-9, high - low), 0.0, 1.0)).rgb();
 }
@@ -70,6 +70,7 @@ QImage heatPicture(const std::vector<float>& values, const solver::FilmGrid& fil
     const std::vector<QRgb> table = colourTable(scale.map);
     const float low = float(scale.low);
     const float perValue = float((tableSize - 1) / std::max(1e-9, scale.high - scale.low));
+    const QRgb warningColour = colourAbove(scale.map).rgb();
     const float limit = scale.limit ? float(*scale.limit) : std::numeric_limits<float>::infinity();
     const std::vector<Place> across = placesOf(film, pixels.width(), film.columns, columnAt);
     const std::vector<Place> down = placesOf(film, pixels.height(), film.rows, rowAt);

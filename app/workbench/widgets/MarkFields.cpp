@@ -7,17 +7,36 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QShortcut>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <cmath>
 
 namespace dipwright {
 namespace {
 
 constexpr double leastRadius = 0.5, mostRadius = 200, usualRadius = 5; // mm
+constexpr int sizeSteps = 200;                                         // of the slider
+constexpr double keyFactor = 1.2;
+
+// Converts a radius in mm to a step of the slider, and back.
+int stepOf(double radius) {
+    return int(std::lround(sizeSteps * std::log(radius / leastRadius) /
+                           std::log(mostRadius / leastRadius)));
+}
+
+double radiusOf(int step) {
+    return leastRadius * std::pow(mostRadius / leastRadius, double(step) / sizeSteps);
+}
 
 } // namespace
 
 MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     : QWidget(parent), unit_(unit), form_(new QFormLayout(this)), kind_(new QComboBox),
-      radius_(new NumberBox), count_(new QLabel), removeLast_(new QPushButton(tr("Remove last"))),
+      radius_(new NumberBox), size_(new QSlider(Qt::Horizontal)),
+      eraser_(new QPushButton(tr("Eraser"))), count_(new QLabel),
+      removeLast_(new QPushButton(tr("Remove last"))),
       removeAll_(new QPushButton(tr("Remove all"))) {
     kind_->setObjectName(name);
     kind_->setAccessibleName(tr("A click on the part"));
@@ -31,7 +50,16 @@ MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     radius_->setRange(leastRadius * shown, mostRadius * shown);
     radius_->setValue(usualRadius * shown);
     radius_->setSuffix(unitSuffix(Unit::Length, unit));
-    radius_->setToolTip(tr("Radius of the mark around the click, along the surface."));
+    radius_->setToolTip(tr("Radius of the brush on the part. The keys [ and ] change it."));
+    size_->setObjectName(name + QStringLiteral("Size"));
+    size_->setAccessibleName(tr("Radius"));
+    size_->setToolTip(radius_->toolTip());
+    size_->setRange(0, sizeSteps);
+    showRadius();
+    eraser_->setObjectName(name + QStringLiteral("Eraser"));
+    eraser_->setCheckable(true);
+    eraser_->setToolTip(tr("Strokes on the part take the area out of the marks. Hold Shift to "
+                           "erase with a single stroke."));
     count_->setWordWrap(true);
 
     form_->setContentsMargins(0, 0, 0, 0);
@@ -39,6 +67,10 @@ MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form_->addRow(tr("Click on part"), kind_);
     form_->addRow(tr("Radius"), radius_);
+    auto* tools = new QHBoxLayout;
+    tools->addWidget(size_, 1);
+    tools->addWidget(eraser_);
+    form_->addRow(tools);
     form_->addRow(count_);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(removeLast_);
@@ -46,7 +78,18 @@ MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     form_->addRow(buttons);
 
     connect(kind_, &QComboBox::currentIndexChanged, this, &MarkFields::changed);
-    connect(radius_, &QDoubleSpinBox::valueChanged, this, &MarkFields::changed);
+    connect(radius_, &QDoubleSpinBox::valueChanged, this, [this] {
+        showRadius();
+        emit changed();
+    });
+    connect(size_, &QSlider::valueChanged, this, [this](int step) {
+        radius_->setValue(radiusOf(step) * shownPerStored(Unit::Length, unit_));
+    });
+    connect(eraser_, &QAbstractButton::toggled, this, &MarkFields::changed);
+    for (const auto& [key, factor] : {std::pair("[", 1 / keyFactor), {"]", keyFactor}}) {
+        auto* shortcut = new QShortcut(QKeySequence(QLatin1String(key)), this);
+        connect(shortcut, &QShortcut::activated, this, [this, factor = factor] { resize(factor); });
+    }
     connect(removeLast_, &QPushButton::clicked, this, &MarkFields::removeLastAsked);
     connect(removeAll_, &QPushButton::clicked, this, &MarkFields::removeAllAsked);
 }
@@ -55,8 +98,26 @@ Millimetres MarkFields::radius() const {
     return Millimetres(radius_->value() / shownPerStored(Unit::Length, unit_));
 }
 
+MarkBrush MarkFields::brush() const {
+    const bool erases = eraser_->isChecked() && eraser_->isEnabled();
+    return erases ? eraserOf(chosen()) : chosen();
+}
+
 void MarkFields::setRadiusEnabled(bool enabled) {
     radius_->setEnabled(enabled);
+    size_->setEnabled(enabled);
+    eraser_->setEnabled(enabled);
+}
+
+void MarkFields::resize(double factor) {
+    if (radius_->isEnabled()) {
+        radius_->setValue(radius_->value() * factor);
+    }
+}
+
+void MarkFields::showRadius() {
+    const QSignalBlocker quiet(size_);
+    size_->setValue(stepOf(radius().value()));
 }
 
 void MarkFields::setMarkCount(std::size_t count) {

@@ -1,5 +1,5 @@
-// Chooses what a click on the body in the view marks, and with which radius. Lists and removes the
-// marks.
+// Chooses what a click or drag on the body in the view marks, with which radius, and whether it
+// erases. The keys [ and ] change the radius. Counts and removes the marks.
 #pragma once
 
 #include "workbench/document/MarkEdits.h"
@@ -7,11 +7,13 @@
 
 #include <QWidget>
 
+class QAbstractButton;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
+class QSlider;
 
 namespace dipwright {
 
@@ -22,7 +24,8 @@ public:
     // `name`: prefix of the fields' object names.
     MarkFields(const QString& name, LengthUnit unit, QWidget* parent);
 
-    virtual MarkBrush brush() const = 0;
+    // The brush, which is an eraser if the user asks for one.
+    MarkBrush brush() const;
     void setMarkCount(std::size_t count);
 
 signals:
@@ -31,11 +34,13 @@ signals:
     void removeAllAsked();
 
 protected:
+    virtual MarkBrush chosen() const = 0; // the brush that the fields describe
     // The kinds of marks. The first entry is already there and marks nothing.
     QComboBox& kind() { return *kind_; }
     const QComboBox& kind() const { return *kind_; }
     static constexpr int noKind = -1; // the first entry's data
     Millimetres radius() const;
+    // Without a radius, a click marks as much as the brush covers, and cannot erase.
     void setRadiusEnabled(bool enabled);
     // The layout. Subclasses insert fields between the kind and the radius, or add unlabelled
     // fields below the radius.
@@ -43,10 +48,15 @@ protected:
     static constexpr int radiusRow = 1; // unless rows were inserted above it
 
 private:
+    void resize(double factor);
+    void showRadius();
+
     LengthUnit unit_;
     QFormLayout* form_;
     QComboBox* kind_;
     QDoubleSpinBox* radius_;
+    QSlider* size_; // the radius on a logarithmic scale
+    QAbstractButton* eraser_;
     QLabel* count_;
     QPushButton* removeLast_;
     QPushButton* removeAll_;

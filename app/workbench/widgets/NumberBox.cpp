@@ -1,10 +1,11 @@
 #include "workbench/widgets/NumberBox.h"
 
+#include "base/TypedNumber.h"
 #include "workbench/widgets/PlainTexts.h"
 #include "workbench/widgets/Theme.h"
-#include "workbench/widgets/TypedNumber.h"
 
 #include <QLineEdit>
+#include <QRegularExpression>
 #include <QTimer>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -23,38 +24,57 @@ struct NumberBox::Reading {
 
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setFocusPolicy(Qt::StrongFocus);
-    connect(lineEdit(), &QLineEdit::textChanged, this, &NumberBox::colourText);
+    connect(lineEdit(), &QLineEdit::textChanged, this, &NumberBox::showReading);
+}
+
+int NumberBox::wholeValue() const {
+    return int(std::lround(value()));
+}
+
+// Returns the text without the prefix and suffix that the field shows.
+QString NumberBox::ownText(const QString& text) const {
+    const auto first = text.startsWith(prefix()) ? prefix().size() : 0;
+    const auto last = text.endsWith(suffix()) ? text.size() - suffix().size() : text.size();
+    return text.mid(first, std::max<qsizetype>(0, last - first)).trimmed();
 }
 
 NumberBox::Reading NumberBox::read(const QString& text) const {
     if (!specialValueText().isEmpty() && text == specialValueText()) {
         return {minimum(), {}};
     }
-    const auto first = text.startsWith(prefix()) ? prefix().size() : 0;
-    const auto last = text.endsWith(suffix()) ? text.size() - suffix().size() : text.size();
-    const QString own = text.mid(first, std::max<qsizetype>(0, last - first)).trimmed();
+    const QString own = ownText(text);
     const QString unit = suffix().trimmed();
     const TypedNumber typed = typedNumber(own, unit, locale());
-    if (!typed.unknownUnit.isEmpty()) {
-        return {{},
-                unit.isEmpty()
-                    ? tr("“%1” has a unit, but this field has none; type only the number").arg(own)
-                    : tr("“%1” has a unit that does not fit this field; type a number in %2")
-                          .arg(own, unit)};
-    }
-    if (typed.values.empty()) {
-        return {{},
-                own.isEmpty() ? tr("The field is empty; type a number")
-                              : tr("“%1” is not a number").arg(own)};
+    if (typed.fault != TypedNumber::Fault::None) {
+        return {{}, refusalOf(own, typed)};
     }
     return readingOf(own, typed.values);
+}
+
+// Says why the text `own` was not read.
+QString NumberBox::refusalOf(const QString& own, const TypedNumber& typed) const {
+    const QString unit = suffix().trimmed();
+    if (own.isEmpty()) {
+        return tr("The field is empty; type a number");
+    }
+    if (typed.fault == TypedNumber::Fault::NotANumber) {
+        return tr("“%1” is not a number").arg(own);
+    }
+    if (unit.isEmpty()) {
+        return tr("“%1” has a unit, but this field has none; type only the number").arg(own);
+    }
+    return typed.fault == TypedNumber::Fault::UnknownUnit
+               ? tr("“%1” is not a unit that this field knows; type a number in %2")
+                     .arg(typed.unit, unit)
+               : tr("“%1” has a unit that does not fit this field; type a number in %2")
+                     .arg(own, unit);
 }
 
 // Chooses among `values`, the possible meanings of the typed text `own`, the one that the field
 // accepts.
 NumberBox::Reading NumberBox::readingOf(const QString& own,
                                         const std::vector<double>& values) const {
-    constexpr double rounding = 1e-9; // for limits converted to the shown unit
+    constexpr double rounding = 1e-9; // of units and calculations
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     const auto shown = [&plain](double value) { return plain.toString(value, 'g', 12); };
@@ -75,10 +95,14 @@ NumberBox::Reading NumberBox::readingOf(const QString& own,
                 tr("“%1” can mean %2 or %3; type one of them")
                     .arg(own, shown(within[0]), shown(within[1]))};
     }
-    if (decimals() == 0 && within[0] != std::round(within[0])) {
+    if (decimals() > 0) {
+        return {within[0], {}};
+    }
+    const double whole = std::round(within[0]);
+    if (std::abs(within[0] - whole) > rounding * std::abs(whole)) {
         return {{}, tr("“%1” is not a whole number").arg(own)};
     }
-    return {within[0], {}};
+    return {whole, {}};
 }
 
 // Any text stays until it is read as a whole.
@@ -111,12 +135,22 @@ void NumberBox::fixup(QString& text) const {
     });
 }
 
-void NumberBox::colourText() {
+void NumberBox::showReading() {
+    const QString text = lineEdit()->text();
+    const std::optional<double> result = read(text).value;
     QPalette colours = palette();
-    if (!read(lineEdit()->text()).value) {
+    if (!result) {
         colours.setColor(QPalette::Text, isDark() ? QColor(255, 130, 120) : QColor(190, 20, 20));
     }
     lineEdit()->setPalette(colours);
+    const QString shown = result ? textFromValue(*result) + suffix() : QString();
+    const bool isPlain =
+        QRegularExpression(QStringLiteral("^[−+\\d.,-]+$")).match(ownText(text)).hasMatch();
+    if (lineEdit()->isModified() && hasFocus()) {
+        QToolTip::showText(mapToGlobal(rect().bottomLeft()),
+                           shown.isEmpty() || isPlain ? QString() : QStringLiteral("= ") + shown,
+                           this);
+    }
 }
 
 QString NumberBox::textFromValue(double value) const {

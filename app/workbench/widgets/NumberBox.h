@@ -6,9 +6,12 @@
 
 namespace dipwright {
 
-// The field reads its text when it loses the focus or Enter is pressed. Accepts any unit of the
-// suffix's quantity (TypedNumber.h): "2in" in a field in mm is 50.8. Comma and point are accepted
-// as decimal signs in any language, and as separators between groups of digits. Text that cannot be
+struct TypedNumber;
+
+// The field reads its text when it loses the focus or Enter is pressed. Accepts calculations and
+// any unit of the suffix's quantity (base/TypedNumber.h): "2in" in a field in mm is 50.8, "3*12"
+// is 36. While such a text is typed, a tooltip shows its value. Comma and point are accepted as
+// decimal signs in any language, and as separators between groups of digits. Text that cannot be
 // read, is ambiguous, or lies outside the limits is red while it is typed. When it is entered, it
 // is refused with a message, and the value stays. Keeps all typed digits; shows no more decimals
 // than needed. The wheel changes the value only while the field has the focus, so scrolling a page
@@ -18,6 +21,9 @@ class NumberBox : public QDoubleSpinBox {
 
 public:
     explicit NumberBox(QWidget* parent = nullptr);
+
+    // The value of a field of whole numbers (0 decimals).
+    int wholeValue() const;
 
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
@@ -34,9 +40,11 @@ protected:
 
 private:
     struct Reading;
+    QString ownText(const QString& text) const;
     Reading read(const QString& text) const;
+    QString refusalOf(const QString& own, const TypedNumber& typed) const;
     Reading readingOf(const QString& own, const std::vector<double>& values) const;
-    void colourText();
+    void showReading();
 };
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "accuracy/tolerance/Zones.h"
 
 #include "geometry/SurfaceSpot.h"
+#include "marks/StrokeArea.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -75,6 +76,10 @@ void ZonedBody::setMarks(const std::vector<ZoneMark>& marks) {
 }
 
 void ZonedBody::obey(const ZoneMark& mark) {
+    if (mark.extent == MarkExtent::Stroke) {
+        set(trianglesOf(fine_.mesh(), StrokeArea(mark.path, mark.radius)), mark.zone);
+        return;
+    }
     const Eigen::Vector3f place(float(mark.place[0].value()), float(mark.place[1].value()),
                                 float(mark.place[2].value()));
     const SurfacePoint middle = query_.closest(place).point;
@@ -85,19 +90,21 @@ void ZonedBody::obey(const ZoneMark& mark) {
         return model_->material[fine_.middle(piece).triangle];
     };
     switch (mark.extent) {
-    case ZoneExtent::Spot:
+    case MarkExtent::Spot:
         set(trianglesWithin(fine_.mesh(), middle, float(mark.radius.value())), mark.zone);
         break;
-    case ZoneExtent::Face:
+    case MarkExtent::Face:
         set(faceAround(fine_.mesh(), middle.triangle), mark.zone);
         break;
-    case ZoneExtent::Material:
+    case MarkExtent::Material:
         for (std::uint32_t piece = 0; piece < zones_.size(); ++piece) {
             if (material(piece) == material(middle.triangle)) {
                 zones_[piece] = mark.zone;
             }
         }
         break;
+    case MarkExtent::Stroke:
+        break; // see above
     }
 }
 
@@ -114,13 +121,16 @@ Zone ZonedBody::at(const SurfacePoint& place) const {
 std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
                                       const std::vector<const DipTolerances*>& dips,
                                       const std::vector<std::vector<float>>& numericalErrors,
-                                      const ToleranceSettings& settings) {
+                                      const ToleranceSettings& settings, const SurfaceMask* mask) {
     const TriangleMesh& mesh = model->mesh;
     const std::vector<SurfacePoint> places = tolerancePlaces(*model);
     ZonedBody zones(model);
     zones.setMarks(settings.marks);
     std::array<ZoneSum, zoneCount> sums;
     for (std::size_t place = 0; place < places.size(); ++place) {
+        if (mask && mask->covers(places[place])) {
+            continue;
+        }
         const auto zone = std::size_t(zones.at(places[place]));
         if (const std::optional<std::size_t> dip = worstDip(dips, place)) {
             const std::vector<float>& errors = numericalErrors[*dip];

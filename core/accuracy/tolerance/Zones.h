@@ -4,6 +4,7 @@
 #include "accuracy/tolerance/Tolerances.h"
 #include "geometry/RefinedMesh.h"
 #include "geometry/SurfaceQuery.h"
+#include "marks/SurfaceMask.h"
 #include "model/TexturedMesh.h"
 
 namespace dipwright {
@@ -50,11 +51,13 @@ struct ZoneVerdict {
 
 // Returns the verdict on each existing zone, A first. `dips` are the tolerances of one body's dips;
 // where several dips paint a place, the worst dip counts. `numericalErrors` holds each dip's
-// numerical error at tolerancePlaces(), mm; empty for a dip whose error is not known.
+// numerical error at tolerancePlaces(), mm; empty for a dip whose error is not known. Places under
+// `mask`, which may be null, do not count.
 std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
                                       const std::vector<const DipTolerances*>& dips,
                                       const std::vector<std::vector<float>>& numericalErrors,
-                                      const ToleranceSettings& settings);
+                                      const ToleranceSettings& settings,
+                                      const SurfaceMask* mask = nullptr);
 
 // Returns "A", "B" or "C".
 QString zoneName(Zone zone);

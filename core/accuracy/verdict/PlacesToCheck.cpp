@@ -50,11 +50,11 @@ struct PieceToCheck {
 class PaintedFilm {
 public:
     PaintedFilm(const LaidFilm& laid, const std::vector<float>& pointErrors, const ZonedBody* zones,
-                const ToleranceSettings& settings)
+                const SurfaceMask* mask, const ToleranceSettings& settings)
         : laid_(laid), offBy_(pointErrors), zones_(zones), settings_(settings),
           parts_(laid.film().positions.size()) {
         for (std::size_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
-            if (laid.contact().painted[triangle]) {
+            if (laid.contact().painted[triangle] && !isMasked(laid, triangle, mask)) {
                 add(std::uint32_t(triangle));
             }
         }
@@ -103,6 +103,13 @@ public:
     }
 
 private:
+    static bool isMasked(const LaidFilm& laid, std::size_t triangle, const SurfaceMask* mask) {
+        const FilmTriangle& corners = laid.triangles()[triangle];
+        return mask && std::all_of(corners.begin(), corners.end(), [&](std::uint32_t point) {
+                   const SurfacePoint& place = laid.contact().surface[point];
+                   return place.isValid() && mask->covers(place);
+               });
+    }
     void add(std::uint32_t triangle) {
         const FilmTriangle& corners = laid_.triangles()[triangle];
         const double here = area(laid_.contact(), corners);
@@ -177,8 +184,9 @@ private:
 } // namespace
 
 PlacesToCheck placesToCheck(const LaidFilm& laid, const std::vector<float>& pointErrors,
-                            const ZonedBody* zones, const ToleranceSettings& settings) {
-    PaintedFilm film(laid, pointErrors, zones, settings);
+                            const ZonedBody* zones, const SurfaceMask* mask,
+                            const ToleranceSettings& settings) {
+    PaintedFilm film(laid, pointErrors, zones, mask, settings);
     return {film.zoneErrors(), film.places(), film.areaToCheck()};
 }
 

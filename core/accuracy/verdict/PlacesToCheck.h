@@ -26,8 +26,9 @@ struct PlacesToCheck {
 };
 
 // Finds the places to check. `pointErrors` is NumericalErrorEstimate::pointErrors; empty if the
-// error is not known. `zones` is null if the whole body is in zone C.
+// error is not known. `zones` is null if the whole body is in zone C, `mask` if nothing is masked.
 PlacesToCheck placesToCheck(const LaidFilm& laid, const std::vector<float>& pointErrors,
-                            const ZonedBody* zones, const ToleranceSettings& settings);
+                            const ZonedBody* zones, const SurfaceMask* mask,
+                            const ToleranceSettings& settings);
 
 } // namespace dipwright

@@ -55,7 +55,7 @@ void addZoneReasons(ReasonList& found, const ZoneError& error,
 
 void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimate,
                         const std::vector<ZoneError>& zones, const solver::FilmGrid& grid,
-                        bool namesZones) {
+                        bool namesZones, bool isMasked) {
     const SheetChange& spacing = estimate.doubleSpacing;
     const SheetChange& step = estimate.doubleStep;
     if (spacing.painted == 0 || step.painted == 0 || zones.empty()) {
@@ -73,16 +73,20 @@ void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimat
                    once, mostPaintedOnce});
     }
     if (found.isEmpty()) {
-        found.add({Kind::Certain, Advice::Print, estimate.offBy.percentile95});
+        // With a mask, the estimate includes places that do not count.
+        const double worst = std::max_element(zones.begin(), zones.end(), [](auto& a, auto& b) {
+                                 return a.percentile95 < b.percentile95;
+                             })->percentile95;
+        found.add({Kind::Certain, Advice::Print, isMasked ? worst : estimate.offBy.percentile95});
     }
 }
 
 // Adds the reasons about the numerical error. Returns the places to check.
 PlacesToCheck addNumericalReasons(ReasonList& found, const LaidFilm& laid,
                                   const NumericalErrorEstimate* estimate, const ZonedBody* zones,
-                                  const ToleranceSettings& tolerance) {
-    PlacesToCheck uncertain =
-        placesToCheck(laid, estimate ? estimate->pointErrors : nothingKnown, zones, tolerance);
+                                  const SurfaceMask* mask, const ToleranceSettings& tolerance) {
+    PlacesToCheck uncertain = placesToCheck(laid, estimate ? estimate->pointErrors : nothingKnown,
+                                            zones, mask, tolerance);
     const solver::EquilibriumAccount& rest = laid.film().equilibrium;
     if (rest.stepsWithout > 0) {
         found.add({Kind::Unbalanced,
@@ -97,7 +101,8 @@ PlacesToCheck addNumericalReasons(ReasonList& found, const LaidFilm& laid,
     } else if (!estimate->failure.isEmpty()) {
         found.add({Kind::NotCompared, Advice::CheckFirst, 0, 0, estimate->failure});
     } else {
-        addEstimateReasons(found, *estimate, uncertain.zones, laid.film().grid, zones != nullptr);
+        addEstimateReasons(found, *estimate, uncertain.zones, laid.film().grid, zones != nullptr,
+                           mask != nullptr);
     }
     return uncertain;
 }
@@ -169,7 +174,7 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits) {
     ReasonList found;
     const PlacesToCheck uncertain =
-        addNumericalReasons(found, dip.laid, dip.numericalError, dip.zones, tolerance);
+        addNumericalReasons(found, dip.laid, dip.numericalError, dip.zones, dip.mask, tolerance);
     addPaintReasons(found, dip, limits);
     if (!dip.tankFaults.isEmpty()) {
         found.add({Kind::Tank, Advice::DoNotPrint, 0, 0, dip.tankFaults});
@@ -181,9 +186,10 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
 }
 
 Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
-                         const ZonedBody* zones, const ToleranceSettings& tolerance) {
+                         const ZonedBody* zones, const SurfaceMask* mask,
+                         const ToleranceSettings& tolerance) {
     ReasonList found;
-    addNumericalReasons(found, laid, estimate, zones, tolerance);
+    addNumericalReasons(found, laid, estimate, zones, mask, tolerance);
     return std::move(found).verdict();
 }
 

@@ -98,6 +98,7 @@ struct JudgedDip {
     double paleArea = 0;                                    // mm² of the body with too little ink
     const ZonedBody* zones = nullptr;                       // null: the whole body is in zone C
     QString tankFaults = {}; // sentences on limits of the tank that the dip exceeds; empty: none
+    const SurfaceMask* mask = nullptr; // masked surface is not judged; null: none
 };
 
 // Returns the verdict on one dip by the limits in `tolerance` and `limits`.
@@ -106,7 +107,8 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
 
 // Returns the part of the verdict that is about the numerical error; without places.
 Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
-                         const ZonedBody* zones, const ToleranceSettings& tolerance);
+                         const ZonedBody* zones, const SurfaceMask* mask,
+                         const ToleranceSettings& tolerance);
 
 // Collects reasons; the verdict is the worst of them.
 class ReasonList {

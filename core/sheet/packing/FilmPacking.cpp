@@ -226,7 +226,9 @@ JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
     }
     const auto mm = [](double length) { return QString::number(length, 'f', 0); };
     return {projects.join(QStringLiteral(", ")),
-            Text::tr("Film %1 of %2, pieces: %3").arg(number + 1).arg(count).arg(jobs.size()),
+            jobs.size() == 1
+                ? Text::tr("Film %1 of %2, 1 piece").arg(number + 1).arg(count)
+                : Text::tr("Film %1 of %2, %3 pieces").arg(number + 1).arg(count).arg(jobs.size()),
             sheet.pieces.front().job.date,
             Text::tr("%1 × %2 mm").arg(mm(film.size.width()), mm(film.size.height())),
             QStringLiteral("1:1"),
@@ -235,13 +237,16 @@ JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
 
 } // namespace
 
+double longestFilm(DotsPerInch resolution) {
+    return std::floor(mostSheetPixels / pixelsPerMillimetre(resolution));
+}
+
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film) {
     checkPieces(pieces);
     refuseMixedWhite(pieces);
     const DotsPerInch resolution = pieces.front().sheet.settings.resolution;
     const Pixels pixels(resolution);
-    const double longest =
-        film.isRoll ? std::floor(mostSheetPixels / pixels.unit()) : film.size.height();
+    const double longest = film.isRoll ? longestFilm(resolution) : film.size.height();
     const QSize most = sheetPixels(Millimetres(film.size.width()),
                                    Millimetres(std::min(film.size.height(), longest)), resolution);
     const QRect room = roomOf(film, most, resolution);

@@ -51,6 +51,10 @@ struct FilmPlan {
     std::vector<PlannedFilm> films;
 };
 
+// Returns the greatest length of a film that is cut from a roll, in mm: an image at this resolution
+// then has mostSheetPixels rows.
+double longestFilm(DotsPerInch resolution);
+
 // Plans the films. Throws Error if there is no piece, a piece has no ink or is larger than the
 // film, the resolutions differ, or a limit above is exceeded.
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film);

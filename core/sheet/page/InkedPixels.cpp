@@ -4,6 +4,7 @@
 #include "parallel/ParallelFor.h"
 #include "sheet/page/SheetLayout.h"
 
+#include <QTransform>
 #include <algorithm>
 
 namespace dipwright {
@@ -37,6 +38,17 @@ void addTints(QImage& mask, const QImage& tints, const QRect& part) {
     }
 }
 
+// Returns the film image's pixels in a box on the page.
+QRect pixelBox(const QImage& image, const QRectF& film, const QRectF& box) {
+    if (box.isEmpty()) {
+        return {};
+    }
+    const QTransform toPixels =
+        QTransform::fromTranslate(-film.x(), -film.y()) *
+        QTransform::fromScale(image.width() / film.width(), image.height() / film.height());
+    return toPixels.mapRect(box).toAlignedRect().intersected(image.rect());
+}
+
 } // namespace
 
 QImage inkedPixels(const Sheet& sheet, const QRect& part, InkedPlates plates) {
@@ -51,6 +63,20 @@ QImage inkedPixels(const Sheet& sheet, const QRect& part, InkedPlates plates) {
         }
     }
     return mask;
+}
+
+double inkedShare(const Sheet& sheet, const QRectF& film, const QRectF& box) {
+    const QRect pixels = pixelBox(sheet.image, film, box.intersected(film));
+    if (pixels.isEmpty()) {
+        return 0;
+    }
+    const QImage mask = inkedPixels(sheet, pixels);
+    qint64 painted = 0;
+    for (int y = 0; y < mask.height(); ++y) {
+        const uchar* row = mask.constScanLine(y);
+        painted += mask.width() - std::count(row, row + mask.width(), 0);
+    }
+    return double(painted) / (double(pixels.width()) * pixels.height());
 }
 
 QRect inkedBox(const Sheet& sheet, InkedPlates plates) {

@@ -13,6 +13,10 @@ enum class InkedPlates { Picture, All };
 // Grayscale8. Uses all cores.
 QImage inkedPixels(const Sheet& sheet, const QRect& part, InkedPlates plates = InkedPlates::All);
 
+// Returns which share of a box on the page, in mm, gets ink from any plate. `film` is the film's
+// place on the page.
+double inkedShare(const Sheet& sheet, const QRectF& film, const QRectF& box);
+
 // Returns the smallest box of the film image that contains all inked pixels; invalid if there are
 // none.
 QRect inkedBox(const Sheet& sheet, InkedPlates plates = InkedPlates::All);

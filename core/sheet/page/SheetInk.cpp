@@ -28,9 +28,14 @@ void enter(QPainter& painter, const SheetStrip& strip) {
 void paintJobLine(QPainter& painter, const SheetLayout& layout) {
     painter.save();
     enter(painter, *layout.jobLine);
-    const double middle = (layout.jobLine->size.height() + layout.jobLineHeight * 0.7) / 2;
-    SheetInk(painter, layout.jobLine->overPaint)
-        .text({0, middle}, layout.jobLineHeight, layout.jobLineText);
+    const double spare =
+        layout.jobLine->size.height() - double(layout.jobLineText.size()) * jobLinePitch;
+    double baseline = (spare + jobLinePitch + layout.jobLineHeight * 0.7) / 2;
+    for (const QString& line : layout.jobLineText) {
+        SheetInk(painter, layout.jobLine->overPaint)
+            .text({0, baseline}, layout.jobLineHeight, line);
+        baseline += jobLinePitch;
+    }
     painter.restore();
 }
 

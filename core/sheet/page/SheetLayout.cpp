@@ -18,10 +18,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
 
-constexpr double stripClearance = 2; // mm between two strips or marks
-constexpr double jobLineDepth = 3.5;
-constexpr double jobLineType = 2.2;
-constexpr int longestName = 40; // longest name on the job line, in letters
+constexpr double stripClearance = 2;  // mm between two strips or marks
+constexpr double jobLineMargin = 0.5; // mm above and below the text
+constexpr double leastType = 1.2;     // mm; smaller text cannot be read
+constexpr int longestName = 40;       // longest name on the job line, in letters
 
 QSizeF paperSize(const SheetSettings& settings, QSizeF film) {
     const QString& paper = settings.paper;
@@ -50,31 +50,9 @@ class Paint {
 public:
     Paint(const Sheet& sheet, const QRectF& film) : sheet_(sheet), film_(film) {}
 
-    double share(const QRectF& box) const {
-        const QRect pixels = pixelBox(box.intersected(film_));
-        if (pixels.isEmpty()) {
-            return 0;
-        }
-        const QImage mask = inkedPixels(sheet_, pixels);
-        qint64 painted = 0;
-        for (int y = 0; y < mask.height(); ++y) {
-            const uchar* row = mask.constScanLine(y);
-            painted += mask.width() - std::count(row, row + mask.width(), 0);
-        }
-        return double(painted) / (double(pixels.width()) * pixels.height());
-    }
+    double share(const QRectF& box) const { return inkedShare(sheet_, film_, box); }
 
 private:
-    QRect pixelBox(const QRectF& box) const {
-        if (box.isEmpty()) {
-            return {};
-        }
-        const QImage& image = sheet_.image;
-        const QTransform toPixels =
-            QTransform::fromTranslate(-film_.x(), -film_.y()) *
-            QTransform::fromScale(image.width() / film_.width(), image.height() / film_.height());
-        return toPixels.mapRect(box).toAlignedRect().intersected(image.rect());
-    }
     const Sheet& sheet_;
     QRectF film_;
 };
@@ -185,28 +163,33 @@ std::optional<SheetStrip> placeRuler(Places& places) {
     return std::nullopt;
 }
 
-QString shortened(const QString& name) {
-    const QString text = printableText(name.simplified(), sheetFont(jobLineType));
-    return text.size() <= longestName ? text : text.left(longestName - 1) + u'…';
-}
-
 // Returns texts for the job line, from the full text to the shortest, which is for tiny sheets.
-QStringList jobLineTexts(const JobLine& job) {
-    const QString hash = job.hash.simplified();
-    return {Text::tr("%1 · %2 · %3 · Film %4 · Scale %5 · Job %6")
-                .arg(shortened(job.project), shortened(job.immersion), job.date.simplified(),
-                     shortened(job.film), shortened(job.scale), hash),
-            Text::tr("%1 · Job %2").arg(shortened(job.immersion), hash), hash};
+std::vector<QStringList> jobLineTexts(const JobLine& job) {
+    const QString names =
+        QStringLiteral("%1 · %2 · %3")
+            .arg(nameOnPaper(job.project), nameOnPaper(job.immersion), job.date.simplified());
+    const QString number = Text::tr("Job %1").arg(job.hash.simplified());
+    const QString facts = Text::tr("Film %1 · Scale %2 · %3")
+                              .arg(nameOnPaper(job.film), nameOnPaper(job.scale), number);
+    return {{QStringLiteral("%1 · %2").arg(names, facts)},
+            {names, facts},
+            {QStringLiteral("%1 · %2").arg(nameOnPaper(job.immersion), number)},
+            {job.hash.simplified()}};
 }
 
+// Prefers a shorter text to a smaller font.
 void placeJobLine(SheetLayout& layout, Places& places, const JobLine& job) {
     const QFontMetricsF metrics(sheetFont(jobLineType));
-    for (const QString& text : jobLineTexts(job)) {
-        const double natural = metrics.horizontalAdvance(text) * typeUnit;
-        for (double type = jobLineType; type > 1.2; type *= 0.85) {
-            const QSizeF size(natural * type / jobLineType, jobLineDepth);
+    for (double type = jobLineType; type > leastType; type *= 0.85) {
+        for (const QStringList& lines : jobLineTexts(job)) {
+            double width = 0;
+            for (const QString& line : lines) {
+                width = std::max(width, metrics.horizontalAdvance(line) * typeUnit);
+            }
+            const QSizeF size(width * type / jobLineType,
+                              double(lines.size()) * jobLinePitch + jobLineMargin);
             if ((layout.jobLine = places.take(size, {0, 2, 3, 1}))) {
-                layout.jobLineText = text;
+                layout.jobLineText = lines;
                 layout.jobLineHeight = type;
                 return;
             }
@@ -264,6 +247,11 @@ SheetLayout sheetLayout(const Sheet& sheet) {
         placeJobLine(layout, places, sheet.job);
     }
     return layout;
+}
+
+QString nameOnPaper(const QString& name) {
+    const QString text = printableText(name.simplified(), sheetFont(jobLineType));
+    return text.size() <= longestName ? text : text.left(longestName - 1) + u'…';
 }
 
 QFont sheetFont(double height) {

@@ -38,7 +38,7 @@ struct SheetLayout {
         marks; // at the film's corners: upper left, upper right, lower left, lower right
     std::optional<SheetStrip> ruler; // the scale leaves `rulerEndRoom` free at each end
     std::optional<SheetStrip> jobLine;
-    QString jobLineText;
+    QStringList jobLineText;        // the job line's lines of text
     double jobLineHeight = 0;       // font height, mm
     std::vector<SheetPiece> pieces; // several jobs, each with its own marks and job line
 };
@@ -48,10 +48,15 @@ inline bool prints(const uchar* pixel) {
     return pixel[3] != 0 && (pixel[0] & pixel[1] & pixel[2]) != 255;
 }
 
+// Returns the name on one line of at most 40 letters that the marks' font can draw.
+QString nameOnPaper(const QString& name);
+
 inline constexpr double markReach = 3; // mm from a mark's centre to the ends of its cross
 inline constexpr double rulerEndRoom =
     5;                                  // mm of the ruler's strip before 0 and after the last line
 inline constexpr double rulerDepth = 5; // mm
+inline constexpr double jobLineType = 2.2; // mm, font height of job lines and labels
+inline constexpr double jobLinePitch = 3;  // mm between two lines of text
 
 // Returns the layout. Throws the same errors as pageSize().
 SheetLayout sheetLayout(const Sheet& sheet);

@@ -100,6 +100,10 @@ DrawnPage drawnPage(const WatchPage& page) {
 
 } // namespace
 
+QSizeF usualPaper(BoardKind kind) {
+    return kind == BoardKind::Film ? QSizeF(210, 297) : QSizeF(148, 210);
+}
+
 WatchBoard watchBoard(const WatchPage& page) {
     const double square = boardSquare(page.kind);
     WatchBoard board;

@@ -20,6 +20,9 @@ struct WatchPage {
     QString lot, date; // printed on the page; empty: the page has a blank line to fill in
 };
 
+// Returns the paper that fits the usual tank, mm: A4 for the film, A5 for the card.
+QSizeF usualPaper(BoardKind kind);
+
 // Size of the board and its place on the page, mm.
 struct WatchBoard {
     int columns = 0, rows = 0;

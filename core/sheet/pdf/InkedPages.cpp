@@ -118,7 +118,7 @@ public:
 
     void strokeCut(const QPainterPath& path, double width, const SpotInk& spot, double bleed) {
         const QByteArray name = spotName(spot);
-        add("/Over gs /" + name + " CS 1 SCN\n" + lineStyle(QPen(Qt::black, width)) +
+        add("/Cut gs /" + name + " CS 1 SCN\n" + lineStyle(QPen(Qt::black, width)) +
             construction(path) + "S\n");
         if (bleed > 0) {
             const QTransform onPage = painter()->combinedTransform();
@@ -327,10 +327,14 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& i
         }
         // With the blend mode Multiply, a plate removes no ink of the other plates, on screens and
         // in separations (ISO 32000-1, 11.7.3). Overprinting is no alternative: many viewers ignore
-        // it, and white would then hide the other plates.
-        QPDFObjectHandle resources =
-            QPDFObjectHandle::parse("<< /ExtGState << /Over << /BM /Multiply >> >> "
-                                    "/XObject << >> >>");
+        // it, and white would then hide the other plates. The cut contour overprints, because
+        // cutters may not find a contour in flattened transparency. Pages with a single picture
+        // have no transparency at all.
+        const bool blends = plates.size() > 1;
+        QPDFObjectHandle resources = QPDFObjectHandle::parse(
+            std::string("<< /ExtGState << /Over << /BM /Multiply >> /Cut << /OP true /op true "
+                        "/OPM 1 ") +
+            (blends ? "/BM /Multiply " : "") + ">> >> /XObject << >> >>");
         resources.replaceKey("/ColorSpace", spaces);
         for (std::size_t plate = 0; plate < plates.size(); ++plate) {
             resources.getKey("/XObject")
@@ -340,8 +344,10 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& i
         const QByteArray turned = matrix(QTransform(1, 0, 0, -1, 0, size.height()));
         QPDFObjectHandle page = QPDFObjectHandle::parse("<< /Type /Page >>");
         setBoxes(page, size, drawn.engine());
-        page.replaceKey("/Group",
-                        QPDFObjectHandle::parse("<< /S /Transparency /CS /DeviceCMYK >>"));
+        if (blends) {
+            page.replaceKey("/Group",
+                            QPDFObjectHandle::parse("<< /S /Transparency /CS /DeviceCMYK >>"));
+        }
         page.replaceKey("/Resources", resources);
         page.replaceKey("/Contents", compressed(pdf, turned + drawn.engine().content()));
         document.addPage(pdf.makeIndirectObject(page), false);

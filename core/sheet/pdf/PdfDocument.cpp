@@ -43,6 +43,22 @@ void addOutputIntent(QPDF& pdf, const QByteArray& profile, const PdfSettings& se
     pdf.getRoot().replaceKey("/OutputIntents", intents);
 }
 
+// Gives the drawn RGB colours of all pages the profile `profile`. Otherwise a raster image
+// processor would take them for colours of its own default space.
+void setRgbSpace(QPDF& pdf, const QByteArray& profile) {
+    QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf, profile.toStdString());
+    stream.getDict().replaceKey("/N", QPDFObjectHandle::newInteger(3));
+    QPDFObjectHandle space = QPDFObjectHandle::newArray(
+        {QPDFObjectHandle::newName("/ICCBased"), pdf.makeIndirectObject(stream)});
+    for (QPDFPageObjectHelper& page : QPDFPageDocumentHelper(pdf).getAllPages()) {
+        QPDFObjectHandle resources = page.getAttribute("/Resources", true);
+        if (!resources.getKey("/ColorSpace").isDictionary()) {
+            resources.replaceKey("/ColorSpace", QPDFObjectHandle::newDictionary());
+        }
+        resources.getKey("/ColorSpace").replaceKey("/DefaultRGB", space);
+    }
+}
+
 QByteArray written(QPDF& pdf) {
     QPDFWriter writer(pdf);
     writer.setOutputMemory();
@@ -103,9 +119,12 @@ QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& set
     } else {
         addDrawnPages(pdf, pages, drawn, settings.picture.get());
     }
-    const QByteArray profile = settings.outputProfile.isEmpty()
-                                   ? QColorSpace(QColorSpace::SRgb).iccProfile()
-                                   : settings.outputProfile;
+    const bool inSrgb = settings.outputProfile.isEmpty();
+    const QByteArray profile =
+        inSrgb ? QColorSpace(QColorSpace::SRgb).iccProfile() : settings.outputProfile;
+    if (inSrgb) {
+        setRgbSpace(pdf, profile);
+    }
     addOutputIntent(pdf, profile, settings);
     pdf.getRoot().replaceKey("/ViewerPreferences",
                              QPDFObjectHandle::parse("<< /PrintScaling /None >>"));

@@ -29,8 +29,10 @@ struct PdfPage {
 
 struct PdfSettings {
     QString title;
-    QString date;             // date of the project, ISO 8601; may be empty
-    QByteArray outputProfile; // an ICC profile; empty: sRGB
+    QString date; // date of the project, ISO 8601; may be empty
+    // An ICC profile. Empty: the pages are in sRGB, and their colours refer to its profile. With a
+    // printer's RGB profile they are device colours, which the printer prints as they are.
+    QByteArray outputProfile;
     QString outputName = QStringLiteral("sRGB IEC61966-2.1");
     // The film's picture, which replaces any image that the pages draw. The pages and the output
     // profile are then in CMYK. Null: the pages are in RGB.

@@ -170,17 +170,17 @@ private:
     TIFF* tiff_;
 };
 
+constexpr int stripBytes = 1 << 20; // pixels of one TIFF strip before compression
+
 struct Resolution {
     DotsPerInch x, y;
 };
 
-// Declares the inks. Inks beyond the four are extra samples, which CMYK readers ignore. In TIFF,
-// the ink names follow each other, each ending with a zero byte.
+// Declares the inks. TIFF 6.0 (section 16) names inks only for ink sets other than CMYK. The names
+// follow each other, each ending with a zero byte.
 void setInks(TIFF* tiff, const std::vector<SpotPlate>& spots) {
-    TIFFSetField(tiff, TIFFTAG_INKSET, INKSET_CMYK);
+    TIFFSetField(tiff, TIFFTAG_INKSET, spots.empty() ? INKSET_CMYK : INKSET_MULTIINK);
     if (!spots.empty()) {
-        const std::vector<std::uint16_t> kinds(spots.size(), EXTRASAMPLE_UNSPECIFIED);
-        TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, int(kinds.size()), kinds.data());
         QByteArray names("Cyan\0Magenta\0Yellow\0Black\0", 26);
         for (const SpotPlate& spot : spots) {
             names += spot.ink.name.toUtf8() + '\0';
@@ -200,7 +200,7 @@ void setTags(TIFF* tiff, QSize size, int channels, Resolution resolution, const 
                  channels >= 4 ? PHOTOMETRIC_SEPARATED : PHOTOMETRIC_RGB);
     TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
     TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
-    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff, 0));
+    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, std::max(1, stripBytes / (size.width() * channels)));
     TIFFSetField(tiff, TIFFTAG_XRESOLUTION, resolution.x.value());
     TIFFSetField(tiff, TIFFTAG_YRESOLUTION, resolution.y.value());
     TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);

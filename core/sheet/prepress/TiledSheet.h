@@ -15,14 +15,23 @@ struct TileSettings {
     double overlap = 10;           // mm that neighbouring tiles share
 };
 
-// Returns the tiles in page coordinates, in mm, row by row. Each is as large as the paper within
-// the margins, less a strip at its foot for the label. Throws Error if the paper has no room beyond
-// the overlap, or if more than 400 tiles are needed.
-std::vector<QRectF> sheetTiles(const Sheet& sheet, const TileSettings& settings);
+struct SheetTile {
+    QRectF box;              // in page coordinates, mm
+    int row = 0, column = 0; // counted from 0
+};
 
-// Draws one tile onto its paper: the image within the margins, cut lines to the next tiles, and the
-// tile's label. The painter's unit is the millimetre, its origin the paper's upper left corner.
-void paintTile(QPainter& painter, const Sheet& sheet, const TileSettings& settings, int index);
+// Returns the tiles row by row, without those on which nothing would be printed. Each tile is as
+// large as the paper within the margins, less a strip at its foot. The strip has the tile's label
+// and, if the sheet has a ruler, a ruler. The sheet's own ruler and job line are left out, because
+// tiles would cut them. Throws Error if the paper has no room beyond the overlap, or if more than
+// 400 tiles are needed.
+std::vector<SheetTile> sheetTiles(const Sheet& sheet, const TileSettings& settings);
+
+// Draws one tile onto its paper: the image within the margins, cut lines to the next tiles, ruler
+// and label. The label has the job number, the tile's place, the project and the dip. The painter's
+// unit is the millimetre, its origin the paper's upper left corner.
+void paintTile(QPainter& painter, const Sheet& sheet, const TileSettings& settings,
+               const SheetTile& tile);
 
 // Writes a PDF with one page per tile. The same sheet gives the same bytes. Throws Error.
 void writeTiledPdf(const Sheet& sheet, const TileSettings& settings, QIODevice& device,

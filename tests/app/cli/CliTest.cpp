@@ -294,6 +294,31 @@ private slots:
         QCOMPARE(document["model_info"].toObject()["closed"].toBool(), true);
     }
 
+    void setMasks_fromFile_areNamedOrRefused() {
+        const auto withMasks = [&](const QByteArray& list) {
+            QFile file(path("masks.json"));
+            const bool isWritten =
+                file.open(QIODevice::WriteOnly) && file.write(list) == list.size();
+            return isWritten ? "masks=@" + path("masks.json") : QString();
+        };
+        const QString all = withMasks(R"([{"extent":"material"}])");
+        const Outcome named = cli({"info", path("ball.dipw"), "--set", all});
+        QVERIFY2(named.out.contains("Masked areas: 1"), named.out);
+        const Outcome json = cli({"info", path("ball.dipw"), "--json", "--set", all});
+        const QJsonObject document = QJsonDocument::fromJson(json.out).object();
+        QVERIFY(std::abs(document["mask_info"].toObject()["area_mm2"].toDouble() /
+                             document["model_info"].toObject()["area_mm2"].toDouble() -
+                         1) < 0.001);
+        QVERIFY(cli({"validate", path("ball.dipw"), "--set", all}).out.contains("Masked areas: 1"));
+        for (const char* wrong : {"", "{", "[5]", R"([{"extent":"spot"}])",
+                                  R"([{"radius_mm":1e300}])", R"([{"path":[[0,0,0,0,0,2]]}])"}) {
+            const Outcome refused = cli({"info", path("ball.dipw"), "--set", withMasks(wrong)});
+            QCOMPARE(refused.exitCode, 2);
+        }
+        QVERIFY(cli({"info", path("ball.dipw"), "--set", "masks=@" + path("none.json")}).exitCode !=
+                0);
+    }
+
     void validate_project_reportsWhetherItCanRun() {
         QCOMPARE(cli({"validate", path("ball.dipw")}).exitCode, 0);
         const Outcome edge =

@@ -99,6 +99,16 @@ private slots:
         QVERIFY(QFile::exists(out + "/film-1.pdf") && !QFile::exists(out + "/film-2.pdf"));
     }
 
+    void pack_severalFilmsToFile_areNumbered() {
+        const Outcome packed = cli(QStringList{"pack", turtle + ":3", "--to",
+                                               folder_.filePath("films.pdf"), "--film", "A3"} +
+                                   coarse);
+        QVERIFY2(packed.exitCode == 0, packed.err);
+        QVERIFY(QFile::exists(folder_.filePath("films-1.pdf")));
+        QVERIFY(QFile::exists(folder_.filePath("films-2.pdf")));
+        QVERIFY(!QFile::exists(folder_.filePath("films.pdf")));
+    }
+
     void pack_pieceTooLarge_isRefused() {
         const Outcome packed = cli(
             QStringList{"pack", turtle, "--out", folder_.filePath("small"), "--film", "100x100"} +

@@ -33,6 +33,51 @@ void verifySquares(const QString& path, bool across, double size, double toleran
     }
 }
 
+// A roll printer, 24 inches wide, that takes PDF.
+QByteArray rollPpd() {
+    return R"ppd(*PPD-Adobe: "4.3"
+*FormatVersion: "4.3"
+*FileVersion: "1.0"
+*LanguageVersion: English
+*LanguageEncoding: ISOLatin1
+*PCFileName: "ROLL.PPD"
+*Manufacturer: "Test"
+*Product: "(Roll)"
+*ModelName: "Roll"
+*ShortNickName: "Roll"
+*NickName: "Roll, for tests"
+*PSVersion: "(3010.000) 0"
+*ColorDevice: True
+*DefaultColorSpace: RGB
+*cupsFilter2: "application/vnd.cups-pdf application/pdf 0 -"
+*VariablePaperSize: True
+*MaxMediaWidth: "1729.13"
+*MaxMediaHeight: "8503.94"
+*HWMargins: 9 9 9 9
+*NonUIOrderDependency: 100 AnySetup *CustomPageSize
+*CustomPageSize True: "pop"
+*ParamCustomPageSize Width: 1 points 283.46 1729.13
+*ParamCustomPageSize Height: 2 points 141.73 8503.94
+*ParamCustomPageSize WidthOffset: 3 points 0 0
+*ParamCustomPageSize HeightOffset: 4 points 0 0
+*ParamCustomPageSize Orientation: 5 int 0 3
+*OpenUI *PageSize/Media Size: PickOne
+*OrderDependency: 10 AnySetup *PageSize
+*DefaultPageSize: A4
+*PageSize A4/A4: "pop"
+*CloseUI: *PageSize
+*OpenUI *PageRegion/Media Size: PickOne
+*OrderDependency: 10 AnySetup *PageRegion
+*DefaultPageRegion: A4
+*PageRegion A4/A4: "pop"
+*CloseUI: *PageRegion
+*DefaultImageableArea: A4
+*ImageableArea A4: "9 9 586.28 832.89"
+*DefaultPaperDimension: A4
+*PaperDimension A4: "595.28 841.89"
+)ppd";
+}
+
 QString refusal(PrintSystem& system, const Sheet& sheet, const PrintRequest& request) {
     try {
         planPrint(system, sheet, request);
@@ -78,6 +123,7 @@ private slots:
     void planPrint_scaledSheetLargerThanPaper_isRefused();
     void print_printerPrintsTooSmall_marksStayOnPaper();
     void print_largeSheet_arrivesInTiles();
+    void print_rollPrinter_getsItsOwnSize();
     void print_printerMargins_marksStayInside();
     void planPrint_unknownPrinter_isRefused();
     void planPrint_stoppedPrinter_isRefused();
@@ -353,10 +399,40 @@ void PrintTest::print_largeSheet_arrivesInTiles() {
     QVERIFY(refusal(*system_, sheet, to("office")).contains("larger than every paper"));
     QCOMPARE(print(sheet, request), JobState::Printed);
     const QString paper = cups_->received("office").last();
-    QVERIFY(output("pdfinfo", {paper}).contains("Pages:           9"));
+    // Two of the nine tiles are blank.
+    QVERIFY(output("pdfinfo", {paper}).contains("Pages:           7"));
     QVERIFY(pdfWords(paper, 4).contains("row 2 of 3, column 1 of 3"));
     // A sheet that fits a paper of the printer is not tiled.
     QCOMPARE(planPrint(*system_, chessSheet("Top"), request).task.pages, 1);
+}
+
+// Roll printers report a range of sizes instead of papers.
+void PrintTest::print_rollPrinter_getsItsOwnSize() {
+    QVERIFY(cups_->addFileQueue("roll", rollPpd()));
+    const auto roll = system_->printer("roll");
+    QVERIFY(roll && roll->customMedia);
+    QVERIFY(std::abs(roll->customMedia->most.width() - 610) < 0.5);
+    QVERIFY(std::abs(roll->customMedia->most.height() - 3000) < 0.5);
+    const auto count = [&](const PrinterMedia& media) {
+        return std::count_if(roll->media.begin(), roll->media.end(),
+                             [&](const PrinterMedia& other) {
+                                 return other.name == media.name && other.margins == media.margins;
+                             });
+    };
+    for (const PrinterMedia& media : roll->media) {
+        QCOMPARE(count(media), 1);
+    }
+    QCOMPARE(print(chessSheet("Top", {420, 640}), to("roll")), JobState::HandedOver);
+    const QString paper = cups_->filePrinted("roll");
+    QVERIFY2(std::abs(pdfPage(paper).width() - 420) < 0.5, qPrintable(paper));
+    QVERIFY(std::abs(pdfPage(paper).height() - 640) < 0.5);
+    verifySquares(paper, true, 17);
+    verifySquares(paper, false, 17);
+    // A sheet that is wider than the roll is turned.
+    QCOMPARE(planPrint(*system_, chessSheet("Top", {700, 500}), to("roll")).task.media.size,
+             QSizeF(500, 700));
+    const QString sentence = refusal(*system_, chessSheet("Top", {650, 700}), to("roll"));
+    QVERIFY2(sentence.contains("any size from 100 × 50 mm to 610 × 3000 mm"), qPrintable(sentence));
 }
 
 void PrintTest::print_printerMargins_marksStayInside() {

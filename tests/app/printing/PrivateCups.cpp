@@ -236,6 +236,14 @@ bool PrivateCups::addQueue(const QString& name, const QString& device, const QSt
                                folder_.filePath("root/ppd/" + like + ".ppd")});
 }
 
+bool PrivateCups::addFileQueue(const QString& name, const QByteArray& ppd) const {
+    const QString file = name + "-model.ppd";
+    return write(file, ppd) && write(name + ".pdf", {}) &&
+           QFile::setPermissions(filePrinted(name), QFile::Permissions(0x6666)) &&
+           command("lpadmin", {"-p", name, "-E", "-v", "file://" + filePrinted(name), "-P",
+                               folder_.filePath(file)});
+}
+
 void PrivateCups::switchOff(const QString& printer) {
     QProcess& process = *devices_.at(printer).process;
     process.kill();

@@ -40,6 +40,9 @@ public:
     bool add(const TestPrinter& printer);
     // Makes a queue for the device URI `device`. It has the same paper as the printer `like`.
     bool addQueue(const QString& name, const QString& device, const QString& like) const;
+    // Makes a queue with the PPD file's text. Its documents are written to filePrinted(name).
+    bool addFileQueue(const QString& name, const QByteArray& ppd) const;
+    QString filePrinted(const QString& name) const { return folder_.filePath(name + ".pdf"); }
     // Returns a port on which nobody listens.
     static quint16 freePort();
     // Runs one of CUPS's own commands, for example "cupsdisable office".

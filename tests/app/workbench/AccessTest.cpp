@@ -5,14 +5,18 @@
 #include "TestFolders.h"
 #include "WindowDriver.h"
 #include "project/ProjectStore.h"
+#include "workbench/compare/SnapshotsDialog.h"
 #include "workbench/help/GuideWindow.h"
 #include "workbench/preferences/PreferencesDialog.h"
 #include "workbench/printing/CalibrationDialog.h"
+#include "workbench/printing/PackDialog.h"
 #include "workbench/printing/PrintDialog.h"
 #include "workbench/printing/PrintHistoryDialog.h"
 #include "workbench/profiles/ProfilesDialog.h"
 #include "workbench/project/NewProjectDialog.h"
 #include "workbench/project/ProjectTree.h"
+#include "workbench/queue/QueueDialog.h"
+#include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PictureView.h"
 #include "workbench/widgets/Theme.h"
 
@@ -29,9 +33,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QProgressBar>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTabWidget>
+#include <QTextBlock>
 #include <QTextEdit>
 #include <QTimer>
 #include <QToolBar>
@@ -99,6 +106,30 @@ QColor groundOf(const QWidget* widget) {
     return widget->palette().color(widget->backgroundRole());
 }
 
+// Returns the faults of coloured text. Signs without letters and digits need less contrast.
+QStringList textFaults(const QTextEdit& edit) {
+    constexpr double ofText = 4.5, ofSigns = 3;
+    const QColor ground = edit.palette().color(QPalette::Base);
+    static const QRegularExpression wordSign(QStringLiteral("[\\p{L}\\d]"));
+    QStringList faults;
+    for (QTextBlock block = edit.document()->begin(); block.isValid(); block = block.next()) {
+        for (auto at = block.begin(); !at.atEnd(); ++at) {
+            const QTextFragment fragment = at.fragment();
+            const QBrush brush = fragment.charFormat().foreground();
+            const QString text = fragment.text().trimmed();
+            const double least = text.contains(wordSign) ? ofText : ofSigns;
+            if (!text.isEmpty() && brush.style() != Qt::NoBrush &&
+                contrast(brush.color(), ground) < least) {
+                faults += QStringLiteral("“%1” in “%2” has the colour %3 on %4, with a contrast "
+                                         "of %5")
+                              .arg(text, edit.objectName(), brush.color().name(), ground.name())
+                              .arg(contrast(brush.color(), ground));
+            }
+        }
+    }
+    return faults;
+}
+
 } // namespace
 
 class AccessTest : public QObject {
@@ -130,7 +161,8 @@ private slots:
         auto* tree = driver.find<ProjectTree>("projectTree");
         for (const ProjectPart part :
              {ProjectPart::Project, ProjectPart::Model, ProjectPart::Film, ProjectPart::Process,
-              ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Immersion}) {
+              ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Immersion, ProjectPart::Share,
+              ProjectPart::Tolerance}) {
             tree->select({part, 0});
             check(*window_);
         }
@@ -145,6 +177,22 @@ private slots:
         check(*window_);
     }
 
+    void accessibility_docks_haveNoFaults() {
+        for (auto* dock : window_->findChildren<QDockWidget*>()) {
+            const bool wasVisible = dock->isVisible();
+            dock->show();
+            dock->raise();
+            auto* tabs = qobject_cast<QTabWidget*>(dock->widget());
+            for (int page = 0; page < (tabs ? tabs->count() : 1); ++page) {
+                if (tabs) {
+                    tabs->setCurrentIndex(page);
+                }
+                check(*window_);
+            }
+            dock->setVisible(wasVisible);
+        }
+    }
+
     void accessibility_dialogs_haveNoFaults() {
         NewProjectDialog create({}, workbench_->preferences());
         PreferencesDialog preferences(workbench_->preferences(), workbench_->registry(),
@@ -155,10 +203,16 @@ private slots:
         CalibrationDialog calibration(library);
         PrintHistoryDialog history(PrintHistory{}, LengthUnit::Millimetre);
         GuideWindow guide;
-        for (QWidget* dialog : {static_cast<QWidget*>(&create), static_cast<QWidget*>(&preferences),
-                                static_cast<QWidget*>(&print), static_cast<QWidget*>(&profiles),
-                                static_cast<QWidget*>(&calibration),
-                                static_cast<QWidget*>(&history), static_cast<QWidget*>(&guide)}) {
+        SnapshotsDialog snapshots(*window_->document(), LengthUnit::Millimetre);
+        PackDialog pack(workbench_->registry());
+        JobQueue jobs(workbench_->registry());
+        QueueDialog queue(jobs);
+        for (QWidget* dialog :
+             {static_cast<QWidget*>(&create), static_cast<QWidget*>(&preferences),
+              static_cast<QWidget*>(&print), static_cast<QWidget*>(&profiles),
+              static_cast<QWidget*>(&calibration), static_cast<QWidget*>(&history),
+              static_cast<QWidget*>(&guide), static_cast<QWidget*>(&snapshots),
+              static_cast<QWidget*>(&pack), static_cast<QWidget*>(&queue)}) {
             dialog->show();
             auto* tabs = dialog->findChild<QTabWidget*>();
             for (int page = 0; page < (tabs ? tabs->count() : 1); ++page) {
@@ -233,12 +287,21 @@ private:
         if (isOperated(&widget) && spokenName(&widget).isEmpty()) {
             faults += what + QStringLiteral(" has no name");
         }
+        if (qobject_cast<QProgressBar*>(&widget) && spokenName(&widget).isEmpty()) {
+            faults += what + QStringLiteral(" has no name");
+        }
+        if (const auto* edit = qobject_cast<QTextEdit*>(&widget)) {
+            faults += textFaults(*edit);
+        }
         if (takesValues(&widget) && widget.toolTip().isEmpty() && widget.whatsThis().isEmpty()) {
             faults +=
                 what + QStringLiteral(" “%1” has no tool tip or help").arg(spokenName(&widget));
         }
         if (isOperated(&widget) && !isReachable(&widget)) {
             faults += what + QStringLiteral(" cannot be reached by keyboard");
+        }
+        if (qobject_cast<QAbstractSpinBox*>(&widget) && !qobject_cast<NumberBox*>(&widget)) {
+            faults += what + QStringLiteral(" accepts no units and calculations");
         }
         if (const auto* label = qobject_cast<QLabel*>(&widget); label && !label->text().isEmpty()) {
             const double ratio =

@@ -1,5 +1,6 @@
 // Uses the page that measures a floating film by photos, like a user.
 #include "workbench/inspection/FilmPage.h"
+#include "FileAnswer.h"
 #include "InspectionWindow.h"
 #include "Patience.h"
 #include "TankPhoto.h"
@@ -40,6 +41,17 @@ private slots:
         window_ = std::make_unique<InspectionWindow>(home_.path());
         QVERIFY(window_->open(loadProject(sampleFolder("/sphere.dipw"))));
         window_->show(window_->page<FilmPage>());
+    }
+
+    void filmPage_pagesToPrint_areSaved() {
+        answerWithFile(home_.path());
+        window_->page<FilmPage>()->findChild<QPushButton*>(QStringLiteral("filmPages"))->click();
+        waitForJobs();
+        for (const char* name : {"film.pdf", "card.pdf"}) {
+            QFile file(home_.filePath(QLatin1String(name)));
+            QVERIFY2(file.open(QIODevice::ReadOnly), name);
+            QVERIFY(file.read(5) == "%PDF-");
+        }
     }
 
     void filmPage_droppedPhotos_areAdded() {

@@ -4,6 +4,7 @@
 #include "TestFolders.h"
 #include "WindowDriver.h"
 #include "pipeline/Pipeline.h"
+#include "workbench/project/ProjectTree.h"
 #include "workbench/results/Timeline.h"
 
 #include <QLabel>
@@ -39,6 +40,63 @@ private slots:
         QCOMPARE(timeline->position(), 0);
         QVERIFY(timeline->frames() > 1); // it can be played
         QVERIFY(!banner().isVisible());
+    }
+
+    void drawnFilm_onBody_followsItsSurface() {
+        const DrapedFilm& drawn = session().reading()->draped();
+        const SurfaceQuery& body = before_->immersions[0].body->query;
+        QCOMPARE(drawn.onAllPoints(session().reading()->values(FilmQuantity::Area)).size(),
+                 drawn.positions.size());
+        float deepest = 0;
+        int checked = 0;
+        for (std::size_t t = 0; t < drawn.triangles.size(); t += 3) {
+            const auto& [a, b, c] = drawn.triangles[t];
+            const Eigen::Vector3f middle =
+                (drawn.positions[a] + drawn.positions[b] + drawn.positions[c]) / 3;
+            if (drawn.painted[t] && ++checked && body.isInside(middle)) {
+                deepest = std::max(deepest, body.closest(middle).distance);
+            }
+        }
+        QVERIFY(checked > 100);
+        QVERIFY2(deepest < 0.05f,
+                 qPrintable(
+                     QStringLiteral("film is drawn %1 mm below the surface").arg(double(deepest))));
+    }
+
+    void finishedRun_portrait_showsThePrintedPart() {
+        const QImage portrait = session().outcome().portrait;
+        QCOMPARE(portrait.size(), QSize(384, 240));
+        int coloured = 0;
+        for (int y = 0; y < portrait.height(); ++y) {
+            for (int x = 0; x < portrait.width(); ++x) {
+                coloured += portrait.pixelColor(x, y).hsvSaturation() > 60;
+            }
+        }
+        QVERIFY(coloured > 5000); // the bare part and the table are grey
+    }
+
+    void select_otherItems_duringRun_keepsShowingTheFilm() {
+        auto* tree = window_->findChild<ProjectTree*>();
+        drag(10);
+        release();
+        QTRY_VERIFY_WITH_TIMEOUT(session().isRunning(), patience());
+        for (int part = int(ProjectPart::Project); part <= int(ProjectPart::Tolerance); ++part) {
+            for (const std::size_t dip : {1, 0}) {
+                tree->select({ProjectPart(part), dip});
+                QTest::qWait(5);
+            }
+        }
+        tree->select({ProjectPart::Immersion, 0});
+        tree->select({ProjectPart::Film});
+        QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
+        const QImage draft = window_->view().picture();
+        WindowDriver(*window_).trigger("wearsFilm");
+        QVERIFY(window_->view().picture() != draft);
+        WindowDriver(*window_).trigger("wearsFilm");
+        QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
+        const QImage result = window_->view().picture();
+        WindowDriver(*window_).trigger("wearsFilm");
+        QVERIFY(window_->view().picture() != result);
     }
 
     void drag_ring_showsDraftsButKeepsResult() {

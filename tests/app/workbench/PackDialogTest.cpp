@@ -7,6 +7,7 @@
 #include "TestFolders.h"
 
 #include "project/ProjectStore.h"
+#include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
 
 #include <QComboBox>
@@ -15,7 +16,6 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QSettings>
-#include <QSpinBox>
 #include <QStandardPaths>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -82,12 +82,12 @@ private slots:
         const QImage two = preview->grab().toImage();
 
         // More copies are laid out at once, because the dips are cached.
-        qobject_cast<QSpinBox*>(table->cellWidget(0, 1))->setValue(3);
+        qobject_cast<NumberBox*>(table->cellWidget(0, 1))->setValue(3);
         QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), patience());
         QVERIFY(films->itemText(0).contains(QStringLiteral("4")));
         QVERIFY(preview->grab().toImage() != two);
 
-        qobject_cast<QSpinBox*>(table->cellWidget(0, 1))->setValue(20);
+        qobject_cast<NumberBox*>(table->cellWidget(0, 1))->setValue(20);
         QTRY_VERIFY_WITH_TIMEOUT(films->count() > 1, patience());
     }
 

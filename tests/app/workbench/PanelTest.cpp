@@ -190,6 +190,9 @@ private slots:
         row(english, " in", "1 mm", 1 / 25.4);
         row(english, " mm/s", "6 cm/min", 1);
         row(english, " s", "2 min", 120);
+        row(english, " mm", "3*12", 36);
+        row(german, " mm", "2,5*2", 5);
+        row(english, "°", "0.5turn", 180);
         row(english, " mm", "1,234.5", 1234.5);
         row(german, " mm", "1.234,5", 1234.5);
         row(english, " mm", "1.234,5", 1234.5);
@@ -226,6 +229,8 @@ private slots:
                                       << "furlongs";
         QTest::newRow("another quantity") << "2 s"
                                           << "mm";
+        QTest::newRow("incomplete calculation") << "2*"
+                                                << "“2*” is not a number";
         QTest::newRow("two meanings") << "1,234"
                                       << "1.234 or 1234";
         QTest::newRow("groups of wrong length") << "1,23.4"

@@ -20,6 +20,7 @@
 #include "workbench/queue/QueueDialog.h"
 #include "workbench/results/Timeline.h"
 #include "workbench/widgets/Languages.h"
+#include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/Theme.h"
 
 #include <QApplication>
@@ -33,7 +34,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSpinBox>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QTimer>
@@ -252,7 +252,7 @@ void photographArtwork(const WindowDriver& driver, MainWindow& window, const Pho
 void photographSearch(const WindowDriver& driver, MainWindow& window, const Photographer& camera) {
     driver.trigger("findPoses");
     auto* start = driver.find<QPushButton>("startSearch");
-    driver.find<QSpinBox>("searchedPoses")->setValue(24);
+    driver.find<NumberBox>("searchedPoses")->setValue(24);
     start->click();
     auto* table = driver.find<QTableWidget>("poseTable");
     if (QTest::qWaitFor([&] { return table->rowCount() > 0 || start->isEnabled(); }, 900000)) {
@@ -435,23 +435,6 @@ void photographPlanning(WindowDriver& driver, MainWindow& window, Workbench& wor
     camera.take(*window.findChild<GuideWindow*>(), QStringLiteral("guide-place"));
 }
 
-// Saves a thumbnail of the body over the film, for the start page.
-void photographSample(WindowDriver& driver, MainWindow& window, const QString& file) {
-    driver.trigger("rings");
-    driver.trigger("water");
-    driver.find<QWidget>("projectDock")->hide();
-    driver.find<QWidget>("resultsDock")->hide();
-    QTest::qWait(500);
-    window.view().look(ViewDirection::Oblique);
-    const auto box = boundingBox(window.document()->project().model->mesh);
-    const QImage picture = window.view().picture();
-    const Eigen::Vector3f middle(0, 0.5f * box.sizes().y(), 0); // the body stands over the film
-    QRectF part(0, 0, 512, 320);
-    part.moveCenter(window.view().positionOf(middle));
-    part.moveTop(std::max(0.0, part.top()));
-    thumbnailOf(picture.copy(part.toRect())).save(file);
-}
-
 } // namespace
 
 int main(int argc, char* argv[]) {
@@ -505,8 +488,10 @@ int main(int argc, char* argv[]) {
         return 1;
     }
     if (parser.isSet(QStringLiteral("sample-thumbnail"))) {
-        photographSample(driver, window, parser.value(QStringLiteral("sample-thumbnail")));
-        return 0;
+        return driver.run() && window.session().outcome().portrait.save(
+                                   parser.value(QStringLiteral("sample-thumbnail")))
+                   ? 0
+                   : 1;
     }
     if (all) {
         photographParts(driver, window, camera);

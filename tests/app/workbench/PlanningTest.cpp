@@ -195,7 +195,12 @@ private slots:
         trigger("faceMustBeGood");
         const auto& marks = document.project().tolerance.marks;
         QCOMPARE(marks.size(), 1U);
-        QVERIFY(marks[0].zone == Zone::A && marks[0].extent == ZoneExtent::Face);
+        QVERIFY(marks[0].zone == Zone::A && marks[0].extent == MarkExtent::Face);
+        trigger("maskFace");
+        QCOMPARE(document.project().masks.size(), 1U);
+        QVERIFY(document.project().masks[0].extent == MarkExtent::Face);
+        document.undoStack().undo();
+        QVERIFY(document.project().masks.empty());
         const Immersion before = document.project().immersions[0];
         trigger("layFaceDown");
         QVERIFY(document.project().immersions[0] != before);

@@ -1,12 +1,16 @@
 // Tests the 3D view with a real OpenGL context: drawing, camera, rays, rings and arrows.
 #include "WindowDriver.h"
 #include "geometry/Shapes.h"
+#include "viewport/SpaceMouse.h"
 #include "workbench/appearance/ViewTheme.h"
 #include "workbench/document/PoseEdits.h"
 #include "workbench/view/DipScene.h"
+#include "workbench/view/MeasureTool.h"
+#include "workbench/view/TypedDrag.h"
 
 #include <QApplication>
 #include <QMouseEvent>
+#include <QRegularExpression>
 
 using namespace dipwright;
 
@@ -256,6 +260,35 @@ private slots:
         QVERIFY(std::abs(bodyHeight() - withFilm) < 1);
     }
 
+    void camera_fitBodyToHandle_showsRingsAndArrows() {
+        view_->setRotationRings(true, {0, 30, 0}, 40);
+        view_->setMoveArrows({true, false, true}, {0, 30, 0}, 45, 60);
+        view_->fitBodyToHandle();
+        for (const ViewDirection side : {ViewDirection::Oblique, ViewDirection::Front}) {
+            view_->look(side); // fits the same places
+            view_->picture();
+            for (const Eigen::Vector3f& place :
+                 {Eigen::Vector3f(0, 70, 0), Eigen::Vector3f(0, -10, 0), Eigen::Vector3f(60, 30, 0),
+                  Eigen::Vector3f(0, 30, 60)}) {
+                QVERIFY(QRectF(view_->rect()).contains(view_->positionOf(place)));
+            }
+            QVERIFY(!QRectF(view_->rect()).contains(view_->positionOf({105, 0, 148})));
+        }
+    }
+
+    void press_onRing_leavesThePlaceUnderTheCursor() {
+        view_->look(ViewDirection::Top);
+        view_->setRotationRings(true, {0, 30, 0}, 60);
+        const QImage before = view_->picture();
+        connect(view_.get(), &DipView::hoverLeft, view_.get(), [this] { view_->setMarker({}); });
+        view_->setMarker(Eigen::Vector3f(0, 65, 0));
+        QVERIFY(view_->picture() != before);
+        const QPoint onRing = view_->positionOf({42.4f, 30, 42.4f}).toPoint();
+        QTest::mousePress(view_.get(), Qt::LeftButton, {}, onRing);
+        QCOMPARE(view_->picture(), before);
+        QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, onRing);
+    }
+
     void coverageLook_tornFilm_isMarked() {
         DipScene scene(*view_);
         Project project;
@@ -392,6 +425,125 @@ private slots:
         QVERIFY(moved.isEmpty());
     }
 
+    void drag_typedNumber_isTaken() {
+        const TypedDrag typed(*view_);
+        QSignalSpy turned(view_.get(), &DipView::rotationDragged);
+        QSignalSpy finished(view_.get(), &DipView::rotationFinished);
+        QSignalSpy clicked(view_.get(), &DipView::clicked);
+        const QPoint onRing = pressRing();
+        QTest::keyClicks(view_.get(), QStringLiteral("-305"));
+        QTest::keyClick(view_.get(), Qt::Key_Backspace);
+        QCOMPARE(turned.last()[0].toInt(), 1);
+        QCOMPARE(turned.last()[1].toDouble(), -30.0);
+        QTest::mouseMove(view_.get(), onRing + QPoint(30, 30)); // no longer turns the part
+        QCOMPARE(turned.last()[1].toDouble(), -30.0);
+        QTest::keyClick(view_.get(), Qt::Key_Return);
+        QCOMPARE(finished.count(), 1);
+        QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, onRing);
+        QCOMPARE(finished.count(), 1);
+        QVERIFY(clicked.isEmpty());
+    }
+
+    void drag_escape_takesItBack() {
+        const TypedDrag typed(*view_);
+        QSignalSpy turned(view_.get(), &DipView::rotationDragged);
+        QSignalSpy finished(view_.get(), &DipView::rotationFinished);
+        const QPoint onRing = pressRing();
+        QTest::keyClicks(view_.get(), QStringLiteral("45"));
+        QTest::keyClick(view_.get(), Qt::Key_Escape);
+        QCOMPARE(turned.last()[1].toDouble(), 0.0);
+        QCOMPARE(finished.count(), 1);
+        QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, onRing);
+    }
+
+    void dragArrow_typedInches_areMillimetres() {
+        const TypedDrag typed(*view_);
+        view_->look(ViewDirection::Top);
+        view_->setMoveArrows({true, true, true}, {0, 30, 0}, 20, 40);
+        view_->picture();
+        QSignalSpy moved(view_.get(), &DipView::moveDragged);
+        const QPoint onArrow = view_->positionOf({30, 30, 0}).toPoint();
+        QTest::mousePress(view_.get(), Qt::LeftButton, {}, onArrow);
+        QTest::keyClicks(view_.get(), QStringLiteral("2in"));
+        QCOMPARE(moved.last()[0].toInt(), 0);
+        QCOMPARE(moved.last()[1].toDouble(), 50.8);
+        QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, onArrow);
+    }
+
+    void pin_clicked_isNoClickOnTheBody() {
+        view_->setPins({{{0, 60, 0}, {0, 1, 0}, Qt::red, QStringLiteral("Torn film")}});
+        view_->picture();
+        QSignalSpy pins(view_.get(), &DipView::pinClicked);
+        QSignalSpy clicked(view_.get(), &DipView::clicked);
+        const QPoint pin = view_->positionOf({0, 60, 0}).toPoint();
+        QVERIFY(isReddish(view_->grab().toImage().pixel(pin + QPoint(4, 0))));
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, pin);
+        QCOMPARE(pins.count(), 1);
+        QVERIFY(clicked.isEmpty());
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, pin + QPoint(40, 0));
+        QCOMPARE(pins.count(), 1);
+        QCOMPARE(clicked.count(), 1);
+    }
+
+    void cradle_shown_coversTheBodyTranslucently() {
+        const QImage bare = view_->picture();
+        auto cradle = std::make_shared<TriangleMesh>(sphereMesh(33, 24, 48));
+        view_->setCradle(cradle);
+        Eigen::Isometry3d lifted = Eigen::Isometry3d::Identity();
+        lifted.translation() = Eigen::Vector3d(0, 30, 0);
+        view_->setCradleTransform(lifted);
+        const QImage covered = view_->picture();
+        const QPoint middle = view_->positionOf({0, 30, 0}).toPoint();
+        QVERIFY(covered.pixel(middle) != bare.pixel(middle));
+        QVERIFY(isReddish(covered.pixel(middle))); // the body is seen through it
+        view_->setCradle(nullptr);
+        QCOMPARE(view_->picture(), bare);
+    }
+
+    void measure_twoPlaces_saysStraightAndAlongTheSurface() {
+        DipScene scene(*view_);
+        scene.setShowHandles(false); // they would catch the clicks
+        Project project;
+        project.model = redSphere();
+        scene.setProject(project, 0);
+        Messages messages;
+        MeasureTool tool(*view_, scene, messages);
+        tool.setActive(true);
+        QSignalSpy said(&messages, &Messages::said);
+        view_->look(ViewDirection::Front);
+        view_->picture();
+        for (const float x : {-18.0f, 18.0f}) {
+            const Eigen::Vector3f place = scene.toWorld({x, 0, 24});
+            QTest::mouseClick(view_.get(), Qt::LeftButton, {}, view_->positionOf(place).toPoint());
+        }
+        QTRY_COMPARE(said.count(), 3); // the second place, the distance, the way along the surface
+        const QStringList numbers = said.last()[0].toString().split(
+            QRegularExpression(QStringLiteral("[^0-9.]+")), Qt::SkipEmptyParts);
+        const double straight = numbers.front().toDouble(), along = numbers.back().toDouble();
+        QVERIFY2(std::abs(straight - 36) < 1, qPrintable(said.last()[0].toString()));
+        QVERIFY2(std::abs(along - 38.6) < 1.2, qPrintable(said.last()[0].toString()));
+    }
+
+    void spaceMouse_motion_movesTheBodyWithThePuck() {
+        view_->look(ViewDirection::Front);
+        view_->picture();
+        const auto fly = [this](const PuckMotion& motion) {
+            view_->fly(motion);
+            view_->picture();
+        };
+        const QPointF middle = view_->positionOf({0, 30, 0});
+        fly({{0.1, 0, 0}, Eigen::Vector3d::Zero()}); // pushed to the right
+        QVERIFY(view_->positionOf({0, 30, 0}).x() > middle.x() + 5);
+        const double width =
+            QLineF(view_->positionOf({-30, 30, 0}), view_->positionOf({30, 30, 0})).length();
+        fly({{0, 0, 0.2}, Eigen::Vector3d::Zero()}); // pushed away
+        QVERIFY(QLineF(view_->positionOf({-30, 30, 0}), view_->positionOf({30, 30, 0})).length() <
+                0.95 * width);
+        const QPointF front = view_->positionOf({0, 30, 30});
+        fly({Eigen::Vector3d::Zero(), {0, 0.2, 0}}); // turned
+        QVERIFY(std::abs(view_->positionOf({0, 30, 30}).x() - front.x()) > 3);
+    }
+
     void wheel_zoom_keepsPlaceUnderCursor() {
         view_->look(ViewDirection::Top);
         view_->setParallelProjection(true);
@@ -426,6 +578,16 @@ private slots:
     }
 
 private:
+    // Presses the left button on the ring about Y. Returns the place.
+    QPoint pressRing() {
+        view_->look(ViewDirection::Top);
+        view_->setRotationRings(true, {0, 30, 0}, 60);
+        view_->picture();
+        const QPoint onRing = view_->positionOf({42.4f, 30, 42.4f}).toPoint();
+        QTest::mousePress(view_.get(), Qt::LeftButton, {}, onRing);
+        return onRing;
+    }
+
     void drag(QPoint from, QPoint to, Qt::KeyboardModifiers keys = Qt::NoModifier) {
         QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
         for (int step = 1; step <= 4; ++step) {

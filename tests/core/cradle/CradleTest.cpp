@@ -3,9 +3,12 @@
 #include "cradle/Cradle.h"
 #include "DippedByHand.h"
 #include "cradle/CradleFiles.h"
+#include "cradle/ReducedSurface.h"
 #include "geometry/DistanceField.h"
 #include "geometry/Shapes.h"
+#include "geometry/SurfaceSamples.h"
 #include "import/trusted/ImportModel.h"
+#include "marks/SurfaceMask.h"
 #include "parallel/Threads.h"
 #include "settings/FilmSettings.h"
 #include "sheet/page/Sheet.h"
@@ -69,13 +72,13 @@ LaidFilm paintedFromAbove(double angle) {
 
 Cradle cradleOf(const LaidFilm& laid, const CradleSettings& wanted = settings(),
                 const ProcessSettings& process = {}, std::vector<const LaidFilm*> earlier = {},
-                const Progress& progress = {}) {
+                const Progress& progress = {}, const SurfaceMask* mask = nullptr) {
     const Immersion immersion;
     const TriangleMesh inModel = transformed(laid.body().mesh, laid.body().modelToPose.inverse());
     const DistanceField field = buildDistanceField(inModel, 96, {});
     const DatumPins pins = datumPins(Sheet(), FilmSettings(), wanted.pinSpan);
-    return makeCradle({laid, std::move(earlier), field, immersion, process, pins, 1, hash}, wanted,
-                      progress);
+    return makeCradle({laid, std::move(earlier), field, immersion, process, pins, 1, hash, mask},
+                      wanted, progress);
 }
 
 // Returns the cradle of the half painted ball with the settings above.
@@ -280,6 +283,22 @@ private slots:
         }
     }
 
+    // An earlier dip has painted the whole upper side, except for the tape on its top.
+    void makeCradle_maskOnEarlierPaint_restsOnTheMask() {
+        const LaidFilm earlier = paintedFromAbove(radians(Degrees(120)));
+        QVERIFY(cradleOf(*halfPainted(), settings(), {}, {&earlier}).mesh.triangles.empty());
+        const auto model = std::make_shared<const TexturedMesh>(ball());
+        MaskMark top;
+        top.path = {{{Millimetres(0), Millimetres(radius), Millimetres(0)}, {0, 1, 0}}};
+        top.radius = Millimetres(16);
+        const SurfaceMask mask(model, {top});
+        const Cradle cradle = cradleOf(*halfPainted(), settings(), {}, {&earlier}, {}, &mask);
+        isSound(cradle);
+        QVERIFY(cradle.check.seatArea > 100);
+        QVERIFY(cradle.check.seatArea < maskedAreas(mask).area);
+        QCOMPARE(cradle.check.paddedArea, 0.0);
+    }
+
     void makeCradle_onPaintAllowed_padsEarlierPaint() {
         const LaidFilm earlier = paintedFromAbove(radians(Degrees(120)));
         const Cradle without = cradleOf(*halfPainted(), settings(), {}, {&earlier});
@@ -381,7 +400,46 @@ private slots:
             return std::abs(double(place.y()) - (top - 0.8)) < 0.02;
         };
         QVERIFY(std::count_if(cradle.mesh.positions.begin(), cradle.mesh.positions.end(), isFloor) >
-                200);
+                100);
+    }
+
+    // The distance is measured here from the ball's exact surface.
+    void reducedSurface_ball_staysWithinTheTolerance() {
+        const TriangleMesh fine = sphereMesh(radius, 300, 600);
+        const ReducedSurface reduced = reducedSurface(fine, 0.02, 0.5, {});
+        QVERIFY(reduced.mesh.triangles.size() < fine.triangles.size() / 4);
+        QVERIFY(isClosedSurface(reduced.mesh));
+        QVERIFY(reduced.distance > 0 && reduced.distance <= 0.02);
+        for (const SurfacePoint& point : evenSamples(reduced.mesh, 0.1)) {
+            QVERIFY(std::abs(double(position(reduced.mesh, point).norm()) - radius) < 0.021);
+        }
+    }
+
+    void reducedSurface_tooRoughForTheTolerance_isUnchanged() {
+        TriangleMesh rough = sphereMesh(radius, 100, 200);
+        for (std::size_t i = 0; i < rough.positions.size(); ++i) {
+            rough.positions[i] *= 1 + 0.01F * float(i * i % 7); // up to 1.5 mm
+        }
+        const ReducedSurface same = reducedSurface(rough, 0.02, 0.5, {});
+        QCOMPARE(same.mesh.triangles.size(), rough.triangles.size());
+        QVERIFY(same.distance < 1e-4);
+    }
+
+    void crossesItself_twoBalls_onlyIfTheyOverlap() {
+        const TriangleMesh one = sphereMesh(radius, 20, 40);
+        const auto withBallAt = [&](float x) {
+            TriangleMesh two = one;
+            for (const Eigen::Vector3f& place : one.positions) {
+                two.positions.emplace_back(place + Eigen::Vector3f(x, 0.3F, 0.2F));
+            }
+            const auto first = std::uint32_t(one.positions.size());
+            for (const auto& [a, b, c] : one.triangles) {
+                two.triangles.push_back({a + first, b + first, c + first});
+            }
+            return crossesItself(two, SurfaceQuery(two));
+        };
+        QVERIFY(withBallAt(49));
+        QVERIFY(!withBallAt(51));
     }
 
     void makeCradle_anyNumberOfThreads_giveTheSameBytes() {

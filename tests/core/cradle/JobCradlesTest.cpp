@@ -63,6 +63,7 @@ void keep(const QString& name, const JobResult& result, const std::vector<Cradle
 void judge(const Cradle& cradle) {
     const CradleCheck& check = cradle.check;
     QVERIFY(check.isClosed);
+    QVERIFY(cradleStl(cradle).size() <= 3'000'000); // so that slicers read it in seconds
     QCOMPARE(check.parts, 1);
     QVERIFY(check.volume > 0);
     QVERIFY2(check.leastGap >= cradle.clearance - cradle.cell / 2,

@@ -144,6 +144,70 @@ private slots:
         QVERIFY(refusal(with(json, {"share", "marks"}, wrong)).contains("share.marks[1].kind"));
     }
 
+    void fromJson_masks_areReadOrRefusedByPath() {
+        Project project = sampleProject();
+        QVERIFY(!toJson(project).contains("masks")); // as in older files
+        QVERIFY(!countedSettings(project).contains("masks"));
+        MaskMark stroke, face;
+        stroke.path = {{{Millimetres(1), Millimetres(-2.5), Millimetres(3)}, {0, -0.6, 0.8}},
+                       {{Millimetres(4), Millimetres(-2.5), Millimetres(3)}, {0, 0, 1}}};
+        stroke.radius = Millimetres(2.5);
+        face.extent = MarkExtent::Face;
+        face.place = {Millimetres(1), Millimetres(2), Millimetres(3)};
+        face.erases = true;
+        project.masks = {stroke, face};
+        const QJsonObject json = toJson(project);
+        QVERIFY(fromJson(json, file).masks == project.masks);
+        const QJsonArray marks = json["masks"].toArray();
+        QCOMPARE(marks[0].toObject()["path"].toArray()[0].toArray(),
+                 (QJsonArray{1, -2.5, 3, 0, -0.6, 0.8}));
+        QCOMPARE(marks[1].toObject()["extent"].toString(), QStringLiteral("face"));
+        const auto refusalOf = [&](const QJsonValue& mark) {
+            return refusal(with(json, {"masks"}, QJsonArray{mark}));
+        };
+        QVERIFY(refusal(with(json, {"masks"}, 5)).contains("masks"));
+        QVERIFY(refusalOf(QJsonObject{{"extent", "spot"}}).contains("masks[0].extent"));
+        QVERIFY(refusalOf(QJsonObject{{"radius_mm", 0}}).contains("masks[0].radius_mm"));
+        QVERIFY(refusalOf(QJsonObject{{"radius_mm", 1e9}}).contains("masks[0].radius_mm"));
+        QVERIFY(refusalOf(QJsonObject{{"path", QJsonArray{QJsonArray{1, 2, 3}}}})
+                    .contains("masks[0].path"));
+        QVERIFY(refusalOf(QJsonObject{{"path", QJsonArray{QJsonArray{0, 0, 0, 0, 0, 7}}}})
+                    .contains("normal"));
+        QVERIFY(refusalOf(QJsonObject{{"path", QJsonArray{QJsonArray{0, 0, 1e7, 0, 0, 1}}}})
+                    .contains("masks[0].path[0][2]"));
+    }
+
+    void fromJson_tooManyBrushPoints_isRefused() {
+        const QJsonObject json = toJson(sampleProject());
+        QJsonArray path;
+        for (std::size_t point = 0; point < mostBrushPoints; ++point) {
+            path.append(QJsonArray{0, 0, 0, 0, 0, 1});
+        }
+        QJsonArray marks;
+        for (std::size_t stroke = 0; stroke <= mostBrushPointsOfAll / mostBrushPoints; ++stroke) {
+            marks.append(QJsonObject{{"path", path}});
+        }
+        QVERIFY(refusal(with(json, {"masks"}, marks)).contains("50000"));
+        path.append(QJsonArray{0, 0, 0, 0, 0, 1});
+        QVERIFY(refusal(with(json, {"masks"}, QJsonArray{QJsonObject{{"path", path}}}))
+                    .contains("masks[0].path"));
+    }
+
+    void setByPath_listOfMarks_isReadAsJson() {
+        Project project = sampleProject();
+        setByPath(project, "masks", R"([{"extent":"material","place_mm":[0,0,5]}])");
+        QCOMPARE(project.masks.size(), std::size_t(1));
+        QCOMPARE(project.masks[0].extent, MarkExtent::Material);
+        setByPath(project, "tolerance.marks",
+                  R"([{"zone":"B","extent":"stroke","radius_mm":3,"path":[[0,0,5,0,0,1]]}])");
+        QCOMPARE(project.tolerance.marks[0].path.size(), std::size_t(1));
+        QVERIFY_EXCEPTION_THROWN(setByPath(project, "masks", "face"), Error);
+        QVERIFY_EXCEPTION_THROWN(setByPath(project, "masks", R"([{"extent":"spot"}])"), Error);
+        QCOMPARE(project.masks.size(), std::size_t(1));
+        setByPath(project, "masks", "[]");
+        QVERIFY(project.masks.empty());
+    }
+
     void fromJson_poseAims_areRead() {
         Project project = sampleProject();
         project.poseAims = {};
@@ -217,6 +281,20 @@ private slots:
         QFETCH(QString, named);
         const QString sentence = refusal(with(toJson(sampleProject()), path, value));
         QVERIFY2(sentence.contains(named), qPrintable(sentence));
+    }
+
+    void setByPath_calculationWithUnit_isConverted() {
+        Project project;
+        setByPath(project, "film.size_mm", "8 in x 1/2ft");
+        QCOMPARE(project.film.width, Millimetres(203.2));
+        QVERIFY(std::abs(project.film.height.value() - 152.4) < 1); // whole cells
+        setByPath(project, "film.relaxation_time_s", "1/2 min");
+        QCOMPARE(project.film.relaxationTime, Seconds(30));
+        setByPath(project, "immersions[0].rotation_deg", "0;1/8 turn;0");
+        QCOMPARE(project.immersions[0].rotation[1], Degrees(45));
+        for (const char* refused : {"2 s x 100", "1,5 x 100", "2 furlongs x 100"}) {
+            QVERIFY_EXCEPTION_THROWN(setByPath(project, "film.size_mm", refused), Error);
+        }
     }
 
     void setByPath_setsOneValue() {

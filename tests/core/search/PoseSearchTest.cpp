@@ -276,7 +276,7 @@ private slots:
         SearchSubject cube = subjectOf(boxMesh({30, 30, 30}));
         for (int axis = 0; axis < faces; ++axis) {
             ZoneMark mark;
-            mark.extent = ZoneExtent::Face;
+            mark.extent = MarkExtent::Face;
             mark.place[std::size_t(axis)] = Millimetres(15);
             cube.tolerance.marks.push_back(mark);
         }

@@ -132,6 +132,8 @@ private slots:
     void writeSheetPdf_printerProfile_isOutputIntent();
     void writeSheetPdf_printerProfile_isPdfX4();
     void writeSheetPdf_screenProfile_isNotPdfX();
+    void writeSheetPdf_otherDefaultSpace_keepsSrgb();
+    void writeSheetTiff_spotInks_areNamedAsTiff6Requires();
 };
 
 void ColourTest::printerColour_profile_hasKindAndDescription() {
@@ -343,6 +345,51 @@ void ColourTest::writeSheetPdf_screenProfile_isNotPdfX() {
     const QByteArray json = output("qpdf", {"--json", pdfOf(smallSheet(), screen)});
     QVERIFY(json.contains("/OutputIntent"));
     QVERIFY(!json.contains("PDFX"));
+}
+
+// Raster image processors may take RGB without a profile for colours of another space.
+void ColourTest::writeSheetPdf_otherDefaultSpace_keepsSrgb() {
+    QFile file(folder_.filePath("srgb.pdf"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    Sheet sheet = smallSheet();
+    sheet.image.fill(QColor(200, 60, 30));
+    writeSheetPdf(sheet, file);
+    file.close();
+    const auto rendered = [&](const QStringList& options) {
+        const QString path = folder_.filePath("page.png");
+        output("gs", QStringList{"-q", "-dNOPAUSE", "-dBATCH", "-dSAFER", "-sDEVICE=png16m", "-r30",
+                                 "-o", path} +
+                         options + QStringList{file.fileName()});
+        return QImage(path).pixelColor(60, 30);
+    };
+    QFile other(folder_.filePath("adobe.icc"));
+    QVERIFY(other.open(QIODevice::WriteOnly));
+    other.write(QColorSpace(QColorSpace::AdobeRgb).iccProfile());
+    other.close();
+    const QColor here = rendered({});
+    const QColor there = rendered(
+        {"--permit-file-read=" + other.fileName(), "-sDefaultRGBProfile=" + other.fileName()});
+    QVERIFY2(difference(here, QColor(200, 60, 30)) <= 2, qPrintable(here.name()));
+    QVERIFY2(difference(there, here) <= 2, qPrintable(there.name()));
+}
+
+// TIFF 6.0, section 16: the ink set CMYK has no names, and the inks of other sets are no extra
+// samples.
+void ColourTest::writeSheetTiff_spotInks_areNamedAsTiff6Requires() {
+    Sheet sheet = smallSheet();
+    sheet.plates = {
+        {QStringLiteral("White"), QImage(sheet.image.size(), QImage::Format_Grayscale8)}};
+    sheet.plates[0].tint.fill(90);
+    QCOMPARE(int(tiffOf(sheet, {.colour = &inks_}).channels), 5);
+    const QByteArray tags = output("tiffinfo", {folder_.filePath("sheet.tiff")});
+    QVERIFY2(tags.contains("InkSet: 2"), tags);
+    QVERIFY2(tags.contains("NumberOfInks: 5"), tags);
+    QVERIFY2(tags.contains("White"), tags);
+    QVERIFY2(!tags.contains("Extra Samples"), tags);
+    QVERIFY2(tags.contains("Rows/Strip: 354"), tags); // of 591 × 5 bytes: 1 MiB
+    QCOMPARE(int(tiffOf(smallSheet(), {.colour = &inks_}).channels), 4);
+    const QByteArray cmyk = output("tiffinfo", {folder_.filePath("sheet.tiff")});
+    QVERIFY2(!cmyk.contains("Ink Names") && !cmyk.contains("NumberOfInks"), cmyk);
 }
 
 QTEST_MAIN(ColourTest)

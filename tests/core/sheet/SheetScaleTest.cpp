@@ -73,7 +73,9 @@ private slots:
     void calibratedScale_measuredLengths_giveTheScale();
     void sheetLayout_clearance_keepsMarksOffTheMargins();
     void sheetTiles_coverTheWholeSheet();
+    void sheetTiles_blankTiles_areLeftOut();
     void writeTiledPdf_hasOnePageForEachTile();
+    void writeTiledPdf_everyTile_hasJobNumberAndWholeRuler();
     void writeTiledPdf_labels_areOnBarePaper();
     void sheetTiles_tooSmallPaper_isRefused();
 };
@@ -188,19 +190,57 @@ void SheetScaleTest::sheetLayout_clearance_keepsMarksOffTheMargins() {
 void SheetScaleTest::sheetTiles_coverTheWholeSheet() {
     const Sheet sheet = patchSheet(Millimetres(400), Millimetres(500));
     const TileSettings settings;
-    const std::vector<QRectF> tiles = sheetTiles(sheet, settings);
+    const std::vector<SheetTile> tiles = sheetTiles(sheet, settings);
     QCOMPARE(tiles.size(),
              std::size_t(3 * 2)); // 400 mm in tiles of 200 mm with an overlap of 10 mm
     for (double x = 0.5; x < 400; x += 7) {
         for (double y = 0.5; y < 500; y += 7) {
             QVERIFY(std::any_of(tiles.begin(), tiles.end(),
-                                [&](const QRectF& tile) { return tile.contains(x, y); }));
+                                [&](const SheetTile& tile) { return tile.box.contains(x, y); }));
         }
     }
 }
 
+// The patch ends 38.1 mm before the edges, so the last column of tiles is blank but for the marks.
+void SheetScaleTest::sheetTiles_blankTiles_areLeftOut() {
+    Sheet sheet = patchSheet(Millimetres(400), Millimetres(250));
+    QCOMPARE(sheetTiles(sheet, {}).size(), std::size_t(3)); // the third tile has two marks
+    sheet.settings.marks = false;
+    const std::vector<SheetTile> tiles = sheetTiles(sheet, {});
+    QCOMPARE(tiles.size(), std::size_t(2));
+    QCOMPARE(tiles.back().column, 1);
+    sheet.plates = {
+        {QStringLiteral("White"), QImage(sheet.image.size(), QImage::Format_Grayscale8)}};
+    sheet.plates[0].tint.fill(0);
+    QCOMPARE(sheetTiles(sheet, {}).size(), std::size_t(2));
+    sheet.plates[0].tint.setPixelColor(sheet.image.width() - 5, 400, Qt::white);
+    QCOMPARE(sheetTiles(sheet, {}).size(), std::size_t(3));
+}
+
+void SheetScaleTest::writeTiledPdf_everyTile_hasJobNumberAndWholeRuler() {
+    Sheet sheet = patchSheet(Millimetres(300), Millimetres(270));
+    sheet.job.project = QStringLiteral("Turtle");
+    const TileSettings settings;
+    const QString path =
+        saved("ruled.pdf", [&](QIODevice& device) { writeTiledPdf(sheet, settings, device); });
+    const double foot = settings.paper.height() - settings.margins.bottom();
+    for (int page : {1, 2}) {
+        const QString words = pdfWords(path, page);
+        QVERIFY2(words.contains("c0ffee") && words.contains("Turtle") && words.contains("Top"),
+                 qPrintable(words));
+        const QImage strip = rendered(path, QRectF(5, foot - 9, 200, 5), page);
+        std::vector<double> found;
+        for (int row = strip.height() - 1; row > 0 && found.size() != 101; --row) {
+            found = ticks(strip, true, row);
+        }
+        QCOMPARE(found.size(), std::size_t(101));
+        const double length = found.back() - found.front();
+        QVERIFY2(std::abs(length - 100) < 0.05, qPrintable(QString::number(length)));
+    }
+}
+
 void SheetScaleTest::writeTiledPdf_hasOnePageForEachTile() {
-    const Sheet sheet = patchSheet(Millimetres(300), Millimetres(280));
+    const Sheet sheet = patchSheet(Millimetres(300), Millimetres(270));
     const QString path = saved(
         "tiles.pdf", [&](QIODevice& device) { writeTiledPdf(sheet, TileSettings{}, device); });
     const QByteArray info = output("pdfinfo", {path});

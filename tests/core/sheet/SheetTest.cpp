@@ -305,7 +305,7 @@ void SheetTest::writeSheetPdf_everyPaper_hasItsPageSize() {
                             .arg(measured.height())
                             .arg(page.height())));
     QVERIFY(sheetLayout(sheet).jobLine);
-    QVERIFY(sheetLayout(sheet).jobLineText.contains("3fa9c2d1"));
+    QVERIFY(sheetLayout(sheet).jobLineText.join(u' ').contains("3fa9c2d1"));
     QCOMPARE(bool(sheetLayout(sheet).ruler), std::max(page.width(), page.height()) > 60);
 }
 

@@ -274,8 +274,10 @@ void StretchedInkTest::readWedge_table_isRead() {
     QCOMPARE(readings[3].ink, FilmInk::Yellow);
     QCOMPARE(readings[3].stretch, 2.1);
     // Rows of the blank table that are not filled in are ignored.
-    QVERIFY(readWedge(blankWedge(4), "w.csv").empty());
-    QCOMPARE(blankWedge(4).count('\n'), qsizetype(1 + 3 * wedgeTones.size() * 4));
+    const QByteArray blank = blankWedge({{FilmInk::Cyan, 5}, {FilmInk::Black, 2}}, 4);
+    QVERIFY(readWedge(blank, "w.csv").empty());
+    QCOMPARE(blank.count('\n'), 1 + (5 + 2) * 4);
+    QVERIFY(!blank.contains("black,0.2,")); // the third tone of a row with two patches
 }
 
 void StretchedInkTest::readWedge_faultyTable_isRefused_data() {

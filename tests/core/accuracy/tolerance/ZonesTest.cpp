@@ -11,8 +11,11 @@ namespace {
 
 constexpr double radius = 30; // mm
 
-ZoneMark markAt(Zone zone, ZoneExtent extent, const Eigen::Vector3d& place, double size = 5) {
-    ZoneMark mark{zone, {}, extent, Millimetres(size)};
+ZoneMark markAt(Zone zone, MarkExtent extent, const Eigen::Vector3d& place, double size = 5) {
+    ZoneMark mark;
+    mark.zone = zone;
+    mark.extent = extent;
+    mark.radius = Millimetres(size);
     for (int axis = 0; axis < 3; ++axis) {
         mark.place[std::size_t(axis)] = Millimetres(place[axis]);
     }
@@ -60,18 +63,66 @@ private slots:
     void spotMark_reachesItsRadiusAlongTheSurface() {
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         const auto zones =
-            zonesOf(ball_, {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)}, places);
+            zonesOf(ball_, {markAt(Zone::A, MarkExtent::Spot, {0, -radius, 0}, 20)}, places);
         const double cap = (1 - std::cos(20 / radius)) / 2; // share of the ball's surface
         QVERIFY2(std::abs(shareOf(Zone::A, zones) / cap - 1) < 0.05,
                  qPrintable(QStringLiteral("the zone is %1 of the cap, expected 1")
                                 .arg(shareOf(Zone::A, zones) / cap)));
     }
 
+    // A stroke of one point marks the cap within a straight distance.
+    void strokeMark_ofOnePoint_marksLikeASpot() {
+        const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
+        const double angle = 20 / radius;
+        ZoneMark stroke =
+            markAt(Zone::A, MarkExtent::Stroke, {0, 0, 0}, 2 * radius * std::sin(angle / 2));
+        stroke.path = {{{Millimetres(0), Millimetres(-radius), Millimetres(0)}, {0, -1, 0}}};
+        const auto brushed = zonesOf(ball_, {stroke}, places);
+        const double cap = (1 - std::cos(angle)) / 2; // share of the ball's surface
+        QVERIFY(std::abs(shareOf(Zone::A, brushed) / cap - 1) < 0.02);
+        ZoneMark eraser = stroke;
+        eraser.zone = Zone::C;
+        QCOMPARE(shareOf(Zone::C, zonesOf(ball_, {stroke, eraser}, places)), 1.0);
+    }
+
+    void zoneVerdicts_zoneByBrush_equalTheSameZoneByMaterial() {
+        const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
+        ZoneMark stroke = markAt(Zone::A, MarkExtent::Stroke, {0, 0, 0}, radius);
+        stroke.path = {{{Millimetres(-1), Millimetres(0), Millimetres(0)}, {}},
+                       {{Millimetres(1), Millimetres(0), Millimetres(0)}, {}}};
+        const DipTolerances dip = evenTolerances(places.size(), 0.5f, Contributor::TurnX);
+        ToleranceSettings brushed, whole;
+        brushed.marks = {stroke};
+        whole.marks = {markAt(Zone::A, MarkExtent::Material, {0, radius, 0})};
+        const auto byBrush = zoneVerdicts(ball_, {&dip}, {{}}, brushed);
+        const auto byMaterial = zoneVerdicts(ball_, {&dip}, {{}}, whole);
+        QCOMPARE(byBrush.size(), std::size_t(1));
+        QCOMPARE(byMaterial.size(), std::size_t(1));
+        QCOMPARE(byBrush[0].zone, Zone::A);
+        QCOMPARE(byBrush[0].area, byMaterial[0].area);
+        QCOMPARE(byBrush[0].together, byMaterial[0].together);
+        QCOMPARE(byBrush[0].holds(), byMaterial[0].holds());
+    }
+
+    void zoneVerdicts_maskedPlaces_doNotCount() {
+        const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
+        MaskMark mask;
+        mask.path = {{{Millimetres(0), Millimetres(-radius), Millimetres(0)}, {0, -1, 0}}};
+        mask.radius = Millimetres(20);
+        const DipTolerances dip = evenTolerances(places.size(), 0.5f, Contributor::TurnX);
+        const auto verdicts =
+            zoneVerdicts(ball_, {&dip}, {{}}, {}, surfaceMask(ball_, {mask}).get());
+        const double open =
+            surfaceArea(ball_->mesh) - maskedAreas(*surfaceMask(ball_, {mask})).area;
+        QCOMPARE(verdicts.size(), std::size_t(1));
+        QVERIFY(std::abs(verdicts[0].area / open - 1) < 0.01);
+    }
+
     void faceMark_reachesTheEdges() {
         const auto box = std::make_shared<const TexturedMesh>(
             test::plainModel(boxMesh({40, 20, 60}), Qt::white));
         const std::vector<SurfacePoint> places = tolerancePlaces(*box);
-        const auto zones = zonesOf(box, {markAt(Zone::B, ZoneExtent::Face, {5, -10, 3})}, places);
+        const auto zones = zonesOf(box, {markAt(Zone::B, MarkExtent::Face, {5, -10, 3})}, places);
         for (std::size_t place = 0; place < places.size(); ++place) {
             const bool isBelow = triangleNormal(box->mesh, places[place].triangle).y() < -0.9f;
             QCOMPARE(zones[place], isBelow ? Zone::B : Zone::C);
@@ -87,15 +138,15 @@ private slots:
         }
         const std::vector<SurfacePoint> places = tolerancePlaces(two);
         const auto zones = zonesOf(std::make_shared<const TexturedMesh>(two),
-                                   {markAt(Zone::A, ZoneExtent::Material, {radius, 0, 0})}, places);
+                                   {markAt(Zone::A, MarkExtent::Material, {radius, 0, 0})}, places);
         for (std::size_t place = 0; place < places.size(); ++place) {
             QCOMPARE(zones[place], two.material[places[place].triangle] == 1 ? Zone::A : Zone::C);
         }
     }
 
     void setMarks_markRemoved_restoresEarlierZones() {
-        const std::vector<ZoneMark> marks{markAt(Zone::B, ZoneExtent::Spot, {0, -radius, 0}, 20),
-                                          markAt(Zone::A, ZoneExtent::Spot, {radius, 0, 0}, 10)};
+        const std::vector<ZoneMark> marks{markAt(Zone::B, MarkExtent::Spot, {0, -radius, 0}, 20),
+                                          markAt(Zone::A, MarkExtent::Spot, {radius, 0, 0}, 10)};
         ZonedBody body(ball_), again(ball_);
         body.setMarks(marks);
         body.setMarks({marks[0]});
@@ -111,8 +162,8 @@ private slots:
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         const Eigen::Vector3d below(0, -radius, 0);
         const auto zones = zonesOf(ball_,
-                                   {markAt(Zone::A, ZoneExtent::Material, below),
-                                    markAt(Zone::B, ZoneExtent::Material, below)},
+                                   {markAt(Zone::A, MarkExtent::Material, below),
+                                    markAt(Zone::B, MarkExtent::Material, below)},
                                    places);
         QCOMPARE(shareOf(Zone::B, zones), 1.0);
     }
@@ -120,7 +171,7 @@ private slots:
     void zoneVerdicts_percentile95AboveLimit_doesNotHold() {
         const std::vector<SurfacePoint> places = tolerancePlaces(*ball_);
         ToleranceSettings settings;
-        settings.marks = {markAt(Zone::A, ZoneExtent::Spot, {0, -radius, 0}, 20)};
+        settings.marks = {markAt(Zone::A, MarkExtent::Spot, {0, -radius, 0}, 20)};
         DipTolerances dip = evenTolerances(places.size(), 0.5f, Contributor::TurnX);
         const auto verdicts = zoneVerdicts(ball_, {&dip}, {{}}, settings);
         QCOMPARE(verdicts.size(), std::size_t(2)); // zone A and the rest

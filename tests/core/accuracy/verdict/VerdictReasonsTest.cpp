@@ -103,7 +103,7 @@ private slots:
         ToleranceSettings tolerance;
         ZoneMark bottom;
         bottom.place[1] = Millimetres(double(boundingBox(model->mesh).min().y()));
-        bottom.extent = ZoneExtent::Face;
+        bottom.extent = MarkExtent::Face;
         tolerance.marks = {bottom};
         ZonedBody zones(model);
         zones.setMarks(tolerance.marks);

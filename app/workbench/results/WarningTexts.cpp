@@ -1,0 +1,46 @@
+#include "workbench/results/WarningTexts.h"
+
+#include "dip/FilmMarks.h"
+#include "results/Results.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(ReportPanel)
+};
+
+solver::PointMark markOf(WarningKind kind) {
+    return kind == WarningKind::Torn         ? solver::PointMark::Torn
+           : kind == WarningKind::Unbalanced ? solver::PointMark::Unbalanced
+                                             : solver::PointMark::LetGo;
+}
+
+} // namespace
+
+QString warningText(const JobWarning& warning, const JobResult& result, LengthUnit unit) {
+    QStringList parts{warning.kind == WarningKind::TrappedAir   ? Text::tr("Trapped air")
+                      : warning.kind == WarningKind::NotReached ? Text::tr("Reached by neither dip")
+                                                                : markText(markOf(warning.kind)),
+                      shownArea(warning.area, unit)};
+    if (warning.dip && result.immersions.size() > 1) {
+        parts.append(result.immersions[*warning.dip].immersion.name);
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+QColor warningColour(WarningKind kind) {
+    switch (kind) {
+    case WarningKind::TrappedAir:
+        return QColor(0x3a, 0x8f, 0xd0); // as on the timeline
+    case WarningKind::NotReached:
+        return QColor(0x5a, 0x60, 0x68);
+    default:
+        return markColour(markOf(kind));
+    }
+}
+
+} // namespace dipwright

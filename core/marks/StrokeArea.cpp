@@ -1,0 +1,99 @@
+#include "marks/StrokeArea.h"
+
+#include "parallel/ParallelFor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dipwright {
+namespace {
+
+constexpr std::size_t runLength = 16; // segments that share a box, for quick rejection
+
+Eigen::Vector3f vector(const std::array<Millimetres, 3>& place) {
+    return {float(place[0].value()), float(place[1].value()), float(place[2].value())};
+}
+
+// Returns the part [first, last] of 0 … 1 in which a value that changes linearly from `begin` to
+// `end` is not negative; first > last if there is none.
+std::array<float, 2> notNegative(float begin, float end) {
+    if (begin < 0 && end < 0) {
+        return {1, 0};
+    }
+    const float zero = begin / (begin - end); // used only if the signs differ
+    return {begin < 0 ? zero : 0, end < 0 ? zero : 1};
+}
+
+} // namespace
+
+StrokeArea::StrokeArea(const BrushPath& path, Millimetres radius) : radius_(float(radius.value())) {
+    for (const BrushPoint& point : path) {
+        const Eigen::Vector3f outward(float(point.outward[0]), float(point.outward[1]),
+                                      float(point.outward[2]));
+        points_.push_back({vector(point.place), outward.stableNormalized()});
+        box_.extend(points_.back().place);
+    }
+    if (points_.size() == 1) {
+        points_.push_back(points_.front());
+    }
+    for (std::size_t first = 0; first + 1 < points_.size(); first += runLength) {
+        const std::size_t last = std::min(first + runLength, points_.size() - 1);
+        runs_.emplace_back();
+        for (std::size_t point = first; point <= last; ++point) {
+            runs_.back().extend(points_[point].place);
+        }
+    }
+    if (!points_.empty()) {
+        const Eigen::Vector3f around = Eigen::Vector3f::Constant(radius_);
+        box_ = BoundingBox(box_.min() - around, box_.max() + around);
+    }
+}
+
+float StrokeArea::distance(const Eigen::Vector3f& place, const Eigen::Vector3f& outward,
+                           float limit) const {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    float nearest = limit * limit; // squared
+    bool isFound = false;
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
+        if (runs_[run].squaredExteriorDistance(place) > nearest) {
+            continue;
+        }
+        const std::size_t end = std::min((run + 1) * runLength, points_.size() - 1);
+        for (std::size_t segment = run * runLength; segment < end; ++segment) {
+            const Point &a = points_[segment], &b = points_[segment + 1];
+            const auto [first, last] = notNegative(outward.dot(a.outward) - leastFacing,
+                                                   outward.dot(b.outward) - leastFacing);
+            if (first > last) {
+                continue;
+            }
+            const Eigen::Vector3f along = b.place - a.place;
+            const float length = along.squaredNorm();
+            const float foot = length > 0 ? along.dot(place - a.place) / length : 0;
+            const Eigen::Vector3f nearestPoint = a.place + std::clamp(foot, first, last) * along;
+            if (const float here = (place - nearestPoint).squaredNorm(); here <= nearest) {
+                nearest = here;
+                isFound = true;
+            }
+        }
+    }
+    return isFound ? std::sqrt(nearest) : none;
+}
+
+std::vector<std::uint32_t> trianglesOf(const TriangleMesh& mesh, const StrokeArea& stroke) {
+    std::vector<std::uint8_t> isMarked(mesh.triangles.size());
+    parallelFor(std::size_t(0), isMarked.size(), [&](std::size_t triangle) {
+        const auto& [a, b, c] = cornersOf(mesh, triangle);
+        const Eigen::Vector3f middle = (a + b + c) / 3;
+        isMarked[triangle] = stroke.box().contains(middle) &&
+                             stroke.contains(middle, triangleNormal(mesh, triangle));
+    });
+    std::vector<std::uint32_t> marked;
+    for (std::uint32_t triangle = 0; triangle < isMarked.size(); ++triangle) {
+        if (isMarked[triangle] != 0) {
+            marked.push_back(triangle);
+        }
+    }
+    return marked;
+}
+
+} // namespace dipwright

@@ -1,0 +1,47 @@
+#include "marks/StrokePatch.h"
+
+namespace dipwright {
+namespace {
+
+Eigen::Vector3f placeOf(const BrushPoint& point) {
+    return {float(point.place[0].value()), float(point.place[1].value()),
+            float(point.place[2].value())};
+}
+
+} // namespace
+
+StrokePatch::StrokePatch(const TriangleMesh& mesh, const SurfaceQuery& query, Millimetres radius)
+    : mesh_(mesh), query_(query), radius_(radius) {}
+
+void StrokePatch::add(const BrushPoint& point) {
+    const Eigen::Vector3f to = placeOf(point), from = path_.empty() ? to : placeOf(path_.back());
+    path_.push_back(point);
+    const StrokeArea stroke(path_, radius_);
+    const float radius = stroke.radius();
+    for (const std::uint32_t triangle :
+         query_.trianglesNear((from + to) / 2, radius + (to - from).norm() / 2)) {
+        Marked& marked = marked_[triangle];
+        if (marked.isWhole) {
+            continue;
+        }
+        const MarkedPiece whole{triangle, cornersOf(mesh_, triangle)};
+        const Eigen::Vector3f normal = triangleNormal(mesh_, triangle);
+        marked.pieces.clear();
+        addPieces(
+            whole,
+            [&](const Eigen::Vector3f& place) { return radius - stroke.distance(place, normal); },
+            sidePerRadius * radius, marked.pieces);
+        marked.isWhole =
+            marked.pieces.size() == 1 && marked.pieces.front().corners == whole.corners;
+    }
+}
+
+std::vector<MarkedPiece> StrokePatch::pieces() const {
+    std::vector<MarkedPiece> all;
+    for (const auto& [triangle, marked] : marked_) {
+        all.insert(all.end(), marked.pieces.begin(), marked.pieces.end());
+    }
+    return all;
+}
+
+} // namespace dipwright

@@ -1,0 +1,109 @@
+#include "pipeline/JobWarnings.h"
+
+#include "dip/FilmMarks.h"
+#include "parallel/ParallelFor.h"
+
+#include <algorithm>
+
+namespace dipwright {
+namespace {
+
+constexpr std::size_t mostOfAKind = 4; // of each dip
+constexpr double leastArea = 2;        // mm²
+
+// Adds the largest connected pieces of the triangles for which `belongs` is not 0.
+void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t dip,
+               const TriangleMesh& mesh, const std::vector<std::uint32_t>& opposite,
+               const std::vector<std::uint8_t>& belongs) {
+    std::vector<JobWarning> pieces;
+    std::vector<std::uint8_t> seen(belongs.size(), 0);
+    for (std::uint32_t first = 0; first < belongs.size(); ++first) {
+        if (!belongs[first] || seen[first]) {
+            continue;
+        }
+        const auto piece = connectedTriangles(
+            opposite, first, [&](std::uint32_t triangle) { return belongs[triangle] != 0; }, seen);
+        double area = 0;
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const std::uint32_t triangle : piece) {
+            const double own = triangleArea(mesh, triangle);
+            area += own;
+            sum += own * position(mesh, middleOf(triangle)).cast<double>();
+        }
+        if (area < leastArea) {
+            continue;
+        }
+        const Eigen::Vector3f middle = (sum / area).cast<float>();
+        const std::uint32_t nearest =
+            *std::min_element(piece.begin(), piece.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return (position(mesh, middleOf(a)) - middle).squaredNorm() <
+                       (position(mesh, middleOf(b)) - middle).squaredNorm();
+            });
+        pieces.push_back(
+            {kind, dip, position(mesh, middleOf(nearest)), triangleNormal(mesh, nearest), area});
+    }
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const JobWarning& a, const JobWarning& b) { return a.area > b.area; });
+    pieces.resize(std::min(pieces.size(), mostOfAKind));
+    warnings.insert(warnings.end(), pieces.begin(), pieces.end());
+}
+
+std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {
+    std::vector<std::uint8_t> dry(body.mesh.triangles.size());
+    parallelFor(std::size_t(0), dry.size(), [&](std::size_t triangle) {
+        dry[triangle] = body.isDry(middleOf(std::uint32_t(triangle)));
+    });
+    return dry;
+}
+
+void addNotReached(std::vector<JobWarning>& warnings, const JobResult& result) {
+    const SurfaceQuery query(result.project.model->mesh);
+    std::size_t count = 0;
+    for (const UnpaintedPlace& place : result.share->unpainted) {
+        if (place.area >= leastArea && count++ < mostOfAKind) {
+            const SurfacePoint point = query.closest(place.place).point;
+            warnings.push_back({WarningKind::NotReached, std::nullopt, place.place,
+                                triangleNormal(result.project.model->mesh, point.triangle),
+                                place.area});
+        }
+    }
+}
+
+WarningKind kindOf(solver::PointMark mark) {
+    return mark == solver::PointMark::Torn         ? WarningKind::Torn
+           : mark == solver::PointMark::Unbalanced ? WarningKind::Unbalanced
+                                                   : WarningKind::Released;
+}
+
+} // namespace
+
+std::vector<JobWarning> jobWarnings(const JobResult& result) {
+    const TriangleMesh& mesh = result.project.model->mesh;
+    const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
+    std::vector<JobWarning> warnings;
+    for (std::size_t dip = 0; dip < result.immersions.size(); ++dip) {
+        const ImmersionResult& immersion = result.immersions[dip];
+        const Coverage& coverage = *immersion.coverage;
+        if (coverage.trappedAir.area >= leastArea) {
+            addPieces(warnings, WarningKind::TrappedAir, dip, mesh, opposite,
+                      dryTriangles(*immersion.body));
+        }
+        for (const solver::PointMark mark : filmMarks) {
+            if (coverage.marked.of(mark) >= leastArea) {
+                std::vector<std::uint8_t> marked(coverage.marks.size());
+                std::transform(
+                    coverage.marks.begin(), coverage.marks.end(), marked.begin(),
+                    [mark](std::uint8_t marks) { return std::uint8_t(has(marks, mark)); });
+                addPieces(warnings, kindOf(mark), dip, mesh, opposite, marked);
+            }
+        }
+    }
+    if (result.share) {
+        addNotReached(warnings, result);
+    }
+    std::stable_sort(warnings.begin(), warnings.end(),
+                     [](const JobWarning& a, const JobWarning& b) { return a.kind < b.kind; });
+    return warnings;
+}
+
+} // namespace dipwright

@@ -1,0 +1,42 @@
+// Marks on the body's surface: by a stroke of a brush, or around one place. Zones, masks and the
+// marks for the seam consist of them.
+#pragma once
+
+#include "base/Units.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dipwright {
+
+// A point of a brush stroke.
+struct BrushPoint {
+    std::array<Millimetres, 3> place{}; // model coordinates
+    // Surface normal at the place. The stroke marks only surface that faces it, so that it does not
+    // mark the back of a thin wall. 0, 0, 0: the stroke marks all surface near the place.
+    std::array<double, 3> outward{};
+    bool operator==(const BrushPoint&) const = default;
+};
+using BrushPath = std::vector<BrushPoint>;
+
+inline constexpr std::size_t mostBrushPoints = 5000;        // of one stroke
+inline constexpr std::size_t mostBrushPointsOfAll = 50'000; // of all strokes of one kind
+
+// How far a mark extends.
+enum class MarkExtent : std::uint8_t {
+    Spot,     // a radius along the surface around the place
+    Face,     // the face that the place lies on
+    Material, // all surface with the material of the place
+    Stroke,   // all surface within the radius of a path, in a straight line
+};
+
+struct SurfaceMark {
+    std::array<Millimetres, 3> place{}; // the point of the model nearest to this; model coordinates
+    MarkExtent extent = MarkExtent::Spot;
+    Millimetres radius{5}; // of a spot or stroke
+    BrushPath path = {};   // of a stroke: the points, joined by straight lines
+    bool operator==(const SurfaceMark&) const = default;
+};
+
+} // namespace dipwright
