@@ -6,14 +6,13 @@
 #include "texture/ReverseTexture.h"
 #include "traveller/TankTasks.h"
 #include "workbench/results/WarningTexts.h"
+#include "workbench/widgets/HtmlView.h"
 #include "workbench/widgets/ShippedNames.h"
 
 #include <QCoreApplication>
 #include <QLabel>
 #include <QLocale>
-#include <QScrollBar>
 #include <QTextBlock>
-#include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -283,13 +282,13 @@ QString smallerFilmHtml(const JobResult& result, LengthUnit unit) {
 } // namespace
 
 ReportPanel::ReportPanel(QWidget* parent)
-    : QWidget(parent), text_(new QTextBrowser),
+    : QWidget(parent), text_(new HtmlView),
       hint_(new QLabel(tr("Run the dip to see its figures."))) {
     text_->setFrameShape(QFrame::NoFrame);
     text_->setObjectName(QStringLiteral("report"));
     text_->setAccessibleName(tr("Report"));
     text_->setOpenLinks(false);
-    connect(text_, &QTextBrowser::anchorClicked, this, &ReportPanel::follow);
+    connect(text_, &HtmlView::anchorClicked, this, &ReportPanel::follow);
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setWordWrap(true);
     hint_->setForegroundRole(QPalette::PlaceholderText);
@@ -387,9 +386,7 @@ void ReportPanel::show() {
         html += tankHtml(tankTimes_);
     }
     places_ = links.places();
-    const int shown = text_->verticalScrollBar()->value();
-    text_->setHtml(html);
-    text_->verticalScrollBar()->setValue(shown);
+    text_->showHtml(html);
 }
 
 void ReportPanel::follow(const QUrl& link) {
