@@ -29,12 +29,21 @@ const char* keyOf(TimeKind kind) {
     return keys[std::size_t(kind)];
 }
 
+// Returns the name of an ink for the user; spot inks keep their own.
+QString shownInk(const QString& ink) {
+    return ink == QLatin1String("Cyan")      ? Text::tr("Cyan")
+           : ink == QLatin1String("Magenta") ? Text::tr("Magenta")
+           : ink == QLatin1String("Yellow")  ? Text::tr("Yellow")
+           : ink == QLatin1String("Black")   ? Text::tr("Black")
+                                             : ink;
+}
+
 QString wordFor(const CostItem& item) {
     switch (item.kind) {
     case CostKind::Film:
         return Text::tr("Film");
     case CostKind::Ink:
-        return Text::tr("Ink: %1").arg(item.ink);
+        return Text::tr("Ink: %1").arg(shownInk(item.ink));
     case CostKind::Labour:
         break;
     }
@@ -205,9 +214,9 @@ QStringList missingPrices(const OrderCost& cost) {
     QStringList missing, withoutAmount, withoutPrice;
     for (const CostItem& item : cost.items) {
         if (item.kind == CostKind::Ink && !item.amount) {
-            withoutAmount << item.ink;
+            withoutAmount << shownInk(item.ink);
         } else if (item.kind == CostKind::Ink && !item.price) {
-            withoutPrice << item.ink;
+            withoutPrice << shownInk(item.ink);
         } else if (!item.cost()) {
             missing << (item.kind == CostKind::Film ? Text::tr("no price for the film")
                                                     : Text::tr("no price for an hour of work"));

@@ -56,7 +56,9 @@ BuiltPage::BuiltPage(QWidget* parent)
     times_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     times_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     times_->setSelectionMode(QAbstractItemView::NoSelection);
-    times_->setFixedHeight(parts_->height());
+    times_->setMinimumHeight(parts_->horizontalHeader()->sizeHint().height() +
+                             2 * parts_->verticalHeader()->defaultSectionSize());
+    times_->setMaximumHeight(parts_->height());
     hint_->setObjectName(QStringLiteral("builtHint"));
     hint_->setWordWrap(true);
     words_->setObjectName(QStringLiteral("builtWords"));
@@ -174,6 +176,7 @@ void BuiltPage::showParts() {
 void BuiltPage::showTimes() {
     const std::vector<TankSummary> steps = tankSummaries(built_.times);
     times_->setVisible(!steps.empty());
+    parts_->setVisible(steps.empty() || !built_.parts.empty());
     times_->setRowCount(int(steps.size()));
     for (int row = 0; row < times_->rowCount(); ++row) {
         const TankSummary& step = steps[std::size_t(row)];

@@ -4,6 +4,8 @@
 #include "project/ProjectStore.h"
 #include "workbench/jobs/StartJob.h"
 
+#include <QScreen>
+
 namespace dipwright {
 
 TankController::TankController(OpenDocument openDocument, QObject* parent)
@@ -29,6 +31,7 @@ void TankController::open(std::vector<TankJob> jobs, Document* shown) {
     if (shown && !shown->isFresh()) {
         page_->say(tr("The project has changed since these sheets were made."));
     }
+    page_->setGeometry(page_->screen()->geometry()); // where no window manager does this
     page_->showFullScreen();
     page_->activateWindow();
 }

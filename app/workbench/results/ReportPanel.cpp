@@ -236,7 +236,7 @@ QString costHtml(const std::vector<OrderCost>& costs) {
         for (const CostRow& row : timeRows(cost)) {
             table.row(row);
         }
-        table.row(Text::tr("Sheets to print"), QLocale().toString(cost.sheets));
+        table.row(CostRow{Text::tr("Sheets to print"), QLocale().toString(cost.sheets), {}});
         html += table.html();
     }
     if (costs.front().areInksEstimated) {
