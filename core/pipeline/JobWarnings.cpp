@@ -2,8 +2,10 @@
 
 #include "dip/FilmMarks.h"
 #include "parallel/ParallelFor.h"
+#include "pipeline/JobVerdict.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dipwright {
 namespace {
@@ -13,8 +15,12 @@ constexpr double leastArea = 2;        // mm²
 
 // Adds the largest connected pieces of the triangles for which `belongs` is not 0.
 void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t dip,
-               const TriangleMesh& mesh, const std::vector<std::uint32_t>& opposite,
-               const std::vector<std::uint8_t>& belongs) {
+               const JobResult& result, const std::vector<std::uint32_t>& opposite,
+               std::vector<std::uint8_t> belongs) {
+    const TriangleMesh& mesh = result.project.model->mesh;
+    for (std::uint32_t triangle = 0; triangle < belongs.size() && result.mask; ++triangle) {
+        belongs[triangle] = belongs[triangle] && !result.mask->covers(middleOf(triangle));
+    }
     std::vector<JobWarning> pieces;
     std::vector<std::uint8_t> seen(belongs.size(), 0);
     for (std::uint32_t first = 0; first < belongs.size(); ++first) {
@@ -59,7 +65,7 @@ std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {
 void addNotReached(std::vector<JobWarning>& warnings, const JobResult& result) {
     const SurfaceQuery query(result.project.model->mesh);
     std::size_t count = 0;
-    for (const UnpaintedPlace& place : result.share->unpainted) {
+    for (const UnpaintedPlace& place : unreachedPlaces(result)) {
         if (place.area >= leastArea && count++ < mostOfAKind) {
             const SurfacePoint point = query.closest(place.place).point;
             warnings.push_back({WarningKind::NotReached, std::nullopt, place.place,
@@ -78,14 +84,13 @@ WarningKind kindOf(solver::PointMark mark) {
 } // namespace
 
 std::vector<JobWarning> jobWarnings(const JobResult& result) {
-    const TriangleMesh& mesh = result.project.model->mesh;
-    const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
+    const std::vector<std::uint32_t> opposite = oppositeEdges(result.project.model->mesh);
     std::vector<JobWarning> warnings;
     for (std::size_t dip = 0; dip < result.immersions.size(); ++dip) {
         const ImmersionResult& immersion = result.immersions[dip];
         const Coverage& coverage = *immersion.coverage;
         if (coverage.trappedAir.area >= leastArea) {
-            addPieces(warnings, WarningKind::TrappedAir, dip, mesh, opposite,
+            addPieces(warnings, WarningKind::TrappedAir, dip, result, opposite,
                       dryTriangles(*immersion.body));
         }
         for (const solver::PointMark mark : filmMarks) {
@@ -94,7 +99,7 @@ std::vector<JobWarning> jobWarnings(const JobResult& result) {
                 std::transform(
                     coverage.marks.begin(), coverage.marks.end(), marked.begin(),
                     [mark](std::uint8_t marks) { return std::uint8_t(has(marks, mark)); });
-                addPieces(warnings, kindOf(mark), dip, mesh, opposite, marked);
+                addPieces(warnings, kindOf(mark), dip, result, opposite, std::move(marked));
             }
         }
     }

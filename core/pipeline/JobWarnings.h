@@ -17,8 +17,8 @@ struct JobWarning {
     double area = 0; // mm²
 };
 
-// Returns the largest pieces of each kind and dip, at least 2 mm² each; the kinds in their order,
-// larger pieces first. Uses all cores; deterministic.
+// Returns the largest pieces of each kind and dip, at least 2 mm² each, without masked surface; the
+// kinds in their order, larger pieces first. Uses all cores; deterministic.
 std::vector<JobWarning> jobWarnings(const JobResult& result);
 
 } // namespace dipwright

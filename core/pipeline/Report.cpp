@@ -7,6 +7,7 @@
 
 #include "pipeline/JobTolerances.h"
 #include "pipeline/JobVerdict.h"
+#include "pipeline/JobWarnings.h"
 #include "pipeline/SmallerFilm.h"
 #include "texture/ReverseTexture.h"
 #include "traveller/TankTasks.h"
@@ -165,13 +166,16 @@ QJsonObject toJson(const SeamCost& cost) {
     return {{"length_mm", cost.length}, {"cost_mm", cost.cost}};
 }
 
+QJsonArray placeJson(const Eigen::Vector3f& place) {
+    return {place.x(), place.y(), place.z()};
+}
+
 QJsonObject shareJson(const JobResult& result) {
     const BodyShare& share = *result.share;
     QJsonArray unpainted;
     for (const UnpaintedPlace& place : unreachedPlaces(result)) {
-        unpainted.append(QJsonObject{
-            {"area_mm2", place.area},
-            {"model_mm", QJsonArray{place.place.x(), place.place.y(), place.place.z()}}});
+        unpainted.append(
+            QJsonObject{{"area_mm2", place.area}, {"model_mm", placeJson(place.place)}});
     }
     return {{"join_stretch", QJsonArray{share.seamStretch[0], share.seamStretch[1]}},
             {"overlap_mm", share.overlap.middle},
@@ -379,6 +383,34 @@ QJsonObject asBuiltJson(const JobResult& result) {
     return json;
 }
 
+QString warningKey(WarningKind kind) {
+    switch (kind) {
+    case WarningKind::TrappedAir:
+        return QStringLiteral("air");
+    case WarningKind::NotReached:
+        return QStringLiteral("not_reached");
+    case WarningKind::Torn:
+        return QStringLiteral("torn");
+    case WarningKind::Unbalanced:
+        return QStringLiteral("not_converged");
+    case WarningKind::Released:
+        break;
+    }
+    return QStringLiteral("released");
+}
+
+QJsonArray warningsJson(const JobResult& result) {
+    QJsonArray warnings;
+    for (const JobWarning& warning : jobWarnings(result)) {
+        warnings.append(
+            QJsonObject{{"kind", warningKey(warning.kind)},
+                        {"dip", warning.dip ? QJsonValue(int(*warning.dip) + 1) : QJsonValue()},
+                        {"area_mm2", warning.area},
+                        {"model_mm", placeJson(warning.place)}});
+    }
+    return warnings;
+}
+
 } // namespace
 
 QJsonObject report(const Project& project, const JobResult& result) {
@@ -409,6 +441,7 @@ QJsonObject report(const Project& project, const JobResult& result) {
                      {"immersions", immersions},
                      {"coverage_total", result.coverageTotal},
                      {"costs", costsJson(result, project)},
+                     {"warnings", warningsJson(result)},
                      {"notes", QJsonArray::fromStringList(result.notes)}};
     if (result.share) {
         json["share"] = shareJson(result);

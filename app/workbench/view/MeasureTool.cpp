@@ -99,7 +99,9 @@ void MeasureTool::show() {
     if (places.size() == 2) {
         lines.push_back(inWorld(places));
     }
-    view_.setMeasure(inWorld(places), lines, distance());
+    // The label stands at the first line; the status bar gives both lengths.
+    const QString label = lines.empty() ? QString() : shownLength(lengthOf(lines.front()), unit_);
+    view_.setMeasure(inWorld(places), lines, label);
 }
 
 } // namespace dipwright
