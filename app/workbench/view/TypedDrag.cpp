@@ -1,6 +1,6 @@
 #include "workbench/view/TypedDrag.h"
 
-#include "workbench/widgets/TypedNumber.h"
+#include "base/TypedNumber.h"
 
 #include <QKeyEvent>
 
