@@ -26,6 +26,8 @@ public:
 protected:
     void resizeEvent(QResizeEvent* event) override;
 
+    QSize minimumSizeHint() const override;
+
 signals:
     void placeChosen(Eigen::Vector2f rest); // a place on the floating film, mm
     void fieldChosen(const QString& path);  // the project's field that sets a reason's limit
