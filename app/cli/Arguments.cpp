@@ -19,12 +19,17 @@ const QString filmImageOption = QStringLiteral("film-image");
 constexpr int mostThreads = 1024;
 constexpr qint64 mostValueBytes = 32 << 20; // of a value in a file
 
-struct Setting {
-    QString path, value;
-    bool isFilmSize() const {
-        return path == QLatin1String("film.preset") || path == QLatin1String("film.size_mm");
-    }
-};
+bool isFilmSize(const Setting& setting) {
+    return setting.path == QLatin1String("film.preset") ||
+           setting.path == QLatin1String("film.size_mm");
+}
+
+// Tells whether a value that begins with @ is the name of a file.
+bool mayBeInFile(const QString& path) {
+    static const QStringList lists{QStringLiteral("masks"), QStringLiteral("tolerance.marks"),
+                                   QStringLiteral("share.marks")};
+    return lists.contains(path);
+}
 
 Setting parsedSetting(const QString& text) {
     const auto equals = text.indexOf(QLatin1Char('='));
@@ -33,11 +38,13 @@ Setting parsedSetting(const QString& text) {
             QStringLiteral("Write a setting as PATH=VALUE, for example film.points=240x360"),
             QStringLiteral("--set %1").arg(text));
     }
+    const QString path = text.left(equals).trimmed();
     const QString value = text.mid(equals + 1).trimmed();
-    return {text.left(equals).trimmed(),
-            value.startsWith(QLatin1Char('@'))
+    return {path,
+            value.startsWith(QLatin1Char('@')) && mayBeInFile(path)
                 ? QString::fromUtf8(readSmallFile(value.mid(1), mostValueBytes))
-                : value};
+                : value,
+            QStringLiteral("--set %1=%2").arg(path, value.left(200))};
 }
 
 [[noreturn]] void throwMissing(const QString& argument) {
@@ -142,11 +149,13 @@ void applySettings(Project& project, const QCommandLineParser& parser) {
     for (const QString& text : parser.values(setOption)) {
         settings.push_back(parsedSetting(text));
     }
-    std::stable_partition(settings.begin(), settings.end(),
-                          [](const Setting& setting) { return setting.isFilmSize(); });
+    applySettings(project, std::move(settings));
+}
+
+void applySettings(Project& project, std::vector<Setting> settings) {
+    std::ranges::stable_partition(settings, isFilmSize);
     for (const Setting& setting : settings) {
-        setByOption(project, setting.path, setting.value,
-                    QStringLiteral("--set %1=%2").arg(setting.path, setting.value.left(200)));
+        setByOption(project, setting.path, setting.value, setting.where);
     }
 }
 

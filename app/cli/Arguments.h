@@ -53,6 +53,14 @@ void setByOption(Project& project, const QString& path, const QString& value,
 
 // Declares --set PATH=VALUE, which may be repeated.
 void declareSettings(CommandSyntax& syntax);
+// A value of the project by its path.
+struct Setting {
+    QString path, value;
+    QString where; // named in errors, such as "--set film.points=0x0"
+};
+// Applies the settings. Film preset and film size are applied first, so their order does not
+// matter. Throws UsageError for an unknown path or a value out of range.
+void applySettings(Project& project, std::vector<Setting> settings);
 // Applies all --set options. Film preset and film size are applied first, so the order of the
 // options does not matter. Throws UsageError for an unknown path or a value out of range.
 void applySettings(Project& project, const QCommandLineParser& parser);

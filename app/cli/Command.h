@@ -54,6 +54,7 @@ std::unique_ptr<Command> printCommand();
 std::unique_ptr<Command> watchCommand();
 std::unique_ptr<Command> artworkCommand();
 std::unique_ptr<Command> packCommand();
+std::unique_ptr<Command> costCommand();
 std::unique_ptr<Command> profileCommand();
 std::unique_ptr<Command> calibrateCommand();
 #ifdef DIPWRIGHT_INSPECTION

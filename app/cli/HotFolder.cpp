@@ -6,6 +6,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QJsonDocument>
 #include <algorithm>
 
 namespace dipwright::cli {
@@ -23,15 +24,20 @@ QString nameOf(HotState state) {
                                        : QStringLiteral("held");
 }
 
+constexpr qint64 mostTicketBytes = 1 << 20;
+
 bool isTicket(const QString& path) {
     return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
 }
 
 bool canBeRead(const QString& path) {
     try {
-        if (!isTicket(path)) {
-            solverOfProject(path);
+        if (isTicket(path)) {
+            QFile file(path);
+            return file.open(QIODevice::ReadOnly) &&
+                   !QJsonDocument::fromJson(file.read(mostTicketBytes)).isNull();
         }
+        solverOfProject(path);
         return true;
     } catch (const Error&) {
         return false;
@@ -122,15 +128,12 @@ QString HotFolder::startPrinting(const QString& job) const {
     return moved(job, folder(printing));
 }
 
-void HotFolder::end(const QString& job, HotState state, const QString& reason) const {
-    const QFileInfo file(moved(job, folder(nameOf(state))));
-    const QString failure =
-        replaceFile(file.path() + u'/' + file.completeBaseName() + QStringLiteral(".txt"),
-                    reason.toUtf8() + '\n');
-    if (!failure.isEmpty()) {
-        throw Error(QStringLiteral("The reason beside the job cannot be written: %1").arg(failure),
-                    file.filePath());
-    }
+QString HotFolder::end(const QString& job, HotState state, const QString& reason) const {
+    const QString file = moved(job, folder(nameOf(state)));
+    const QString failure = replaceFile(file + QStringLiteral(".txt"), reason.toUtf8() + '\n');
+    return failure.isEmpty()
+               ? QString()
+               : QStringLiteral(" The text file beside the job cannot be written: %1").arg(failure);
 }
 
 QString HotFolder::project(const QString& name) const {

@@ -38,8 +38,10 @@ public:
 
     // Moves the job to `printing`. Returns its new path. Throws Error.
     QString startPrinting(const QString& job) const;
-    // Moves the job to the folder of its state, and writes `reason` beside it. Throws Error.
-    void end(const QString& job, HotState state, const QString& reason) const;
+    // Moves the job to the folder of its state, and writes `reason` beside it, into a text file.
+    // Throws Error if the job cannot be moved. Returns a sentence if the text cannot be written;
+    // else an empty string.
+    QString end(const QString& job, HotState state, const QString& reason) const;
     // Returns the path of a project in `projects`. Throws Error if `name` is not a plain file name.
     QString project(const QString& name) const;
 

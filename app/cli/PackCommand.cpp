@@ -1,11 +1,11 @@
 #include "cli/Arguments.h"
+#include "cli/PackOptions.h"
 #include "cli/PrintOptions.h"
 
 #include "pipeline/DipCache.h"
 #include "pipeline/JobPacking.h"
 #include "pipeline/Pipeline.h"
 #include "printing/PrintReach.h"
-#include "project/FilmSizes.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -14,15 +14,8 @@ namespace dipwright::cli {
 namespace {
 
 const QString outOption = QStringLiteral("out");
-const QString filmOption = QStringLiteral("film");
-const QString spacingOption = QStringLiteral("spacing");
-const QString marginOption = QStringLiteral("margin");
-const QString feedOption = QStringLiteral("feed");
-const QString turnOption = QStringLiteral("turn");
 const QString dpiOption = QStringLiteral("dpi");
 const QString solverOption = QStringLiteral("solver");
-// mm, longest side of a film; also used for a roll of unknown length.
-constexpr double mostLength = 3000;
 
 struct PackedProject {
     QString path;
@@ -45,56 +38,6 @@ PackedProject packedProject(const QString& word) {
     return {match.captured(1), copies};
 }
 
-// Reads the film: the name of a size, WIDTHxHEIGHT, roll:WIDTH or roll:WIDTHxLENGTH.
-void setFilm(PackingFilm& film, const QString& text) {
-    static const QRegularExpression sizes(
-        QStringLiteral("^(roll:)?(\\d+(?:\\.\\d+)?)(?:x(\\d+(?:\\.\\d+)?))?$"));
-    const QRegularExpressionMatch match = sizes.match(text);
-    film.isRoll = !match.captured(1).isEmpty();
-    if (filmSizeNames().contains(text)) {
-        film.size = filmSize(text);
-        return;
-    }
-    const bool hasLength = !match.captured(3).isEmpty();
-    film.size = {match.captured(2).toDouble(),
-                 hasLength ? match.captured(3).toDouble() : mostLength};
-    constexpr double least = 50;
-    if (!match.hasMatch() || !(hasLength || film.isRoll) ||
-        std::min(film.size.width(), film.size.height()) < least ||
-        std::max(film.size.width(), film.size.height()) > mostLength) {
-        throw UsageError(QStringLiteral("Write the film as %1, WIDTHxHEIGHT, roll:WIDTH or "
-                                        "roll:WIDTHxLENGTH in mm, %2 to %3")
-                             .arg(filmSizeNames().join(QStringLiteral(", ")))
-                             .arg(least)
-                             .arg(mostLength),
-                         QStringLiteral("--film"));
-    }
-}
-
-PackSettings packSettings(const QCommandLineParser& parser) {
-    PackSettings settings;
-    if (parser.isSet(filmOption)) {
-        setFilm(settings.film, parser.value(filmOption));
-    }
-    if (parser.isSet(spacingOption)) {
-        settings.film.spacing = Millimetres(numberOption(parser, spacingOption, 0, 200));
-    }
-    if (parser.isSet(marginOption)) {
-        settings.film.margin =
-            Millimetres(numberOption(parser, marginOption, leastPieceMargin, 200));
-    }
-    const QString feed = parser.value(feedOption);
-    if (!feed.isEmpty() && feed != QLatin1String("short") && feed != QLatin1String("long")) {
-        throw UsageError(
-            QStringLiteral("Give the edge that enters the printer first, short or long"),
-            QStringLiteral("--feed"));
-    }
-    settings.feed = feed == QLatin1String("long") ? FeedDirection::LongEdgeFirst
-                                                  : FeedDirection::ShortEdgeFirst;
-    settings.mayTurn = parser.isSet(turnOption);
-    return settings;
-}
-
 class PackCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("pack"); }
@@ -111,15 +54,7 @@ public:
         value(outOption,
               "The folder for the packed films as PDF, PNG and TIFF. Earlier films are replaced.",
               "DIR");
-        value(filmOption,
-              "The film: the name of a size, WIDTHxHEIGHT, or a roll as roll:WIDTH or "
-              "roll:WIDTHxLENGTH, in mm. A roll is cut off after the last piece. Default: A4.",
-              "SIZE");
-        value(spacingOption, "The distance between two pieces in mm, 0 to 200; default 3.", "MM");
-        value(marginOption, "The bare film around the ink in mm, 7 to 200; default 7.", "MM");
-        value(feedOption, "The edge of the film that enters the printer first.", "short|long");
-        syntax.addOption({turnOption, QStringLiteral("Turns pieces by 90° to save film, if their "
-                                                     "film swells equally in both directions.")});
+        declarePacking(syntax, QStringLiteral("Default: A4."));
         value(dpiOption, "The resolution of all sheets, instead of the projects' own.", "N");
         value(solverOption, "The solver plugin, instead of the projects' choice.", "ID");
         declarePrinter(syntax);

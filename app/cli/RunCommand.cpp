@@ -3,11 +3,13 @@
 #include "project/Profiles.h"
 
 #include "base/Error.h"
+#include "cost/CostText.h"
 #include "dip/FilmUnderBody.h"
 #include "marks/SurfaceMask.h"
 #include "outputs/MakeOutputs.h"
 #include "parallel/Tasks.h"
 #include "pipeline/DipCache.h"
+#include "pipeline/JobCost.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SmallerFilm.h"
@@ -201,6 +203,9 @@ void printSummary(const JobResult& result, QTextStream& out) {
     }
     out << QStringLiteral("Coverage by all dips: %1 %\n")
                .arg(number(100 * result.coverageTotal, 1));
+    if (const auto costs = jobCosts(result, result.project); tellsCost(costs)) {
+        out << costSentence(costs.back()) << '\n';
+    }
 }
 
 // Sets the language of all texts that core produces.

@@ -11,6 +11,7 @@
 #include "solver/SolverRegistry.h"
 
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QThread>
@@ -29,10 +30,23 @@ struct Order {
     QString printer = {}; // empty: the one of the command line
     int copies = 1;
     std::optional<int> immersion = {}; // counted from 1; none: all
-    QJsonObject settings = {};
+    std::vector<Setting> settings = {};
 };
 
+// Returns the value as text for --set: lists of numbers and words joined by ";", other lists as
+// JSON.
 QString settingText(const QJsonValue& value) {
+    if (value.isArray()) {
+        QStringList parts;
+        for (const QJsonValue& part : value.toArray()) {
+            if (part.isArray() || part.isObject()) {
+                return QString::fromUtf8(
+                    QJsonDocument(value.toArray()).toJson(QJsonDocument::Compact));
+            }
+            parts << settingText(part);
+        }
+        return parts.join(u';');
+    }
     return value.isDouble() ? QString::number(value.toDouble(), 'g', 17)
            : value.isBool() ? QString(value.toBool() ? "true" : "false")
            : value.isNull() ? QStringLiteral("null")
@@ -64,14 +78,17 @@ Order readTicket(const QString& path, const HotFolder& folder) {
         const QJsonValue value = entry.value();
         if (key == u"project") {
             order.project = folder.project(value.toString());
-        } else if (key == u"printer") {
+        } else if (key == u"printer" && value.isString()) {
             order.printer = value.toString();
         } else if (key == u"copies") {
             order.copies = wholeNumber(value, mostCopies, key, path);
         } else if (key == u"immersion") {
             order.immersion = wholeNumber(value, 2, key, path);
         } else if (key == u"set" && value.isObject()) {
-            order.settings = value.toObject();
+            const QJsonObject settings = value.toObject();
+            for (auto setting = settings.begin(); setting != settings.end(); ++setting) {
+                order.settings.push_back({setting.key(), settingText(setting.value()), path});
+            }
         } else if (key != u"format" && key != u"version") {
             throw Error(
                 QStringLiteral("The ticket's entry “%1” is not known or not valid").arg(key), path);
@@ -100,14 +117,16 @@ public:
     void processJobs() {
         const Progress progress = console_.progress();
         for (;;) {
-            for (const HotJob& job : folder_.completeJobs()) {
-                process(job, progress);
+            // The list is read anew for each job, because files change while a job runs.
+            const std::vector<HotJob> jobs = folder_.completeJobs();
+            if (!jobs.empty()) {
+                process(jobs.front(), progress);
                 console_.out().flush();
-            }
-            if (parser_.isSet(onceOption) && !folder_.hasJobs()) {
+            } else if (parser_.isSet(onceOption) && !folder_.hasJobs()) {
                 return;
+            } else {
+                wait(progress.cancelToken);
             }
-            wait(progress.cancelToken);
         }
     }
 
@@ -127,25 +146,31 @@ private:
         QString text;
         try {
             text = run(job, path, progress);
-        } catch (const UsageError&) {
-            throw;
         } catch (const HeldError& error) {
             state = HotState::Held;
             text = error.message();
         } catch (const Error& error) {
-            // What the printer has begun is not known.
-            state = path == job.path ? HotState::Failed : HotState::Held;
+            state = failed(path, job);
             text = error.sentence();
         } catch (const std::bad_alloc&) {
-            state = HotState::Failed;
+            state = failed(path, job);
             text = QStringLiteral("There is not enough memory for this job");
         }
-        folder_.end(path, state, text);
+        if (!QFileInfo::exists(path)) {
+            console_.out() << QStringLiteral("%1: was removed from the folder\n").arg(name);
+            return;
+        }
+        text += folder_.end(path, state, text);
         console_.out() << QStringLiteral("%1: %2\n")
                               .arg(name, state == HotState::Done ? QStringLiteral("done")
                                          : state == HotState::Failed
                                              ? QStringLiteral("failed: %1").arg(text)
                                              : QStringLiteral("held: %1").arg(text));
+    }
+
+    // Once printing has begun, it is not known which sheets came out.
+    static HotState failed(const QString& path, const HotJob& job) {
+        return path == job.path ? HotState::Failed : HotState::Held;
     }
 
     // Runs and prints a job. Returns what was done. Changes `path` when the job is moved.
@@ -154,10 +179,8 @@ private:
                                 ? readTicket(path, folder_)
                                 : Order{path};
         Project project = readProject(order.project, parser_);
-        for (auto entry = order.settings.begin(); entry != order.settings.end(); ++entry) {
-            setByPath(project, entry.key(), settingText(entry.value()));
-        }
-        const QString results = out_ + u'/' + QFileInfo(path).completeBaseName();
+        applySettings(project, order.settings);
+        const QString results = resultFolder(QFileInfo(path).completeBaseName());
         JobOptions options;
         options.estimatesNumericalError = options.refines = true;
         const JobResult result =
@@ -177,6 +200,15 @@ private:
         }
         lines.flush();
         return text.trimmed();
+    }
+
+    // Returns a folder with the job's name, and a number if there are results of an earlier job.
+    QString resultFolder(const QString& job) const {
+        QString folder = out_ + u'/' + job;
+        for (int number = 2; QFileInfo::exists(folder + QStringLiteral("/report.json")); ++number) {
+            folder = QStringLiteral("%1/%2-%3").arg(out_, job).arg(number);
+        }
+        return folder;
     }
 
     void print(const JobResult& result, const Order& order, const QString& printer, QString& path,

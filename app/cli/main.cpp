@@ -158,6 +158,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
     commands.push_back(watchCommand());
     commands.push_back(artworkCommand());
     commands.push_back(packCommand());
+    commands.push_back(costCommand());
     commands.push_back(profileCommand());
     commands.push_back(calibrateCommand());
     commands.push_back(optimizeCommand());

@@ -161,7 +161,7 @@ std::optional<CustomMedia> customMediaOf(const PrinterInfo& printer, cups_dest_t
     if (!least || !most) {
         return std::nullopt;
     }
-    CustomMedia custom{*least, *most, {}};
+    CustomMedia custom{*least, *most, {}, {}};
     for (const PrinterMedia& media : printer.media) {
         custom.margins = larger(custom.margins, media.margins);
     }
@@ -236,18 +236,32 @@ QStringList keywordsOf(ipp_t* answer, const char* name, ipp_tag_t tag = IPP_TAG_
     return words;
 }
 
+// Returns a dimension in mm. For a roll it is a range; the result is then its upper end. 0 if there
+// is no such dimension.
+double largestOf(ipp_t* size, const char* dimension) {
+    if (!size) {
+        return 0;
+    }
+    if (ipp_attribute_t* number = ippFindAttribute(size, dimension, IPP_TAG_INTEGER)) {
+        return ippGetInteger(number, 0) / 100.0;
+    }
+    int upper = 0;
+    if (ipp_attribute_t* range = ippFindAttribute(size, dimension, IPP_TAG_RANGE)) {
+        ippGetRange(range, 0, &upper);
+    }
+    return upper / 100.0;
+}
+
 std::vector<QSizeF> sizesOf(ipp_attribute_t* media) {
     std::vector<QSizeF> sizes;
     for (int i = 0; media && i < ippGetCount(media); ++i) {
         ipp_attribute_t* size =
             ippFindAttribute(ippGetCollection(media, i), "media-size", IPP_TAG_BEGIN_COLLECTION);
         ipp_t* parts = size ? ippGetCollection(size, 0) : nullptr;
-        ipp_attribute_t* x =
-            parts ? ippFindAttribute(parts, "x-dimension", IPP_TAG_INTEGER) : nullptr;
-        ipp_attribute_t* y =
-            parts ? ippFindAttribute(parts, "y-dimension", IPP_TAG_INTEGER) : nullptr;
-        if (x && y) {
-            sizes.emplace_back(ippGetInteger(x, 0) / 100.0, ippGetInteger(y, 0) / 100.0);
+        const double x = largestOf(parts, "x-dimension");
+        const double y = largestOf(parts, "y-dimension");
+        if (x > 0 && y > 0) {
+            sizes.emplace_back(x, y);
         }
     }
     return sizes;
@@ -402,6 +416,9 @@ public:
         info.reportsPrinted = speaksIpp(uri);
         const DeviceReport word = info.reportsPrinted ? wordOfDevice(dest.get()) : DeviceReport{};
         markLoaded(info.media, word.loaded);
+        if (info.customMedia) {
+            info.customMedia->loaded = word.loaded;
+        }
         info.scaling = word.scaling;
         info.canForbidScaling = word.canForbidScaling;
         if (info.stateReason.isEmpty()) {

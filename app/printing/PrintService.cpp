@@ -126,8 +126,20 @@ struct PaperChoice {
     bool turned = false; // the page is rotated on the paper
 };
 
-// Returns a paper of the page's size, or else a custom size. A custom size counts as loaded,
-// because printers report only the width of their roll.
+// Returns a paper for the page in a custom size, or nothing. It is loaded if the page fits on a
+// loaded sheet or roll, or if the printer does not report what is loaded.
+std::optional<PrinterMedia> customPaper(const PrinterInfo& printer, QSizeF page) {
+    const std::optional<CustomMedia>& custom = printer.customMedia;
+    if (!custom || !holds(custom->most, page) || !holds(page, custom->least)) {
+        return std::nullopt;
+    }
+    const bool ready =
+        custom->loaded.empty() ||
+        std::ranges::any_of(custom->loaded, [&](QSizeF loaded) { return holds(loaded, page); });
+    return PrinterMedia{QStringLiteral("custom"), page, custom->margins, ready};
+}
+
+// Returns a paper of the page's size, or else a custom size.
 std::optional<PaperChoice> findPaper(const PrinterInfo& printer, QSizeF page) {
     for (const bool turned : {false, true}) {
         if (const PrinterMedia* media =
@@ -135,14 +147,16 @@ std::optional<PaperChoice> findPaper(const PrinterInfo& printer, QSizeF page) {
             return PaperChoice{*media, turned};
         }
     }
+    std::optional<PaperChoice> notLoaded;
     for (const bool turned : {false, true}) {
-        const QSizeF size = turned ? page.transposed() : page;
-        if (printer.customMedia && printer.customMedia->holds(size)) {
-            return PaperChoice{{QStringLiteral("custom"), size, printer.customMedia->margins},
-                               turned};
+        if (const auto media = customPaper(printer, turned ? page.transposed() : page)) {
+            if (media->ready) {
+                return PaperChoice{*media, turned};
+            }
+            notLoaded = notLoaded ? notLoaded : PaperChoice{*media, turned};
         }
     }
-    return std::nullopt;
+    return notLoaded;
 }
 
 PaperChoice paperFor(const PrinterInfo& printer, QSizeF page) {
@@ -429,8 +443,10 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& unnumbered, const PrintReq
     PrintPlan plan;
     plan.printer = readyPrinter(system, request.printer);
     checkColour(plan.printer, original, request, plan.warnings);
-    const bool tiled = request.tile && (!request.tilePaper.isEmpty() ||
-                                        !findPaper(plan.printer, pageSize(original)));
+    const std::optional<PaperChoice> whole = findPaper(plan.printer, pageSize(original));
+    const bool isCustom = whole && whole->media.name == QLatin1String("custom");
+    const bool tiled = request.tile && (!request.tilePaper.isEmpty() || !whole ||
+                                        (isCustom && !whole->media.ready));
     const PaperChoice paper = tiled ? PaperChoice{tilePaper(plan.printer, request.tilePaper), false}
                                     : paperFor(plan.printer, pageSize(original));
     checkLoaded(plan.printer, paper.media, request, plan.warnings);

@@ -27,11 +27,8 @@ struct PrinterMedia {
 struct CustomMedia {
     QSizeF least, most; // mm, in feed direction
     QMarginsF margins;  // unprintable margins, mm
-
-    bool holds(QSizeF size) const {
-        return size.width() >= least.width() && size.height() >= least.height() &&
-               size.width() <= most.width() && size.height() <= most.height();
-    }
+    // Sizes of the sheets and rolls that the printer reports as loaded; empty: it reports none.
+    std::vector<QSizeF> loaded;
 };
 
 enum class PrinterState { Idle, Printing, Stopped };

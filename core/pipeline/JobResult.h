@@ -10,6 +10,7 @@
 #include "project/Project.h"
 #include "share/BodyShare.h"
 #include "sheet/page/Sheet.h"
+#include "sheet/prepress/Separation.h"
 #include "solver/SolverRegistry.h"
 #include "texture/ReadBack.h"
 
@@ -46,6 +47,7 @@ struct ImmersionResult {
     // Area of the part, in mm², that the project's printer leaves visibly too pale
     // (sheet/prepress/Separation.h). None if the inks are not compensated separately.
     std::optional<double> inkShortfall;
+    std::vector<InkArea> inks; // that the project's printer takes for the sheet; empty: a draft
 };
 
 // How far the colours of a job may land from their places.

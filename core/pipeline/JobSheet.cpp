@@ -52,9 +52,11 @@ QString jobHash(const Project& project, const Immersion& immersion, const Printe
     Project anonymous = project;
     anonymous.process.solver = ProcessSettings().solver;
     anonymous.baseColour.clear(); // this colour is not printed
+    anonymous.profiles = withoutCosts(project.profiles);
+    anonymous.asBuilt.times.clear();
     QJsonObject settings = countedSettings(anonymous);
     for (const char* key : {"model", "immersions", "name", "cradle", "tolerance", "verdict",
-                            "inspection", "pose_search"}) {
+                            "inspection", "pose_search", "order"}) {
         settings.remove(QLatin1String(key));
     }
     if (!project.asBuilt.corrects) {

@@ -1,6 +1,8 @@
 #include "pipeline/JobTraveller.h"
 
+#include "cost/CostText.h"
 #include "dip/TankFit.h"
+#include "pipeline/JobCost.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/PrintedBody.h"
 
@@ -71,11 +73,17 @@ DipMotion jobMotion(const JobResult& result, std::size_t immersion) {
     return motion;
 }
 
-Traveller jobTraveller(const JobResult& result, const Progress& progress) {
+namespace {
+
+// Returns the traveller without its pictures.
+Traveller travellerText(const JobResult& result) {
     const Project& project = result.project;
     Traveller traveller;
     traveller.project = project.name;
     traveller.date = project.date;
+    if (const std::vector<OrderCost> costs = jobCosts(result, project); tellsCost(costs)) {
+        traveller.order = costSentence(costs.back());
+    }
     traveller.film = project.film;
     traveller.profiles = project.profiles;
     traveller.pins =
@@ -83,35 +91,51 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
     if (result.mask) {
         traveller.masked = maskedAreas(*result.mask);
     }
+    for (std::size_t i = 0; i < result.immersions.size(); ++i) {
+        const ImmersionResult& immersion = result.immersions[i];
+        TravellerDip dip;
+        dip.immersion = immersion.immersion;
+        dip.job = immersion.sheet.job.hash;
+        dip.motion = jobMotion(result, i);
+        dip.waterAtEnd = dip.motion.depth.value();
+        if (i < result.cradles.size()) {
+            dip.hasCradle = !result.cradles[i].mesh.triangles.empty();
+            dip.cradleNotes = result.cradles[i].notes;
+        }
+        dip.verdict = verdictLines(result, i);
+        dip.body = boundingBox(immersion.body->mesh);
+        traveller.dips.push_back(std::move(dip));
+    }
+    return traveller;
+}
+
+} // namespace
+
+TankJob jobAtTank(const JobResult& result, const QString& path) {
+    const Traveller traveller = travellerText(result);
+    return {traveller.project, path, travellerJob(traveller), tankTasks(traveller)};
+}
+
+Traveller jobTraveller(const JobResult& result, const Progress& progress) {
+    Traveller traveller = travellerText(result);
     const std::vector<FilmAppearance> dipped = filmAppearances(result.immersions, false);
-    const auto fine = result.fine ? result.fine : fineBody(project.model->mesh);
+    const auto fine = result.fine ? result.fine : fineBody(result.project.model->mesh);
     std::vector<PoseFilm> films;
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         const Cradle* cradle = i < result.cradles.size() ? &result.cradles[i] : nullptr;
         const PoseView view{*immersion.body, *fine, cradle ? &cradle->mesh : nullptr, films,
                             result.mask.get()};
-        TravellerDip dip;
-        dip.immersion = immersion.immersion;
-        dip.job = immersion.sheet.job.hash;
-        dip.motion = jobMotion(result, i);
-        dip.waterAtEnd = dip.motion.depth.value();
+        TravellerDip& dip = traveller.dips[i];
         dip.front = posePicture(view, PoseSide::Front, posePixels, progress.silent());
         dip.right = posePicture(view, PoseSide::Right, posePixels, progress.silent());
-        if (cradle) {
-            dip.hasCradle = !cradle->mesh.triangles.empty();
-            dip.cradleNotes = cradle->notes;
-        }
-        dip.verdict = verdictLines(result, i);
         dip.sheet = reduced(immersion.sheet.image, sheetPixelsAcross);
-        dip.body = boundingBox(immersion.body->mesh);
         films.push_back({dipped[i]});
         if (tablePays(*fine, 3.0 * afterPixels.width() * afterPixels.height())) {
             films.back().places = std::make_shared<const FilmPlaces>(*fine, *dipped[i].laid);
         }
         dip.after = afterDip({*immersion.body, *fine, nullptr, films, result.mask.get()},
                              progress.silent());
-        traveller.dips.push_back(std::move(dip));
     }
     return traveller;
 }

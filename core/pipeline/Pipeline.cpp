@@ -438,16 +438,20 @@ PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs
     return film;
 }
 
-std::optional<double> shortfallOf(const Sheet& sheet,
-                                  const std::optional<PrinterProfile>& printer) {
-    if (!sheet.wanted || !printer || printer->iccProfile.isEmpty()) {
-        return std::nullopt;
+// Fills in where the inks of the project's printer do not suffice and, except in drafts, how much
+// ink the sheet takes.
+void measureInks(ImmersionResult& now, const std::optional<PrinterProfile>& printer, bool isDraft) {
+    std::optional<PrinterColour> colour;
+    PrintCorrection correction;
+    if (printer && !printer->iccProfile.isEmpty()) {
+        colour.emplace(printer->iccProfile, printer->intent, printer->blackPoint, printer->name);
+        correction.colour = &*colour;
+        correction.totalInk = printer->totalInk;
     }
-    const PrinterColour colour(printer->iccProfile, printer->intent, printer->blackPoint,
-                               printer->name);
-    PrintCorrection correction{.colour = &colour};
-    correction.totalInk = printer->totalInk;
-    return colour.isCmyk() ? std::optional(inkShortfall(sheet, correction)) : std::nullopt;
+    now.inkShortfall = now.sheet.wanted && colour && colour->isCmyk()
+                           ? std::optional(inkShortfall(now.sheet, correction))
+                           : std::nullopt;
+    now.inks = isDraft ? std::vector<InkArea>() : inkAreas(now.sheet, correction);
 }
 
 // Does the last part: measurements of the film, its sheet, and the verdict.
@@ -455,13 +459,14 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     Tasks measuring;
     measuring.run([&] { measure(now, run.earlier(number), run); });
     const ImmersionResult* earlier = run.earlierSheet(number, now.inputs.texture);
+    const bool isDraft = run.options.draftPictures.has_value();
     if (!earlier || earlier->inputs != now.inputs) {
         run.user.throwIfCancelled();
         const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);
         run.user.throwIfCancelled();
         now.sheet = jobSheet(run.project, now.immersion, film, run.user);
         run.user.throwIfCancelled();
-        now.inkShortfall = shortfallOf(now.sheet, run.project.profiles.printer);
+        measureInks(now, run.project.profiles.printer, isDraft);
     }
     measuring.wait();
     judge(now, run, comparison);

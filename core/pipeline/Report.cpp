@@ -1,6 +1,8 @@
 #include "pipeline/Report.h"
 
 #include "accuracy/correction/RepeatingError.h"
+#include "cost/CostText.h"
+#include "pipeline/JobCost.h"
 #include "project/Profiles.h"
 
 #include "pipeline/JobTolerances.h"
@@ -8,6 +10,7 @@
 #include "pipeline/JobWarnings.h"
 #include "pipeline/SmallerFilm.h"
 #include "texture/ReverseTexture.h"
+#include "traveller/TankTasks.h"
 
 #include <QJsonArray>
 
@@ -87,8 +90,26 @@ QJsonArray spotsJson(const ImmersionResult& result) {
     return spots;
 }
 
+QJsonArray inksJson(const std::vector<InkArea>& inks) {
+    QJsonArray json;
+    for (const InkArea& ink : inks) {
+        json.append(QJsonObject{{"ink", ink.ink}, {"full_tint_mm2", ink.area}});
+    }
+    return json;
+}
+
+QJsonArray costsJson(const JobResult& result, const Project& project) {
+    QJsonArray json;
+    for (const OrderCost& cost : jobCosts(result, project)) {
+        json.append(costJson(cost));
+    }
+    return json;
+}
+
 QJsonObject inkJson(const ImmersionResult& result) {
-    QJsonObject json{{"shortfall_area", result.texture->shortfallArea}};
+    QJsonObject json{{"shortfall_area", result.texture->shortfallArea},
+                     {"inks", inksJson(result.inks)},
+                     {"inks_estimated", areEstimated(result.inks)}};
     if (result.inkShortfall) {
         json["per_ink_shortfall_area"] = *result.inkShortfall;
     }
@@ -344,7 +365,22 @@ QJsonObject asBuiltJson(const JobResult& result) {
                                 {"repeating_mm", error.repeating()},
                                 {"reach_mm", error.reach()}});
     }
-    return {{"strength", built.strength}, {"dips", dips}};
+    QJsonArray times;
+    for (const TankSummary& step : tankSummaries(built.times)) {
+        times.append(QJsonObject{
+            {"dip", step.dip},
+            {"step", tankStepKeys().at(int(step.step))},
+            {"runs", step.runs},
+            {"planned_s", step.planned ? QJsonValue(step.planned->value()) : QJsonValue()},
+            {"mean_s", step.mean.value()},
+            {"shortest_s", step.shortest.value()},
+            {"longest_s", step.longest.value()}});
+    }
+    QJsonObject json{{"strength", built.strength}, {"dips", dips}};
+    if (!times.isEmpty()) {
+        json.insert(QStringLiteral("times"), times);
+    }
+    return json;
 }
 
 QString warningKey(WarningKind kind) {
@@ -404,6 +440,7 @@ QJsonObject report(const Project& project, const JobResult& result) {
                      {"film_use", filmUseJson(result)},
                      {"immersions", immersions},
                      {"coverage_total", result.coverageTotal},
+                     {"costs", costsJson(result, project)},
                      {"warnings", warningsJson(result)},
                      {"notes", QJsonArray::fromStringList(result.notes)}};
     if (result.share) {
@@ -416,7 +453,7 @@ QJsonObject report(const Project& project, const JobResult& result) {
     if (!project.artwork.isEmpty()) {
         json["artwork"] = toJson(project).value(QLatin1String("artwork"));
     }
-    if (!project.asBuilt.parts.empty()) {
+    if (!project.asBuilt.parts.empty() || !project.asBuilt.times.empty()) {
         json["as_built"] = asBuiltJson(result);
     }
     if (result.tolerances) {

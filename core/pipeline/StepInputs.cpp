@@ -90,16 +90,20 @@ bool isSheetCorrected(const Project& project, const JobOptions& options, std::si
 
 SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::size_t number,
                         const QString& solver) {
-    return {textureInputs(project, options, number, solver),
-            project.name,
-            project.date,
-            project.immersions[number].name,
-            project.sheet,
-            project.baseColour,
-            project.profiles,
-            project.unknown,
-            isSheetCorrected(project, options, number) ? std::optional(project.asBuilt)
-                                                       : std::nullopt};
+    SheetInputs inputs{textureInputs(project, options, number, solver),
+                       project.name,
+                       project.date,
+                       project.immersions[number].name,
+                       project.sheet,
+                       project.baseColour,
+                       withoutCosts(project.profiles),
+                       project.unknown,
+                       isSheetCorrected(project, options, number) ? std::optional(project.asBuilt)
+                                                                  : std::nullopt};
+    if (inputs.correction) {
+        inputs.correction->times.clear();
+    }
+    return inputs;
 }
 
 } // namespace dipwright

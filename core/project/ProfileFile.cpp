@@ -22,6 +22,8 @@ struct Text {
 constexpr int profileVersion = 1;
 constexpr int longestName = 100;
 constexpr int longestIccProfile = 16 << 20; // bytes
+constexpr double mostLaydown = 1000;        // ml/m²
+constexpr double mostPrice = 1e6;
 
 template <typename Owner>
 Field<Owner> nameField() {
@@ -45,32 +47,88 @@ Field<PrinterProfile> iccField() {
             }};
 }
 
+std::vector<Field<InkCosts>> inkCostFields() {
+    using C = InkCosts;
+    return {numbers<C>(
+                "ink_ml_per_m2", 4, 0, mostLaydown,
+                [](auto& c, int ink) -> auto& { return c.laydown[std::size_t(ink)]; }),
+            numbers<C>(
+                "ink_price_per_l", 4, 0, mostPrice,
+                [](auto& c, int ink) -> auto& { return c.price[std::size_t(ink)]; }),
+            numbers<C>(
+                "spot_ml_per_m2", 2, 0, mostLaydown,
+                [](auto& c, int ink) -> auto& { return c.spotLaydown[std::size_t(ink)]; }),
+            numbers<C>(
+                "spot_price_per_l", 2, 0, mostPrice,
+                [](auto& c, int ink) -> auto& { return c.spotPrice[std::size_t(ink)]; })};
+}
+
+std::vector<Field<FilmCosts>> filmCostFields() {
+    using C = FilmCosts;
+    return {numberOrNone<C>(
+                "film_price", 0, mostPrice, [](auto& c) -> auto& { return c.price; }),
+            choice<C>(
+                "film_price_per",
+                {QStringLiteral("m2"), QStringLiteral("roll metre"), QStringLiteral("sheet")},
+                [](auto& c) -> auto& { return c.unit; })};
+}
+
+std::vector<Field<WorkCosts>> workCostFields() {
+    using C = WorkCosts;
+    constexpr double mostMinutes = 10'000;
+    return {numberOrNone<C>(
+                "labour_per_h", 0, mostPrice, [](auto& c) -> auto& { return c.labourRate; }),
+            numberOrNone<C>(
+                "setup_min", 0, mostMinutes, [](auto& c) -> auto& { return c.setUp; }),
+            numberOrNone<C>(
+                "handling_min", 0, mostMinutes, [](auto& c) -> auto& { return c.handling; }),
+            number<C>(
+                "parts_per_rack", 1, 1000, [](auto& c) -> auto& { return c.partsPerRack; }),
+            number<C>(
+                "scrap", 0, 0.9, [](auto& c) -> auto& { return c.scrap; }),
+            text<C>(
+                "currency", 10, [](auto& c) -> auto& { return c.currency; })};
+}
+
+// Adds the fields of a profile's costs. A file omits those that are not given.
+template <typename P, typename C>
+void addCosts(std::vector<Field<P>>& fields, const std::vector<Field<C>>& costs) {
+    for (const Field<C>& field : costs) {
+        fields.push_back(omittedIfDefault(fieldOf<P>(
+            QStringLiteral("cost."), field, [](auto& p) -> auto& { return p.costs; })));
+    }
+}
+
 const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
     using P = PrinterProfile;
-    static const std::vector<Field<P>> fields{
-        nameField<P>(),
-        text<P>(
-            "queue", 255, [](auto& p) -> auto& { return p.queue; }),
-        numbers<P>(
-            "scale", 2, 0.9, 1.1,
-            [](auto& p, int part) -> auto& { return part == 0 ? p.scaleX : p.scaleY; }),
-        numbers<P>(
-            "margins_mm", 4, 0, 100,
-            [](auto& p, int part) -> auto& { return p.margins[std::size_t(part)]; }),
-        iccField(),
-        choice<P>(
-            "intent",
-            {QStringLiteral("perceptual"), QStringLiteral("relative"), QStringLiteral("saturation"),
-             QStringLiteral("absolute")},
-            [](auto& p) -> auto& { return p.intent; }),
-        flag<P>(
-            "black_point_compensation", [](auto& p) -> auto& { return p.blackPoint; }),
-        number<P>(
-            "ink_limit", 0.1, 10, [](auto& p) -> auto& { return p.inkLimit; }),
-        number<P>(
-            "dpi", 30, 2400, [](auto& p) -> auto& { return p.resolution; }),
-        omittedIfDefault(numberOrNone<P>(
-            "total_ink", 1, 4, [](auto& p) -> auto& { return p.totalInk; }))};
+    static const std::vector<Field<P>> fields = [] {
+        std::vector<Field<P>> all{
+            nameField<P>(),
+            text<P>(
+                "queue", 255, [](auto& p) -> auto& { return p.queue; }),
+            numbers<P>(
+                "scale", 2, 0.9, 1.1,
+                [](auto& p, int part) -> auto& { return part == 0 ? p.scaleX : p.scaleY; }),
+            numbers<P>(
+                "margins_mm", 4, 0, 100,
+                [](auto& p, int part) -> auto& { return p.margins[std::size_t(part)]; }),
+            iccField(),
+            choice<P>(
+                "intent",
+                {QStringLiteral("perceptual"), QStringLiteral("relative"),
+                 QStringLiteral("saturation"), QStringLiteral("absolute")},
+                [](auto& p) -> auto& { return p.intent; }),
+            flag<P>(
+                "black_point_compensation", [](auto& p) -> auto& { return p.blackPoint; }),
+            number<P>(
+                "ink_limit", 0.1, 10, [](auto& p) -> auto& { return p.inkLimit; }),
+            number<P>(
+                "dpi", 30, 2400, [](auto& p) -> auto& { return p.resolution; }),
+            omittedIfDefault(numberOrNone<P>(
+                "total_ink", 1, 4, [](auto& p) -> auto& { return p.totalInk; }))};
+        addCosts(all, inkCostFields());
+        return all;
+    }();
     return fields;
 }
 
@@ -169,6 +227,7 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
                 "expiry", [](auto& p) -> auto& { return p.expiry; })};
         addMaterial(all);
         addMeasurement(all);
+        addCosts(all, filmCostFields());
         return all;
     }();
     return fields;
@@ -203,6 +262,7 @@ const std::vector<Field<TankProfile>>& fieldsOf(const TankProfile*) {
         add("barriers.right", &FilmEdges::rightPinned);
         add("barriers.top", &FilmEdges::topPinned);
         add("barriers.bottom", &FilmEdges::bottomPinned);
+        addCosts(all, workCostFields());
         return all;
     }();
     return fields;

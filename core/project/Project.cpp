@@ -27,6 +27,7 @@ constexpr const char* zoneMarksPath = "tolerance.marks";
 constexpr const char* masksPath = "masks";
 constexpr const char* builtPartsPath = "as_built.parts";
 constexpr const char* builtPlacesPath = "as_built.places";
+constexpr const char* tankTimesPath = "as_built.times";
 constexpr const char* photosPath = "inspection.photos";
 constexpr const char* pairsPath = "inspection.pairs";
 constexpr const char* floatingPath = "inspection.film.photos";
@@ -178,8 +179,9 @@ QJsonObject unknownPart(const QJsonObject& json) {
     for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {
         removeAt(unknown, QLatin1String(path));
     }
-    for (const char* path : {shareMarksPath, zoneMarksPath, masksPath, builtPartsPath,
-                             builtPlacesPath, photosPath, pairsPath, floatingPath, artworkPath}) {
+    for (const char* path :
+         {shareMarksPath, zoneMarksPath, masksPath, builtPartsPath, builtPlacesPath, tankTimesPath,
+          photosPath, pairsPath, floatingPath, artworkPath}) {
         removeAt(unknown, QString::fromLatin1(path));
     }
     QJsonArray immersions;
@@ -247,7 +249,7 @@ QStringList siblingPaths(const QString& path) {
     const QString hint = siblings.isEmpty()
                              ? Text::tr("the sections are artwork, film, process, body, "
                                         "immersions[0], sheet, ink, share, cradle, tolerance, "
-                                        "pose_search, as_built and inspection")
+                                        "pose_search, as_built, inspection and order")
                              : Text::tr("the settings in this section are %1")
                                    .arg(siblings.join(QStringLiteral(", ")));
     throw Error(Text::tr("There is no such setting; %1").arg(hint), path);
@@ -403,6 +405,10 @@ QJsonObject toJson(const Project& project) {
              writeList(project.asBuilt.parts, builtPartFields(), {}));
     insertAt(json, QString::fromLatin1(builtPlacesPath),
              writeList(project.asBuilt.places, builtPlaceFields(), {}));
+    if (!project.asBuilt.times.empty()) { // so that other files stay as in earlier versions
+        insertAt(json, QString::fromLatin1(tankTimesPath),
+                 writeList(project.asBuilt.times, tankTimeFields(), {}));
+    }
     insertAt(json, QString::fromLatin1(photosPath),
              writeList(project.inspection.photos, inspectedPhotoFields(), {}));
     insertAt(json, QString::fromLatin1(pairsPath),
@@ -439,6 +445,8 @@ Project fromJson(const QJsonObject& json, const QString& where) {
         readEntries(current, builtPartFields(), builtPartsPath, mostBuiltParts, where);
     project.asBuilt.places =
         readEntries(current, builtPlaceFields(), builtPlacesPath, mostBuiltPlaces, where);
+    project.asBuilt.times =
+        readEntries(current, tankTimeFields(), tankTimesPath, mostTankTimes, where);
     project.inspection.photos =
         readEntries(current, inspectedPhotoFields(), photosPath, mostInspectedPhotos, where);
     project.inspection.pairs =

@@ -41,6 +41,7 @@ struct ModelOrigin {
 };
 
 inline constexpr int longestProjectName = 200;
+inline constexpr int mostPartsToMake = 100'000;
 
 struct Project {
     QString name;
@@ -67,6 +68,7 @@ struct Project {
     AsBuilt asBuilt;
     InspectedPart inspection;
     FilmOnWater filmOnWater;
+    int partsToMake = 1;      // how many parts are ordered; only the cost depends on it
     ProjectProfiles profiles; // contents of the profiles in use
     QJsonObject unknown;      // keys that this version does not know; kept on saving
     std::map<QString, QByteArray> unknownEntries; // the file's other entries by name; also kept

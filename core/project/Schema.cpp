@@ -389,6 +389,11 @@ void addAsBuiltFields(std::vector<Field<Project>>& fields) {
         "as_built.strength", 0, 1, [](auto& p) -> auto& { return p.asBuilt.strength; }));
 }
 
+void addOrderFields(std::vector<Field<Project>>& fields) {
+    fields.push_back(omittedIfDefault(notHashedIfDefault(number(
+        "order.parts", 1, mostPartsToMake, [](auto& p) -> auto& { return p.partsToMake; }))));
+}
+
 void addInspectionFields(std::vector<Field<Project>>& fields) {
     fields.push_back(flag(
         "inspection.chessboard", [](auto& p) -> auto& { return p.inspection.chessboard; }));
@@ -447,6 +452,7 @@ const std::vector<Field<Project>>& projectFields() {
         addAsBuiltFields(all);
         addInspectionFields(all);
         addFilmOnWaterFields(all);
+        addOrderFields(all);
         return all;
     }();
     return fields;
@@ -700,6 +706,25 @@ const std::vector<Field<BuiltPlace>>& builtPlaceFields() {
             "model_mm", 3, -1e5, 1e5, [](auto& p, int part) -> auto& { return p.model[part]; }),
         numbers<BuiltPlace>(
             "off_mm", 2, -100, 100, [](auto& p, int part) -> auto& { return p.off[part]; })};
+    return fields;
+}
+
+const std::vector<Field<TankTime>>& tankTimeFields() {
+    using T = TankTime;
+    constexpr double longest = 604'800; // s, a week
+    static const std::vector<Field<T>> fields{
+        number<T>(
+            "run", 1, 1e6, [](auto& t) -> auto& { return t.run; }),
+        number<T>(
+            "dip", 1, 2, [](auto& t) -> auto& { return t.dip; }),
+        choice<T>(
+            "step", tankStepKeys(), [](auto& t) -> auto& { return t.step; }),
+        text<T>(
+            "began", 40, [](auto& t) -> auto& { return t.began; }),
+        numberOrNone<T>(
+            "planned_s", 0, longest, [](auto& t) -> auto& { return t.planned; }),
+        number<T>(
+            "took_s", 0, longest, [](auto& t) -> auto& { return t.took; })};
     return fields;
 }
 

@@ -20,6 +20,7 @@ const std::vector<Field<ShareMark>>& shareMarkFields();
 const std::vector<Field<ZoneMark>>& zoneMarkFields();
 const std::vector<Field<MaskMark>>& maskMarkFields();
 const std::vector<Field<BuiltPart>>& builtPartFields();
+const std::vector<Field<TankTime>>& tankTimeFields();
 const std::vector<Field<BuiltPlace>>& builtPlaceFields();
 const std::vector<Field<InspectedPhoto>>& inspectedPhotoFields();
 const std::vector<Field<ClickedPair>>& clickedPairFields();

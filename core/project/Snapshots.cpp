@@ -193,6 +193,7 @@ Snapshot snapshotOf(const Project& project, const QString& name, const QString& 
     Project settings = project;
     settings.asBuilt.parts.clear();
     settings.asBuilt.places.clear();
+    settings.asBuilt.times.clear();
     settings.inspection = {};
     settings.filmOnWater = {};
     QJsonObject state = toJson(settings);
@@ -213,6 +214,7 @@ Project atSnapshot(const Project& project, const Snapshot& snapshot) {
     }
     then.asBuilt.parts = project.asBuilt.parts;
     then.asBuilt.places = project.asBuilt.places;
+    then.asBuilt.times = project.asBuilt.times;
     then.inspection = project.inspection;
     then.filmOnWater = project.filmOnWater;
     then.unknown = project.unknown;

@@ -1,10 +1,13 @@
-// Measurements of the parts of a job that were dipped so far, as in the project file's "as_built".
+// Parts of a job that were dipped so far, as in the project file's "as_built": measurements from
+// photos, and times at the tank.
 #pragma once
 
 #include "base/Units.h"
 
 #include <QString>
+#include <QStringList>
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace dipwright {
@@ -29,6 +32,28 @@ struct BuiltPlace {
     bool operator==(const BuiltPlace&) const = default;
 };
 
+// The steps of one dip at the tank, in the order of the traveller.
+enum class TankStep { Tape, Lay, Soak, Activator, Dip, Hold, Flash, Dry, RemoveTape, Compare };
+// Returns the steps' words in files, in the same order.
+inline QStringList tankStepKeys() {
+    return {QStringLiteral("tape"),      QStringLiteral("lay"), QStringLiteral("soak"),
+            QStringLiteral("activator"), QStringLiteral("dip"), QStringLiteral("hold"),
+            QStringLiteral("flash"),     QStringLiteral("dry"), QStringLiteral("remove_tape"),
+            QStringLiteral("compare")};
+}
+
+// How long a step at the tank took.
+struct TankTime {
+    int run = 1; // a run goes once through all steps of all dips; counted from 1
+    int dip = 1; // index in the project's immersions, from 1
+    TankStep step = TankStep::Lay;
+    QString began;                  // ISO date and time, of the local clock
+    std::optional<Seconds> planned; // none: no time is given
+    Seconds took{0};                // without pauses
+    bool operator==(const TankTime&) const = default;
+};
+
+inline constexpr std::size_t mostTankTimes = 5000;
 inline constexpr std::size_t mostBuiltParts = 50;
 inline constexpr std::size_t mostBuiltPlaces = 5000;
 
@@ -38,7 +63,12 @@ struct AsBuilt {
     double strength = 1; // share of the correction that is applied
     std::vector<BuiltPart> parts;
     std::vector<BuiltPlace> places;
+    std::vector<TankTime> times; // no sheet depends on them
     bool operator==(const AsBuilt&) const = default;
 };
+
+// Returns `built` with the times of one more run, which get its number. The times of the oldest
+// runs are dropped beyond the limit.
+AsBuilt withTankRun(AsBuilt built, std::vector<TankTime> times);
 
 } // namespace dipwright

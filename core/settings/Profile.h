@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/Units.h"
+#include "settings/Costs.h"
 #include "settings/FilmSettings.h"
 #include "settings/InkSettings.h"
 #include "settings/RenderingIntent.h"
@@ -32,6 +33,7 @@ struct PrinterProfile {
     // Limit of total area coverage: the largest sum of the four inks at one place, with full ink of
     // one plate as 1. Only for a CMYK profile. None: the inks stay as the profile gives them.
     std::optional<double> totalInk;
+    InkCosts costs;
     bool operator==(const PrinterProfile&) const = default;
 };
 
@@ -68,6 +70,7 @@ struct FilmProfile : FilmBehaviour {
     QString lot;
     QString expiry; // ISO date, or empty
     FilmMeasurement measured;
+    FilmCosts costs;
     bool operator==(const FilmProfile&) const = default;
 };
 
@@ -84,6 +87,7 @@ struct TankProfile {
     // Distances between the tank's marks along X and Z, for the person who lays the film. Nothing
     // is computed from them. 0: no marks.
     std::array<Millimetres, 2> markDistance{};
+    WorkCosts costs;
     bool operator==(const TankProfile&) const = default;
 };
 
@@ -97,5 +101,19 @@ struct ProjectProfiles {
     std::optional<TankProfile> tank;
     bool operator==(const ProjectProfiles&) const = default;
 };
+
+// Returns the profiles without prices and times of work, on which no sheet depends.
+inline ProjectProfiles withoutCosts(ProjectProfiles profiles) {
+    if (profiles.printer) {
+        profiles.printer->costs = {};
+    }
+    if (profiles.film) {
+        profiles.film->costs = {};
+    }
+    if (profiles.tank) {
+        profiles.tank->costs = {};
+    }
+    return profiles;
+}
 
 } // namespace dipwright

@@ -5,6 +5,7 @@
 #include "sheet/page/Sheet.h"
 #include "sheet/pdf/PdfDocument.h"
 #include "traveller/PageInk.h"
+#include "traveller/TankTasks.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -80,6 +81,9 @@ double paintHead(QPainter& painter, const Traveller& traveller, std::size_t numb
     }
     y = ink.text({margin, y + 1, width, 0}, wordHeight,
                  Text::tr("Order of the dips: %1").arg(order.join(QStringLiteral(" → "))));
+    if (!traveller.order.isEmpty()) {
+        y = ink.text({margin, y + 0.5, width, 0}, wordHeight, traveller.order);
+    }
     const QRectF place(page.width() - margin - code, margin - 4, code, code);
     paintQrCode(painter, place, travellerJob(traveller));
     const double under = ink.text({place.x() - 10, place.bottom() - 1, code + 10, 0}, wordHeight,
@@ -278,7 +282,8 @@ QString pathStep(const TravellerDip& dip, std::size_t number) {
         .arg(keys.join(QStringLiteral(" · ")));
 }
 
-QStringList stepsOf(const Traveller& traveller, std::size_t number) {
+// Returns the steps of one dip; `number` counts from 0.
+std::vector<TankTask> stepsOf(const Traveller& traveller, std::size_t number) {
     const TravellerDip& dip = traveller.dips[number];
     const DipMotion& motion = dip.motion;
     QString lay = Text::tr("Lay sheet %1 on the water, ink side up.").arg(dip.job);
@@ -286,48 +291,59 @@ QStringList stepsOf(const Traveller& traveller, std::size_t number) {
         lay += u' ' + Text::tr("The arrow on the cradle's plate must point to the upper edge of "
                                "the sheet.");
     }
-    QStringList steps;
+    std::vector<TankTask> tasks;
+    const auto add = [&](TankStep step, const QString& text,
+                         const std::optional<Seconds>& time = {}) {
+        tasks.push_back({int(number) + 1, step, tankStepTitle(step), text, time});
+    };
+    // `text` has a place for the time.
+    const auto addTimed = [&](TankStep step, const QString& text,
+                              const std::optional<Seconds>& time) {
+        add(step, text.arg(secondsText(time)), time);
+    };
     const bool isMasked = traveller.masked.count > 0, isLast = number + 1 == traveller.dips.size();
     if (isMasked) {
-        const QString area = plain(traveller.masked.area, 0);
-        steps << (number == 0
-                      ? Text::tr("Cover the masked surface of the part with tape (pink in "
-                                 "the pictures). Number of areas: %1; in total %2 mm².")
-                            .arg(traveller.masked.count)
-                            .arg(area)
-                      : Text::tr("Check that the tape still covers the masked surface (pink "
-                                 "in the pictures)."));
+        add(TankStep::Tape,
+            number == 0 ? Text::tr("Cover the masked surface of the part with tape (pink in "
+                                   "the pictures). Number of areas: %1; in total %2 mm².")
+                              .arg(traveller.masked.count)
+                              .arg(plain(traveller.masked.area, 0))
+                        : Text::tr("Check that the tape still covers the masked surface (pink "
+                                   "in the pictures)."));
     }
-    steps += QStringList{
-        lay,
-        Text::tr("Soak the film: %1").arg(secondsText(ofFilm(traveller, &FilmProfile::soakTime))),
-        Text::tr("Spray the activator, then wait: %1")
-            .arg(secondsText(ofFilm(traveller, &FilmProfile::activatorTime))),
+    add(TankStep::Lay, lay);
+    addTimed(TankStep::Soak, Text::tr("Soak the film: %1"),
+             ofFilm(traveller, &FilmProfile::soakTime));
+    addTimed(TankStep::Activator, Text::tr("Spray the activator, then wait: %1"),
+             ofFilm(traveller, &FilmProfile::activatorTime));
+    add(TankStep::Dip,
         motion.path.empty()
             ? Text::tr("Dip the part: lower its lowest point from %1 mm above the water to %2 mm "
                        "below it, at %3 mm/s, in %4 s")
                   .arg(plain(motion.start.value()), plain(motion.depth.value()),
                        plain(motion.speed.value(), 2), plain(motion.dipTime().value()))
             : pathStep(dip, number),
+        motion.dipTime());
+    add(TankStep::Hold,
         Text::tr("Hold the part under water for %1 s. Clear the remaining film from the water "
                  "around it. Then lift the part out at %2 mm/s.")
             .arg(plain(motion.hold.value()), plain(motion.speed.value(), 2)),
-        Text::tr("Let the part flash off before rinsing: %1")
-            .arg(secondsText(ofFilm(traveller, &FilmProfile::flashTime))),
-        Text::tr("Rinse the part, then let it dry: %1")
-            .arg(secondsText(ofFilm(traveller, &FilmProfile::dryingTime)))};
+        motion.hold);
+    addTimed(TankStep::Flash, Text::tr("Let the part flash off before rinsing: %1"),
+             ofFilm(traveller, &FilmProfile::flashTime));
+    addTimed(TankStep::Dry, Text::tr("Rinse the part, then let it dry: %1"),
+             ofFilm(traveller, &FilmProfile::dryingTime));
     if (isMasked && isLast) {
-        steps << Text::tr("Remove the tape from the masked surface.");
+        add(TankStep::RemoveTape, Text::tr("Remove the tape from the masked surface."));
     }
-    if (!isLast) {
-        steps << Text::tr("Before dip %1, compare the part with the picture below: the colours are "
-                          "in place, nothing is torn or folded, and the part is dry where it will "
-                          "be held.")
-                     .arg(number + 2);
-    } else {
-        steps << Text::tr("Compare the part with the picture below.");
-    }
-    return steps;
+    add(TankStep::Compare,
+        !isLast
+            ? Text::tr("Before dip %1, compare the part with the picture below: the colours are "
+                       "in place, nothing is torn or folded, and the part is dry where it will "
+                       "be held.")
+                  .arg(number + 2)
+            : Text::tr("Compare the part with the picture below."));
+    return tasks;
 }
 
 double paintFilmAndSteps(QPainter& painter, const Traveller& traveller, std::size_t number,
@@ -339,8 +355,8 @@ double paintFilmAndSteps(QPainter& painter, const Traveller& traveller, std::siz
         ink.text({margin, top + high - 3, column, 0}, wordHeight, filmText(traveller));
     double y = ink.text({secondColumn, top, column, 0}, headHeight, Text::tr("At the tank"));
     y = ink.text({secondColumn, y + 1, column, 0}, wordHeight, materialText(traveller)) + 1.5;
-    for (const QString& step : stepsOf(traveller, number)) {
-        y = ink.tick({secondColumn, y + 1.2}, column, wordHeight, step);
+    for (const TankTask& task : stepsOf(traveller, number)) {
+        y = ink.tick({secondColumn, y + 1.2}, column, wordHeight, task.text);
     }
     return std::max(left, y) + 3;
 }
@@ -371,6 +387,20 @@ void paintPage(QPainter& painter, const Traveller& traveller, std::size_t number
 }
 
 } // namespace
+
+std::vector<TankTask> tankTasks(const Traveller& traveller) {
+    std::vector<TankTask> tasks;
+    for (std::size_t number = 0; number < traveller.dips.size(); ++number) {
+        for (TankTask& task : stepsOf(traveller, number)) {
+            if (task.step == TankStep::Compare) { // the picture is on the page only
+                task.text = Text::tr("Compare the part with the picture on the traveller: the "
+                                     "colours are in place, and nothing is torn or folded.");
+            }
+            tasks.push_back(std::move(task));
+        }
+    }
+    return tasks;
+}
 
 QString combinedJobNumber(const QStringList& jobs) {
     if (jobs.size() == 1) {

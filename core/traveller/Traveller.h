@@ -31,6 +31,7 @@ struct TravellerDip {
 
 struct Traveller {
     QString project, date;
+    QString order; // a sentence about the number of parts, cost and time; may be empty
     FilmSettings film;
     ProjectProfiles profiles;
     DatumPins pins;

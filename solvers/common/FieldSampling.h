@@ -47,7 +47,7 @@ struct CellPlace {
 };
 
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE CellPlace<Real> cellPlace(Real coordinate, int size) {
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP CellPlace<Real> cellPlace(Real coordinate, int size) {
     const Real last = Real(size - 1);
     const Real clamped = coordinate > Real(0) ? (coordinate < last ? coordinate : last) : Real(0);
     int cell = int(clamped);
@@ -66,8 +66,8 @@ DIPWRIGHT_HOST_DEVICE Real mix(Real a, Real b, Real t) {
 // the nearest point of the grid plus the distance to that point. A NaN position gives a NaN
 // distance.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE FieldSample<Real> sampleField(const FieldGrid<Real>& field,
-                                                    Vector3<Real> position) {
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP FieldSample<Real> sampleField(const FieldGrid<Real>& field,
+                                                                      Vector3<Real> position) {
     using detail::mix;
     const Vector3<Real> grid = (position - field.origin) * field.inverseSpacing;
     const auto x = detail::cellPlace(grid.x, field.nx);

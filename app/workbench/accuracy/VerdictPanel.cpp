@@ -112,6 +112,7 @@ VerdictPanel::VerdictPanel(QWidget* parent)
     connect(text_, &HtmlView::anchorClicked, this, &VerdictPanel::choosePlace);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
+    layout->setSizeConstraint(QLayout::SetNoConstraint);
     layout->addWidget(text_);
     layout->addWidget(map_, 1);
 }
@@ -137,6 +138,12 @@ void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, 
         map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     }
     fitText();
+}
+
+// The height of the text follows that of the panel, not the other way round.
+QSize VerdictPanel::minimumSizeHint() const {
+    constexpr int leastText = 80; // pixels
+    return {QWidget::minimumSizeHint().width(), map_->minimumSizeHint().height() + leastText};
 }
 
 void VerdictPanel::resizeEvent(QResizeEvent* event) {

@@ -23,12 +23,14 @@ public:
     // Shows the result of dip number `immersion`. Shows nothing if it has none.
     void setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit);
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
+    QSize minimumSizeHint() const override;
 
 signals:
     void placeChosen(Eigen::Vector2f rest); // a place on the floating film, mm
     void fieldChosen(const QString& path);  // the project's field that sets a reason's limit
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void choosePlace(const QUrl& link);

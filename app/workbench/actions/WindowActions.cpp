@@ -95,6 +95,11 @@ std::vector<WindowActions::Entry> WindowActions::fileEntries() {
          key("Ctrl+Shift+H")},
         {&A::jobQueue, "jobQueue", "", tr("&Job queue…"),
          tr("Run several projects one after the other while you keep working"), key("Ctrl+J")},
+        {&A::tank, "tank", "", tr("At the tan&k…"),
+         tr("Show the steps at the tank in large letters, count their times down and store how "
+            "long "
+            "they took"),
+         key("Ctrl+Shift+K")},
         {&A::packJobs, "packJobs", "", tr("Several jobs on one &film…"),
          tr("Place the sheets of several projects, and copies of them, side by side on a film or "
             "roll")},
@@ -362,7 +367,7 @@ void WindowActions::enable(const WindowState& state) {
     }
     // What is exported is what is on show.
     for (QAction* action :
-         {exportResults, exportPdf, exportPng, exportCradles, cradle, makeOutputs}) {
+         {exportResults, exportPdf, exportPng, exportCradles, cradle, makeOutputs, tank}) {
         action->setEnabled(state.hasSheet && !state.isDraft);
     }
     play->setEnabled(state.isRecorded);

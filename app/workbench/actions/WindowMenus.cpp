@@ -46,8 +46,8 @@ void WindowMenus::makeFileMenu(QMenu& menu, const WindowActions& a) {
     recent_ = menu.addMenu(tr("Open &recent"));
     menu.addSeparator();
     addGroups(menu, {{a.save, a.saveAs, a.snapshots},
-                     {a.print, a.printHistory, a.calibrate, a.jobQueue, a.packJobs, a.exportResults,
-                      a.exportPdf, a.exportPng, a.exportCradles, a.makeOutputs},
+                     {a.print, a.printHistory, a.calibrate, a.jobQueue, a.tank, a.packJobs,
+                      a.exportResults, a.exportPdf, a.exportPng, a.exportCradles, a.makeOutputs},
                      {a.close, a.quit}});
 }
 

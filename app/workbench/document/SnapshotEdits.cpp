@@ -2,6 +2,7 @@
 
 #include "dip/LaidFilm.h"
 #include "film/DippedFilm.h"
+#include "texture/ReverseTexture.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -26,15 +27,39 @@ QJsonObject snapshotMeasures(const Document& document) {
         return {};
     }
     const JobResult& result = *document.result();
-    double stretch = 0, uncertain = 0;
+    double stretch = 0, largest = 0, uncertain = 0, wrinkled = 0, air = 0, marked = 0, pale = 0;
+    double error = 0, ink = 0;
     for (const ImmersionResult& immersion : result.immersions) {
-        const Distribution stretches = distribution(immersion.laid->painted().constraints);
+        const PaintedStretch& painted = immersion.laid->painted();
+        const Distribution stretches = distribution(painted.constraints);
         stretch = std::max(stretch, stretches.percentile95);
+        largest = std::max(largest, stretches.maximum);
+        wrinkled = std::max(wrinkled, painted.wrinkling.share);
         uncertain += immersion.verdict.areaToCheck;
+        air += immersion.coverage->trappedAir.area;
+        marked += immersion.coverage->marked.any;
+        pale += immersion.inkShortfall.value_or(immersion.texture->shortfallArea);
+        if (immersion.numericalError) {
+            error = std::max(error, immersion.numericalError->offBy.percentile95);
+        }
+        for (const InkArea& plate : immersion.inks) {
+            ink += plate.area;
+        }
     }
-    return {{QStringLiteral("painted"), result.coverageTotal},
-            {QStringLiteral("stretch"), stretch},
-            {QStringLiteral("uncertain_mm2"), uncertain}};
+    QJsonObject measures{{"painted", result.coverageTotal},
+                         {"stretch", stretch},
+                         {"largest_stretch", largest},
+                         {"uncertain_mm2", uncertain},
+                         {"error_mm", error},
+                         {"wrinkled", wrinkled},
+                         {"air_mm2", air},
+                         {"marked_mm2", marked},
+                         {"pale_mm2", pale},
+                         {"ink_mm2", ink}};
+    if (result.share) {
+        measures.insert(QStringLiteral("seam_mm"), result.share->cost.length);
+    }
+    return measures;
 }
 
 void takeSnapshot(Document& document, const QString& name) {

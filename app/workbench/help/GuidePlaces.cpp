@@ -70,6 +70,7 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("inspection/3"), {Printing, Text::tr("Measuring a film")}},
         {QStringLiteral("snapshots"), {Projects, Text::tr("File ▸ Snapshots")}},
         {QStringLiteral("jobQueue"), {Projects, Text::tr("File ▸ Job queue")}},
+        {QStringLiteral("tankPage"), {Printing, Text::tr("At the tank")}},
         {QStringLiteral("logDock"), {Wrong, Text::tr("log")}},
     };
     for (const QString& dip :

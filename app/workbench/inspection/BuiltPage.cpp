@@ -1,6 +1,8 @@
 #include "workbench/inspection/BuiltPage.h"
 
 #include "accuracy/correction/SheetCorrection.h"
+#include "cost/CostText.h"
+#include "traveller/TankTasks.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
 
@@ -26,9 +28,10 @@ constexpr int rows = 4;             // parts visible without scrolling
 } // namespace
 
 BuiltPage::BuiltPage(QWidget* parent)
-    : QWidget(parent), parts_(new QTableWidget(0, 4)), acceptedBy_(new QLineEdit),
-      corrects_(new QCheckBox(tr("&Correct the next sheets"))), strength_(new NumberBox),
-      dip_(new QComboBox), hint_(new QLabel), words_(new QLabel), legend_(new QLabel),
+    : QWidget(parent), parts_(new QTableWidget(0, 4)), times_(new QTableWidget(0, 4)),
+      acceptedBy_(new QLineEdit), corrects_(new QCheckBox(tr("&Correct the next sheets"))),
+      strength_(new NumberBox), dip_(new QComboBox), hint_(new QLabel), words_(new QLabel),
+      legend_(new QLabel),
       picture_(new PicturePanel(tr("Repeating error and correction"),
                                 tr("The repeating error of the parts is shown here."))) {
     parts_->setObjectName(QStringLiteral("builtParts"));
@@ -43,6 +46,19 @@ BuiltPage::BuiltPage(QWidget* parent)
     parts_->setSelectionMode(QAbstractItemView::NoSelection);
     parts_->setFixedHeight(parts_->horizontalHeader()->sizeHint().height() +
                            rows * parts_->verticalHeader()->defaultSectionSize() + 6);
+    times_->setObjectName(QStringLiteral("tankTimes"));
+    times_->setAccessibleName(tr("Times at the tank"));
+    times_->setHorizontalHeaderLabels({tr("At the tank"), tr("Runs"), tr("Planned"), tr("Took")});
+    times_->horizontalHeaderItem(3)->setToolTip(
+        tr("Mean of all runs, and the shortest and longest run"));
+    times_->verticalHeader()->hide();
+    times_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    times_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+    times_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    times_->setSelectionMode(QAbstractItemView::NoSelection);
+    times_->setMinimumHeight(parts_->horizontalHeader()->sizeHint().height() +
+                             2 * parts_->verticalHeader()->defaultSectionSize());
+    times_->setMaximumHeight(parts_->height());
     hint_->setObjectName(QStringLiteral("builtHint"));
     hint_->setWordWrap(true);
     words_->setObjectName(QStringLiteral("builtWords"));
@@ -52,6 +68,7 @@ BuiltPage::BuiltPage(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(parts_);
+    layout->addWidget(times_);
     layout->addWidget(hint_);
     layout->addWidget(makeKeepBar());
     layout->addWidget(words_);
@@ -118,6 +135,7 @@ void BuiltPage::setBuilt(const AsBuilt& built, Millimetres width, Millimetres he
     const QSignalBlocker quiet(strength_);
     strength_->setValue(100 * built.strength);
     showParts();
+    showTimes();
     showPicture();
     enable();
 }
@@ -152,6 +170,25 @@ void BuiltPage::showParts() {
             parts_->setItem(row, column, new QTableWidgetItem(texts[column]));
         }
         parts_->item(row, 2)->setToolTip(hashes.join(u'\n'));
+    }
+}
+
+void BuiltPage::showTimes() {
+    const std::vector<TankSummary> steps = tankSummaries(built_.times);
+    times_->setVisible(!steps.empty());
+    parts_->setVisible(steps.empty() || !built_.parts.empty());
+    times_->setRowCount(int(steps.size()));
+    for (int row = 0; row < times_->rowCount(); ++row) {
+        const TankSummary& step = steps[std::size_t(row)];
+        const QStringList texts{tr("Dip %1: %2").arg(step.dip).arg(tankStepTitle(step.step)),
+                                QLocale().toString(step.runs),
+                                step.planned ? durationText(*step.planned) : QString(),
+                                tr("%1 (%2 to %3)")
+                                    .arg(durationText(step.mean), durationText(step.shortest),
+                                         durationText(step.longest))};
+        for (int column = 0; column < texts.size(); ++column) {
+            times_->setItem(row, column, new QTableWidgetItem(texts[column]));
+        }
     }
 }
 

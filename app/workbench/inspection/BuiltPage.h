@@ -43,6 +43,7 @@ private:
     QWidget* makeKeepBar();
     QWidget* makeCorrectionBar();
     void showParts();
+    void showTimes();
     void showPicture();
     void enable();
 
@@ -50,7 +51,7 @@ private:
     Millimetres width_{210}, height_{297};
     std::shared_ptr<const std::vector<RepeatingError>> errors_;
     bool keepable_ = false, busy_ = false;
-    QTableWidget* parts_;
+    QTableWidget *parts_, *times_;
     QLineEdit* acceptedBy_;
     QPushButton* keep_;
     QCheckBox* corrects_;

@@ -1,5 +1,6 @@
 #include "workbench/main/DipController.h"
 
+#include "pipeline/JobCost.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
 #include "workbench/actions/WindowActions.h"
@@ -54,6 +55,7 @@ void DipController::showDocument() {
     live_.setDocument(document);
     if (document) {
         connect(document, &Document::projectChanged, this, &DipController::showFreshness);
+        connect(document, &Document::projectChanged, this, &DipController::showCosts);
         showResults();
     }
     keeper_.showDocument();
@@ -134,7 +136,19 @@ void DipController::takeResult() {
 
 void DipController::showResults() {
     results_.setOutcome(session_.shown(), session_.immersion());
+    showCosts();
     showFreshness();
+}
+
+// Prices and the number of parts may be newer than the result.
+void DipController::showCosts() {
+    const DipOutcome& shown = session_.shown();
+    const bool hasCosts = session_.document() && shown.result && !shown.fineness.isDraft();
+    results_.report().setCosts(hasCosts ? jobCosts(*shown.result, session_.document()->project())
+                                        : std::vector<OrderCost>());
+    results_.report().setTankTimes(session_.document()
+                                       ? session_.document()->project().asBuilt.times
+                                       : std::vector<TankTime>());
 }
 
 void DipController::showFreshness() {

@@ -44,6 +44,7 @@ private:
     void takeResult();
     void showResults();
     void showFreshness();
+    void showCosts();
     void showBanner(const QString& text);
     QString draftText(const DipOutcome& draft) const;
 

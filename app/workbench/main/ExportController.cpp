@@ -1,7 +1,9 @@
 #include "workbench/main/ExportController.h"
 
 #include "base/Png.h"
+#include "cost/CostText.h"
 #include "disk/AtomicFile.h"
+#include "pipeline/JobCost.h"
 #include "pipeline/WriteResults.h"
 #include "results/Results.h"
 #include "sheet/prepress/SheetFiles.h"
@@ -42,11 +44,11 @@ void ExportController::exportResults() {
     if (folder.isEmpty()) {
         return;
     }
-    writeFiles(
-        jobs_, messages_, tr("Export results"), tr("Wrote the results to %1"), folder,
-        [result = session_.outcome().result](const QString& target, const Progress& progress) {
-            writeResults(result->project, *result, target, progress);
-        });
+    writeFiles(jobs_, messages_, tr("Export results"), tr("Wrote the results to %1"), folder,
+               [result = withCostsOf(*session_.outcome().result, session_.document()->project())](
+                   const QString& target, const Progress& progress) {
+                   writeResults(result.project, result, target, progress);
+               });
 }
 
 void ExportController::exportFile(const QString& title, const QString& name, const QString& suffix,
@@ -79,6 +81,15 @@ void ExportController::exportSheetPng() {
                [sheet = session_.outcome().result->immersions[session_.immersion()].sheet](
                    const QString& path) {
                    writeAtomically(path, [&](QIODevice& device) { writeSheetPng(sheet, device); });
+               });
+}
+
+void ExportController::exportCosts() {
+    const Project& project = session_.document()->project();
+    const QByteArray csv = costCsv({{project.name, jobCosts(*session_.outcome().result, project)}});
+    exportFile(tr("Save costs"), tr("%1 costs").arg(session_.document()->title()),
+               QStringLiteral("csv"), [csv](const QString& path) {
+                   writeAtomically(path, [&](QIODevice& device) { device.write(csv); });
                });
 }
 

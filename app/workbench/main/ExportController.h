@@ -25,6 +25,8 @@ public:
 
     void showNumericalError(const std::vector<DipNumericalError>& numericalError, bool outdated,
                             LengthUnit unit);
+    // Asks for a file name and writes the costs of the shown result as CSV.
+    void exportCosts();
 
 private:
     using Write = std::function<void(const QString& path)>;

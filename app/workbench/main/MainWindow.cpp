@@ -1,5 +1,6 @@
 #include "workbench/main/MainWindow.h"
 
+#include "pipeline/JobTraveller.h"
 #include "workbench/document/RecentProjects.h"
 #include "workbench/preferences/PreferencesDialog.h"
 #include "workbench/widgets/Theme.h"
@@ -120,6 +121,10 @@ void MainWindow::connectActions() {
     on(actions_.resetLayout, [this] { layout_.reset(); });
     on(actions_.saveLayout, [this] { layout_.askName(); });
     connect(actions_.measure, &QAction::toggled, &measure_, &MeasureTool::setActive);
+    connect(actions_.tank, &QAction::triggered, this, [this] {
+        workbench_.showTank({jobAtTank(*session_.outcome().result, document()->path())},
+                            document());
+    });
     parts_.results->addSheetAction(actions_.exportPdf);
     parts_.results->addTextureAction(actions_.exportPng);
 }
@@ -161,6 +166,10 @@ void MainWindow::connectPanels() {
                 scene_.setTolerances(tolerances);
                 parts_.results->report().setTolerances(verdicts);
             });
+    connect(&parts_.results->report(), &ReportPanel::costTableAsked, &exports_,
+            &ExportController::exportCosts);
+    connect(&parts_.results->report(), &ReportPanel::pricesAsked, actions_.profiles,
+            &QAction::trigger);
     connect(parts_.properties, &PropertyPanel::brushChanged, &tolerances_,
             &ToleranceController::setBrush);
     connect(parts_.properties, &PropertyPanel::brushChanged, this, [this](const MarkBrush& brush) {

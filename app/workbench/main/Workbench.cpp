@@ -34,7 +34,10 @@ Theme themeOf(ThemeChoice choice) {
 
 Workbench::Workbench(const QString& recovery, QObject* parent)
     : QObject(parent), plainTexts_(*qApp), recovery_(recovery), preferences_(loadPreferences()),
-      queue_(registry_) {
+      queue_(registry_), tank_([this](const QString& path) {
+          MainWindow* window = windowOf(path);
+          return window ? window->document() : nullptr;
+      }) {
     qApp->installEventFilter(this);
     queue_.setKeepsDips(preferences_.keepsResults);
     applyTheme(*qApp, themeOf(preferences_.theme));
@@ -72,18 +75,25 @@ MainWindow* Workbench::emptyWindow() {
     return openWindow();
 }
 
-bool Workbench::bringForward(const QString& path) {
+MainWindow* Workbench::windowOf(const QString& path) const {
     for (QWidget* widget : QApplication::topLevelWidgets()) {
         auto* window = qobject_cast<MainWindow*>(widget);
-        if (window && window->isVisible() && !window->isEmpty() &&
+        if (window && window->isVisible() && window->document() &&
             QFileInfo(window->document()->path()) == QFileInfo(path)) {
-            window->setWindowState(window->windowState() & ~Qt::WindowMinimized);
-            window->raise();
-            window->activateWindow();
-            return true;
+            return window;
         }
     }
-    return false;
+    return nullptr;
+}
+
+bool Workbench::bringForward(const QString& path) {
+    MainWindow* window = windowOf(path);
+    if (window) {
+        window->setWindowState(window->windowState() & ~Qt::WindowMinimized);
+        window->raise();
+        window->activateWindow();
+    }
+    return window;
 }
 
 void Workbench::showQueue(const QString& project) {
@@ -96,6 +106,8 @@ void Workbench::showQueue(const QString& project) {
                 emptyWindow()->documents().openProject(path);
             }
         });
+        connect(queueWindow_, &QueueDialog::tankAsked, this,
+                [this](const std::vector<TankJob>& jobs) { showTank(jobs, nullptr); });
     }
     queueWindow_->propose(project);
     queueWindow_->show();

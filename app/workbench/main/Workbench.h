@@ -3,6 +3,7 @@
 
 #include "solver/SolverRegistry.h"
 #include "workbench/document/Preferences.h"
+#include "workbench/main/TankController.h"
 #include "workbench/queue/JobQueue.h"
 #include "workbench/widgets/PlainTexts.h"
 
@@ -36,6 +37,9 @@ public:
     JobQueue& queue() { return queue_; }
     // Opens the queue's window. It proposes the folder of `project` (may be empty) for the results.
     void showQueue(const QString& project);
+    // Opens the tank-side page for at least one job. `shown` is the document of a job without a
+    // file; it may be null.
+    void showTank(const std::vector<TankJob>& jobs, Document* shown) { tank_.open(jobs, shown); }
     // Offers to restore unsaved work after a crash, each document in its own window.
     void offerRecovery();
 
@@ -47,6 +51,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    MainWindow* windowOf(const QString& path) const; // that has this file open; may be null
     MainWindow* emptyWindow(); // a window that shows the start page; opens one if there is none
 
     PlainTexts plainTexts_; // must exist before any label
@@ -55,6 +60,7 @@ private:
     Preferences preferences_;
     JobQueue queue_;
     QPointer<QueueDialog> queueWindow_;
+    TankController tank_;
 };
 
 } // namespace dipwright

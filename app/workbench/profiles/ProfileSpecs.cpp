@@ -29,6 +29,87 @@ std::vector<PropertySpec> sides(const QByteArray& path, const QString& help) {
             side("top", Text::tr("Top")), side("bottom", Text::tr("Bottom"))};
 }
 
+PropertySection inkCosts() {
+    PropertySection costs{Text::tr("Cost of the ink"), {}};
+    const QStringList inks{Text::tr("C", "cyan"), Text::tr("M", "magenta"), Text::tr("Y", "yellow"),
+                           Text::tr("K", "black")};
+    const QStringList spots{Text::tr("White"), Text::tr("Other", "spot inks")};
+    costs.specs = {
+        {.path = QStringLiteral("cost.ink_ml_per_m2"),
+         .label = Text::tr("Ink at full tint, ml/m²"),
+         .help = Text::tr("Millilitres of each ink on a square metre that is printed at full tint. "
+                          "Usual values are 5 to 20. 0: not given."),
+         .parts = inks},
+        {.path = QStringLiteral("cost.ink_price_per_l"),
+         .label = Text::tr("Price of a litre"),
+         .help = Text::tr("Price of a litre of each ink, in the currency of the tank's profile. 0: "
+                          "not given."),
+         .parts = inks},
+        {.path = QStringLiteral("cost.spot_ml_per_m2"),
+         .label = Text::tr("Spot ink at full tint, ml/m²"),
+         .help = Text::tr("The same for white and for every other spot ink. 0: not given."),
+         .parts = spots},
+        {.path = QStringLiteral("cost.spot_price_per_l"),
+         .label = Text::tr("Price of a litre of spot ink"),
+         .help = Text::tr("The price of white and of every other spot ink. 0: not given."),
+         .parts = spots}};
+    return costs;
+}
+
+PropertySection filmCosts() {
+    PropertySection costs{Text::tr("Cost of the film"), {}};
+    costs.specs = {
+        {.path = QStringLiteral("cost.film_price"),
+         .label = Text::tr("Price"),
+         .help = Text::tr("Price of the film for the unit below, in the currency of the tank's "
+                          "profile."),
+         .absent = Text::tr("Not given"),
+         .whenPresent = 10},
+        {.path = QStringLiteral("cost.film_price_per"),
+         .label = Text::tr("Price for"),
+         .help = Text::tr("What the price is for. A metre of roll is as wide as the film is cut."),
+         .words = {{QStringLiteral("m2"), Text::tr("A square metre")},
+                   {QStringLiteral("roll metre"), Text::tr("A metre of roll")},
+                   {QStringLiteral("sheet"), Text::tr("A sheet")}}}};
+    return costs;
+}
+
+PropertySection workCosts() {
+    PropertySection costs{Text::tr("Work"), {}};
+    const QString absent = Text::tr("Not given");
+    costs.specs = {
+        {.path = QStringLiteral("cost.labour_per_h"),
+         .label = Text::tr("Price of an hour"),
+         .help = Text::tr("Price of an hour of work at the tank. Set-up, handling, soak, activator "
+                          "and dip count as work; flash and drying do not."),
+         .absent = absent,
+         .whenPresent = 40},
+        {.path = QStringLiteral("cost.setup_min"),
+         .label = Text::tr("Set-up, minutes"),
+         .help = Text::tr("Minutes of work before the first dip of an order."),
+         .absent = absent,
+         .whenPresent = 15},
+        {.path = QStringLiteral("cost.handling_min"),
+         .label = Text::tr("Handling, minutes"),
+         .help = Text::tr("Minutes of work for each dip of a rack, in addition to the timed steps: "
+                          "laying the film, mounting, rinsing."),
+         .absent = absent,
+         .whenPresent = 3},
+        {.path = QStringLiteral("cost.parts_per_rack"),
+         .label = Text::tr("Parts per rack"),
+         .help = Text::tr("How many parts one dip with one sheet makes. More than 1 only if the "
+                          "model shows several parts on a jig.")},
+        {.path = QStringLiteral("cost.scrap"),
+         .label = Text::tr("Scrap"),
+         .help = Text::tr("Share of the dipped racks that cannot be sold. Film, ink and work are "
+                          "counted for them, too. Usual values are 2 to 10 %."),
+         .unit = Unit::Share},
+        {.path = QStringLiteral("cost.currency"),
+         .label = Text::tr("Currency"),
+         .help = Text::tr("The currency of all prices, for example EUR.")}};
+    return costs;
+}
+
 std::vector<PropertySection> printerSections() {
     PropertySection size{{}, {nameSpec()}};
     size.specs.push_back({.path = QStringLiteral("queue"),
@@ -81,7 +162,7 @@ std::vector<PropertySection> printerSections() {
          .unit = Unit::Share,
          .absent = Text::tr("From the ICC profile"),
          .whenPresent = 3}};
-    return {size, colour};
+    return {size, colour, inkCosts()};
 }
 
 PropertySpec material(const char* path) {
@@ -203,6 +284,7 @@ std::vector<PropertySection> filmSections() {
             {Text::tr("Sides"),
              {material("edges.left"), material("edges.right"), material("edges.top"),
               material("edges.bottom")}},
+            filmCosts(),
             {Text::tr("Advanced: material laws that are not measured"),
              {material("overhang_deg"), material("grip_fade_deg"), material("tear_stretch"),
               material("gathering_stretch")}}};
@@ -259,7 +341,8 @@ std::vector<PropertySection> tankSections() {
            .whenPresent = 30}}},
         {Text::tr("Barriers"),
          sides("barriers", Text::tr("Whether a barrier in the tank holds this side of the "
-                                    "film."))}};
+                                    "film."))},
+        workCosts()};
 }
 
 } // namespace

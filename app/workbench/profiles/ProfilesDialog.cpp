@@ -201,11 +201,14 @@ void ProfilesDialog::showChosen() {
     form->setVerticalSpacing(8);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     const ProfileKind kind = kindOf(*chosen_);
-    for (const PropertySection& section : profileSections(kind)) {
+    const std::vector<PropertySection> sections = profileSections(kind);
+    const PropertySection* iccSection = // the printer's colour, after its name and page
+        kind == ProfileKind::Printer ? &sections.at(1) : nullptr;
+    for (const PropertySection& section : sections) {
         if (!section.title.isEmpty()) {
             form->addRow(heading(section.title));
         }
-        if (kind == ProfileKind::Printer && !section.title.isEmpty()) {
+        if (&section == iccSection) {
             addIccRow(*form);
         }
         for (const PropertySpec& spec : section.specs) {

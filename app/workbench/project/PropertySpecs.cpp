@@ -526,11 +526,21 @@ PropertySection correctionProperties() {
     return correction;
 }
 
+PropertySection orderProperties() {
+    PropertySection order{Text::tr("Order"), {}};
+    order.specs = {{.path = QStringLiteral("order.parts"),
+                    .label = Text::tr("Parts to make"),
+                    .help = Text::tr("The number of good parts that are ordered. Report, queue and "
+                                     "traveller give the cost and the time of the order. Sheets do "
+                                     "not depend on it.")}};
+    return order;
+}
+
 std::vector<PropertySection> sheetProperties() {
     PropertySection spots{Text::tr("Spot colours"), whiteProperties()};
     const std::vector<PropertySpec> cutLine = cutLineProperties();
     spots.specs.insert(spots.specs.end(), cutLine.begin(), cutLine.end());
-    return {pageProperties(), onPageProperties(), spots, correctionProperties()};
+    return {pageProperties(), onPageProperties(), spots, correctionProperties(), orderProperties()};
 }
 
 std::vector<PropertySection> inkProperties() {

@@ -2,7 +2,10 @@
 
 #include "base/Error.h"
 #include "base/PostToThread.h"
+#include "cost/CostText.h"
 #include "pipeline/DipCache.h"
+#include "pipeline/JobCost.h"
+#include "pipeline/JobTraveller.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/WriteResults.h"
 #include "project/ProjectStore.h"
@@ -22,8 +25,12 @@ constexpr double readShare = 0.02;
 // Runs one project on the worker thread.
 class QueuedJob : public Job {
 public:
-    using Run = std::function<QString(const Progress&)>; // returns the outcome
-    using Ended = std::function<void(QueuedState, const QString&)>;
+    struct Outcome {
+        QString text;
+        std::optional<TankJob> tank;
+    };
+    using Run = std::function<Outcome(const Progress&)>;
+    using Ended = std::function<void(QueuedState, const Outcome&)>;
 
     QueuedJob(const QString& title, Run run, Ended ended)
         : title_(title), run_(std::move(run)), ended_(std::move(ended)) {}
@@ -34,11 +41,12 @@ public:
         ended_(cancelled ? QueuedState::Cancelled
                : failure ? QueuedState::Failed
                          : QueuedState::Done,
-               failure ? sentenceOf(failure) : outcome_);
+               failure ? Outcome{sentenceOf(failure), {}} : outcome_);
     }
 
 private:
-    QString title_, outcome_;
+    QString title_;
+    Outcome outcome_;
     Run run_;
     Ended ended_;
 };
@@ -51,6 +59,9 @@ QString outcomeOf(const JobResult& result) {
         if (reason.reason.advice > Advice::Print) {
             sentences << reasonText(reason, result, millimetres);
         }
+    }
+    if (const auto costs = jobCosts(result, result.project); tellsCost(costs)) {
+        sentences << costSentence(costs.back()) + u'.';
     }
     return sentences.join(u'\n');
 }
@@ -83,7 +94,7 @@ void JobQueue::add(const QStringList& projects, const QString& folder) {
 
 void JobQueue::start(const QueuedProject& project, Entry& entry) {
     const auto run = [this, key = entry.key, path = project.project, folder = project.folder,
-                      keeps = keepsDips_](const Progress& progress) {
+                      keeps = keepsDips_](const Progress& progress) -> QueuedJob::Outcome {
         postToThread(*this, [this, key] { begin(key); });
         const Project read = loadProject(path);
         const Progress dips = progress.part(readShare, 1);
@@ -95,12 +106,12 @@ void JobQueue::start(const QueuedProject& project, Entry& entry) {
             } catch (const Error&) { // the results are written anyway
             }
         }
-        return outcomeOf(result);
+        return {outcomeOf(result), jobAtTank(result, path)};
     };
     entry.cancelToken = jobs_.start(std::make_unique<QueuedJob>(
         QFileInfo(project.project).completeBaseName(), run,
-        [this, key = entry.key](QueuedState state, const QString& text) {
-            end(key, state, text);
+        [this, key = entry.key](QueuedState state, const QueuedJob::Outcome& outcome) {
+            end(key, state, outcome.text, outcome.tank);
         }));
 }
 
@@ -129,7 +140,7 @@ void JobQueue::report(double share, const QString& text) {
     }
 }
 
-void JobQueue::end(int key, QueuedState state, const QString& text) {
+void JobQueue::end(int key, QueuedState state, const QString& text, std::optional<TankJob> tank) {
     const std::size_t row = rowOf(key);
     if (row >= projects_.size()) {
         return;
@@ -142,6 +153,7 @@ void JobQueue::end(int key, QueuedState state, const QString& text) {
     }
     project.state = state;
     project.text = text;
+    project.tank = std::move(tank);
     emit changed();
 }
 

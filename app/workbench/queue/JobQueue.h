@@ -4,6 +4,7 @@
 #pragma once
 
 #include "solver/SolverRegistry.h"
+#include "traveller/TankTasks.h"
 #include "workbench/jobs/JobRunner.h"
 
 #include <QObject>
@@ -18,9 +19,10 @@ enum class QueuedState { Waiting, Running, Done, Failed, Cancelled };
 struct QueuedProject {
     QString project, folder; // the project file, and the folder for its results
     QueuedState state = QueuedState::Waiting;
-    double share = 0;   // progress of the run, 0 … 1
-    QString text = {};  // progress; later the result, or the reason of a failure
-    double seconds = 0; // run time; 0: not ended yet
+    double share = 0;                 // progress of the run, 0 … 1
+    QString text = {};                // progress; later the result, or the reason of a failure
+    double seconds = 0;               // run time; 0: not ended yet
+    std::optional<TankJob> tank = {}; // the steps at the tank; none: not done
 };
 
 class JobQueue : public QObject {
@@ -57,7 +59,7 @@ private:
     void start(const QueuedProject& project, Entry& entry);
     void begin(int key);
     void report(double share, const QString& text);
-    void end(int key, QueuedState state, const QString& text);
+    void end(int key, QueuedState state, const QString& text, std::optional<TankJob> tank);
     void tellEnd();
     std::size_t rowOf(int key) const;
 

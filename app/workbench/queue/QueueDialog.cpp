@@ -97,6 +97,8 @@ QueueDialog::QueueDialog(JobQueue& queue, QWidget* parent)
     remove_ = button("removeEnded", tr("&Remove finished"), [this] { queue_.removeEnded(); });
     open_ = button("openQueued", tr("&Open project"),
                    [this] { emit projectAsked(queue_.projects()[chosenRows().front()].project); });
+    tank_ = button("tankQueued", tr("At the tan&k…"), [this] { emit tankAsked(tankJobs()); });
+    tank_->setToolTip(tr("Opens the tank-side page with the steps of all finished projects"));
     connect(buttons, &QDialogButtonBox::rejected, this, &QueueDialog::reject);
     connect(table_, &QTableWidget::itemSelectionChanged, this, &QueueDialog::showChosen);
     connect(&queue, &JobQueue::changed, this, &QueueDialog::refresh);
@@ -161,6 +163,16 @@ std::vector<std::size_t> QueueDialog::chosenRows() const {
     return rows;
 }
 
+std::vector<TankJob> QueueDialog::tankJobs() const {
+    std::vector<TankJob> jobs;
+    for (const QueuedProject& project : queue_.projects()) {
+        if (project.tank) {
+            jobs.push_back(*project.tank);
+        }
+    }
+    return jobs;
+}
+
 void QueueDialog::refresh() {
     const std::vector<QueuedProject>& projects = queue_.projects();
     table_->setRowCount(int(projects.size()));
@@ -202,6 +214,7 @@ void QueueDialog::showChosen() {
     }));
     cancelAll_->setEnabled(ended < std::ptrdiff_t(projects.size()));
     remove_->setEnabled(ended > 0);
+    tank_->setEnabled(!tankJobs().empty());
     const bool isOne = rows.size() == 1 && rows.front() < projects.size();
     open_->setEnabled(isOne);
     const QString details = isOne ? projects[rows.front()].text : QString();

@@ -26,6 +26,7 @@ public:
 
 signals:
     void projectAsked(const QString& path);
+    void tankAsked(const std::vector<TankJob>& jobs); // the finished projects, in order
 
 protected:
     void reject() override; // asks before it cancels a running project
@@ -37,13 +38,14 @@ private:
     void refresh();
     void showChosen();
     std::vector<std::size_t> chosenRows() const;
+    std::vector<TankJob> tankJobs() const;
 
     JobQueue& queue_;
     QTableWidget* table_;
     QPlainTextEdit* details_; // the whole result of the selected project
     QLineEdit* folder_;
     QLabel* sum_;
-    QPushButton *cancel_, *cancelAll_, *open_, *remove_;
+    QPushButton *cancel_, *cancelAll_, *open_, *remove_, *tank_;
 };
 
 } // namespace dipwright

@@ -1,8 +1,10 @@
 #include "workbench/results/ReportPanel.h"
 
+#include "cost/CostText.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
 #include "texture/ReverseTexture.h"
+#include "traveller/TankTasks.h"
 #include "workbench/results/WarningTexts.h"
 #include "workbench/widgets/HtmlView.h"
 #include "workbench/widgets/ShippedNames.h"
@@ -37,6 +39,15 @@ public:
         html_ += QStringLiteral("<tr><td style='padding:3px 16px 3px 0'>%1</td>"
                                 "<td style='padding:3px 0' align='right'>%2</td></tr>")
                      .arg(name, value);
+    }
+    void row(const CostRow& row) {
+        html_ += QStringLiteral("<tr>");
+        for (const QString& cell : {row.what, row.amount, row.cost}) {
+            html_ += QStringLiteral("<td style='padding:3px 12px 3px 0' align='%1'>%2</td>")
+                         .arg(cell == row.what ? QStringLiteral("left") : QStringLiteral("right"),
+                              cell.toHtmlEscaped());
+        }
+        html_ += QStringLiteral("</tr>");
     }
     QString html() const {
         return QStringLiteral("<table width='100%' cellspacing='0'>%1</table>").arg(html_);
@@ -212,6 +223,46 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit, PlaceLinks
     return heading(result.immersion.name) + table.html();
 }
 
+QString costHtml(const std::vector<OrderCost>& costs) {
+    QString html = heading(Text::tr("Cost and time"));
+    for (const OrderCost& cost : costs) {
+        const QString parts =
+            cost.parts == 1 ? Text::tr("One part") : Text::tr("Order of %1 parts").arg(cost.parts);
+        html += QStringLiteral("<p><b>%1</b></p>").arg(parts.toHtmlEscaped());
+        Table table;
+        for (const CostRow& row : costRows(cost)) {
+            table.row(row);
+        }
+        for (const CostRow& row : timeRows(cost)) {
+            table.row(row);
+        }
+        table.row(CostRow{Text::tr("Sheets to print"), QLocale().toString(cost.sheets), {}});
+        html += table.html();
+    }
+    if (costs.front().areInksEstimated) {
+        html += QStringLiteral("<p>%1</p>")
+                    .arg(Text::tr("The amounts of ink are estimated, because the project has no "
+                                  "printer profile with an ICC profile in CMYK.")
+                             .toHtmlEscaped());
+    }
+    return html + QStringLiteral("<p><a href='cost-table'>%1</a> · <a href='prices'>%2</a></p>")
+                      .arg(Text::tr("Save as CSV…").toHtmlEscaped(),
+                           Text::tr("Edit prices…").toHtmlEscaped());
+}
+
+QString tankHtml(const std::vector<TankTime>& times) {
+    Table table;
+    table.row(CostRow{Text::tr("Step"), Text::tr("Planned"), Text::tr("Took, mean of all runs")});
+    for (const TankSummary& step : tankSummaries(times)) {
+        table.row(CostRow{Text::tr("Dip %1: %2").arg(step.dip).arg(tankStepTitle(step.step)),
+                          step.planned ? durationText(*step.planned) : QString(),
+                          Text::tr("%1 (%2 to %3)")
+                              .arg(durationText(step.mean), durationText(step.shortest),
+                                   durationText(step.longest))});
+    }
+    return heading(Text::tr("At the tank")) + table.html();
+}
+
 // Empty if no smaller film is large enough.
 QString smallerFilmHtml(const JobResult& result, LengthUnit unit) {
     const std::optional<SmallerFilm> smaller = smallerFilm(result);
@@ -259,6 +310,20 @@ void ReportPanel::setResult(std::shared_ptr<const JobResult> result,
 void ReportPanel::setTolerances(const QStringList& sentences) {
     if (sentences != tolerances_) {
         tolerances_ = sentences;
+        show();
+    }
+}
+
+void ReportPanel::setCosts(const std::vector<OrderCost>& costs) {
+    if (costs != costs_) {
+        costs_ = costs;
+        show();
+    }
+}
+
+void ReportPanel::setTankTimes(const std::vector<TankTime>& times) {
+    if (times != tankTimes_) {
+        tankTimes_ = times;
         show();
     }
 }
@@ -314,12 +379,26 @@ void ReportPanel::show() {
     for (const ImmersionResult& immersion : result_->immersions) {
         html += immersionHtml(immersion, unit_, links);
     }
+    if (!costs_.empty()) {
+        html += costHtml(costs_);
+    }
+    if (!tankTimes_.empty()) {
+        html += tankHtml(tankTimes_);
+    }
     places_ = links.places();
     text_->showHtml(html);
 }
 
 void ReportPanel::follow(const QUrl& link) {
     const QString target = link.toString();
+    if (target == QLatin1String("cost-table")) {
+        emit costTableAsked();
+        return;
+    }
+    if (target == QLatin1String("prices")) {
+        emit pricesAsked();
+        return;
+    }
     if (!target.startsWith(placeScheme)) {
         emit smallerFilmTaken();
         return;

@@ -1,7 +1,9 @@
 // Shows the figures of the last run as tables.
 #pragma once
 
+#include "cost/OrderCost.h"
 #include "pipeline/JobWarnings.h"
+#include "settings/AsBuilt.h"
 #include "workbench/widgets/Units.h"
 
 #include <Eigen/Core>
@@ -28,10 +30,16 @@ public:
     // Sets one sentence for each zone on how far handling may move the colours. Empty: not
     // computed.
     void setTolerances(const QStringList& sentences);
+    // Sets the cost of one part and, if several are ordered, of the order. Empty: not known.
+    void setCosts(const std::vector<OrderCost>& costs);
+    // Sets how long the steps at the tank took. Empty: nothing is stored.
+    void setTankTimes(const std::vector<TankTime>& times);
 
 signals:
     // The user accepts the film that smallerFilm() finds for the shown result.
     void smallerFilmTaken();
+    void costTableAsked();                   // the user wants the costs in a file
+    void pricesAsked();                      // the user wants to enter prices
     void placeChosen(Eigen::Vector3f place); // a place of the model that has a link, mm
 
 private:
@@ -42,6 +50,8 @@ private:
     LengthUnit unit_ = LengthUnit::Millimetre;
     std::vector<JobWarning> warnings_;
     QStringList tolerances_;
+    std::vector<OrderCost> costs_;
+    std::vector<TankTime> tankTimes_;
     std::vector<Eigen::Vector3f> places_; // the places that have links
     HtmlView* text_;
     QLabel* hint_; // shown instead of the text before the first run

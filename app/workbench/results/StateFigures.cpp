@@ -38,14 +38,27 @@ std::vector<StateFigure> stateFigures(const QJsonObject& measures, LengthUnit un
         return StateFigure{name, value.isDouble() ? std::optional(value.toDouble()) : std::nullopt,
                            words, isHigherBetter};
     };
-    return {figure(Text::tr("Total coverage"), "painted", true,
-                   [](double share) {
-                       return Text::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
-                   }),
+    const auto percent = [](double share) {
+        return Text::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
+    };
+    const auto ratio = [](double stretch) { return QLocale().toString(stretch, 'f', 3); };
+    const auto area = [unit](double value) { return shownArea(value, unit); };
+    const auto length = [unit](double value) { return shownLength(value, unit); };
+    return {figure(Text::tr("Total coverage"), "painted", true, percent),
             figure(Text::tr("Stretch of the film on the part, 95th percentile"), "stretch", false,
-                   [](double stretch) { return QLocale().toString(stretch, 'f', 3); }),
-            figure(Text::tr("Area with too large a numerical error"), "uncertain_mm2", false,
-                   [unit](double area) { return shownArea(area, unit); })};
+                   ratio),
+            figure(Text::tr("Largest stretch of the film on the part"), "largest_stretch", false,
+                   ratio),
+            figure(Text::tr("Area with too large a numerical error"), "uncertain_mm2", false, area),
+            figure(Text::tr("Numerical error of the sheet, 95th percentile"), "error_mm", false,
+                   length),
+            figure(Text::tr("Compressed film that may wrinkle"), "wrinkled", false, percent),
+            figure(Text::tr("Trapped air"), "air_mm2", false, area),
+            figure(Text::tr("Area painted by film that tore, was released or did not converge"),
+                   "marked_mm2", false, area),
+            figure(Text::tr("Area too pale because of the ink limit"), "pale_mm2", false, area),
+            figure(Text::tr("Length of the seam"), "seam_mm", false, length),
+            figure(Text::tr("Ink of all plates, as area at full tint"), "ink_mm2", false, area)};
 }
 
 } // namespace dipwright

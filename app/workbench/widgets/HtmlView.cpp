@@ -7,14 +7,20 @@ namespace dipwright {
 
 void HtmlView::showHtml(const QString& html) {
     html_ = html;
-    setHtml(html);
+    render();
+}
+
+void HtmlView::render() {
+    document()->setDefaultStyleSheet(
+        QStringLiteral("a { color: %1 }").arg(palette().color(QPalette::Link).name()));
+    setHtml(html_);
 }
 
 void HtmlView::changeEvent(QEvent* event) {
     QTextBrowser::changeEvent(event);
     if (event->type() == QEvent::PaletteChange && !html_.isEmpty()) {
         const int place = verticalScrollBar()->value();
-        setHtml(html_);
+        render();
         verticalScrollBar()->setValue(place);
     }
 }

@@ -17,6 +17,8 @@ protected:
     void changeEvent(QEvent* event) override; // keeps the place that the user reads
 
 private:
+    void render();
+
     QString html_;
 };
 

@@ -160,7 +160,105 @@ struct PerInk {
     }
 };
 
+// Returns the inks of the sheet's picture, which may be some rows of a sheet. `law` is null if the
+// sheet has no wanted colours.
+QByteArray inksOf(const QImage& picture, const std::optional<WantedInk>& wanted,
+                  const PrintCorrection& correction, const PlateCompensation* law) {
+    if (wanted) {
+        return PerInk(*wanted, correction, *law).printed;
+    }
+    QByteArray cmyk = correction.colour->cmyk(onWhitePaper(picture));
+    if (correction.totalInk) {
+        limitInk(cmyk, *correction.totalInk);
+    }
+    return cmyk;
+}
+
+std::optional<PlateCompensation> lawOf(const Sheet& sheet, const PrintCorrection& correction) {
+    return sheet.wanted ? std::optional<PlateCompensation>(std::in_place, *correction.colour,
+                                                           sheet.wanted->settings)
+                        : std::nullopt;
+}
+
+// The sums of the tints of cyan, magenta, yellow and black, 255 for full tint of a pixel.
+using TintSums = std::array<quint64, 4>;
+
+TintSums separatedTints(const Sheet& sheet, const PrintCorrection& correction) {
+    const std::optional<PlateCompensation> law = lawOf(sheet, correction);
+    TintSums sums{};
+    forImageRows(sheet.image, [&](const QImage& rows, int first) {
+        const int end = first + rows.height();
+        std::optional<WantedInk> wanted;
+        if (sheet.wanted) {
+            wanted =
+                WantedInk{imageRows(sheet.wanted->image, first, end),
+                          imageRows(sheet.wanted->stretch, first, end), sheet.wanted->settings};
+        }
+        const QByteArray inks = inksOf(rows, wanted, correction, law ? &*law : nullptr);
+        for (qsizetype byte = 0; byte < inks.size(); ++byte) {
+            sums[std::size_t(byte % 4)] += uchar(inks[byte]);
+        }
+    });
+    return sums;
+}
+
+TintSums estimatedTints(const QImage& picture) {
+    TintSums sums{};
+    forImageRows(picture, [&](const QImage& rows, int) {
+        const QImage opaque = flattened(rows);
+        for (int y = 0; y < opaque.height(); ++y) {
+            const uchar* row = opaque.constScanLine(y);
+            for (int x = 0; x < opaque.width(); ++x, row += 3) {
+                for (std::size_t ink = 0; ink < 3; ++ink) {
+                    sums[ink] += quint64(255 - row[ink]);
+                }
+            }
+        }
+    });
+    return sums;
+}
+
+quint64 tintSum(const QImage& tint) {
+    quint64 sum = 0;
+    for (int y = 0; y < tint.height(); ++y) {
+        const uchar* row = tint.constScanLine(y);
+        sum = std::accumulate(row, row + tint.width(), sum);
+    }
+    return sum;
+}
+
 } // namespace
+
+std::vector<InkArea> inkAreas(const Sheet& original, const PrintCorrection& correction) {
+    const std::array<QString, 4> names{QStringLiteral("Cyan"), QStringLiteral("Magenta"),
+                                       QStringLiteral("Yellow"), QStringLiteral("Black")};
+    const bool isSeparated = correction.colour && correction.colour->isCmyk();
+    const Sheet sheet = isSeparated ? withCutBleed(original) : original;
+    const double unit = sheet.filmWidth.value() * sheet.filmHeight.value() /
+                        (255.0 * sheet.image.width() * sheet.image.height());
+    const TintSums sums =
+        isSeparated ? separatedTints(sheet, correction) : estimatedTints(sheet.image);
+    std::vector<InkArea> inks;
+    const auto addSpots = [&](bool first) {
+        for (const SheetPlate& plate : sheet.plates) {
+            if (isSeparated && plate.first == first) {
+                inks.push_back({plate.name, unit * double(tintSum(plate.tint)), -1,
+                                !plate.alternate.isValid()});
+            }
+        }
+    };
+    addSpots(true);
+    for (std::size_t ink = 0; ink < (isSeparated ? 4 : 3); ++ink) {
+        inks.push_back({names[ink], unit * double(sums[ink]), int(ink)});
+    }
+    addSpots(false);
+    return inks;
+}
+
+bool areEstimated(const std::vector<InkArea>& inks) {
+    return std::none_of(inks.begin(), inks.end(),
+                        [](const InkArea& ink) { return ink.process == 3; });
+}
 
 std::array<char, 4> bareInks(const PrinterColour& colour) {
     QImage pixel(1, 1, QImage::Format_RGB888);
@@ -172,15 +270,8 @@ std::array<char, 4> bareInks(const PrinterColour& colour) {
 Plates separate(const Sheet& original, const PrintCorrection& correction) {
     const Sheet sheet = withCutBleed(original);
     Plates plates{sheet.image.size(), {}, spotsOf(sheet, *correction.colour)};
-    if (sheet.wanted) {
-        const PlateCompensation law(*correction.colour, sheet.wanted->settings);
-        plates.cmyk = PerInk(*sheet.wanted, correction, law).printed;
-        return plates;
-    }
-    plates.cmyk = correction.colour->cmyk(onWhitePaper(sheet.image));
-    if (correction.totalInk) {
-        limitInk(plates.cmyk, *correction.totalInk);
-    }
+    const std::optional<PlateCompensation> law = lawOf(sheet, correction);
+    plates.cmyk = inksOf(sheet.image, sheet.wanted, correction, law ? &*law : nullptr);
     return plates;
 }
 

@@ -17,6 +17,22 @@ Plates separate(const Sheet& sheet, const PrintCorrection& correction);
 // not have the film's stretch.
 double inkShortfall(const Sheet& sheet, const PrintCorrection& correction);
 
+// How much of one ink a sheet takes.
+struct InkArea {
+    QString ink;          // "Cyan", "Magenta", "Yellow", "Black", or the name of a spot ink
+    double area = 0;      // mm² of the film at full tint: the sum of the plate's tints
+    int process = -1;     // 0 … 3 of cyan, magenta, yellow and black; −1: a spot ink
+    bool isWhite = false; // the white layer
+    bool operator==(const InkArea&) const = default;
+};
+// Returns the inks of the sheet's film in printing order, without those of marks and lettering. If
+// `correction` has a CMYK colour, they are the inks of separate(). Otherwise the printer's driver
+// makes the plates, and the inks are estimated: cyan is 1 − red, magenta 1 − green and yellow
+// 1 − blue of the sRGB values, without black. Uses all cores; deterministic.
+std::vector<InkArea> inkAreas(const Sheet& sheet, const PrintCorrection& correction);
+// Tells whether inkAreas() estimated these inks.
+bool areEstimated(const std::vector<InkArea>& inks);
+
 // Returns the amounts of the four inks on the bare paper around the film.
 std::array<char, 4> bareInks(const PrinterColour& colour);
 

@@ -3,7 +3,6 @@
 #include "common/cpu/RowParallel.h"
 #include "production/formulas/GalerkinCycle.h"
 
-#include <span>
 #include <utility>
 
 namespace dipwright::cpu {
@@ -136,39 +135,50 @@ void StiffnessMultigrid::prepare(const PlaneFilm& film, const std::vector<float>
     }
 }
 
-// Smooths `now`, or starts from zero. Writes the result into `now`.
-void StiffnessMultigrid::smooth(Level& level, std::span<const ChebyshevStep> steps, bool fromZero) {
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-        const bool isFirst = fromZero && k == 0;
-        forRowBands(level.rows, level.columns, [&](int begin, int end) {
-            for (int row = begin; row < end; ++row) {
-                const ChebyshevRow step{steps[k].keep,
-                                        steps[k].gain,
-                                        constant(level.inverse(row)),
-                                        level.row(std::as_const(level.right), row),
-                                        level.row(level.direction, row),
-                                        level.row(level.next, row)};
-                if (isFirst) {
-                    smoothFirst(std::size_t(level.columns), step);
-                } else {
-                    smoothRow(std::size_t(level.columns), level.pitch, step,
-                              constant(level.stencil(row)),
-                              level.row(std::as_const(level.now), row));
-                }
-            }
-        });
+// Takes one smoothing step of a row, from `now` to `result`; without `now`, from zero.
+void StiffnessMultigrid::smoothRowOf(Level& level, int row, const ChebyshevStep& step,
+                                     const Level::Vectors* now, Level::Vectors& result) {
+    const ChebyshevRow to{step.keep,
+                          step.gain,
+                          constant(level.inverse(row)),
+                          level.row(std::as_const(level.right), row),
+                          level.row(level.direction, row),
+                          level.row(result, row)};
+    if (now == nullptr) {
+        smoothFirst(std::size_t(level.columns), to);
+    } else {
+        smoothRow(std::size_t(level.columns), level.pitch, to, constant(level.stencil(row)),
+                  level.row(*now, row));
+    }
+}
+
+// Solves on the coarsest grid, from zero. Writes the result into `now`.
+void StiffnessMultigrid::solveCoarsest(Level& level) {
+    for (std::size_t k = 0; k < coarsestSteps.size(); ++k) {
+        for (int row = 0; row < level.rows; ++row) {
+            smoothRowOf(level, row, coarsestSteps[k], k == 0 ? nullptr : &level.now, level.next);
+        }
         std::swap(level.now, level.next);
     }
 }
 
-void StiffnessMultigrid::restrictResidual(Level& fine, Level& coarse) {
-    forRowBands(fine.rows, fine.columns, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row) {
-            residualRow(std::size_t(fine.columns), fine.pitch, constant(fine.stencil(row)),
-                        fine.row(std::as_const(fine.right), row),
-                        fine.row(std::as_const(fine.now), row), fine.row(fine.next, row));
+// Smooths from zero into `now`, and writes the residual that is left into `next`.
+void StiffnessMultigrid::smoothFromZero(Level& level) {
+    forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
+        if (stage == 0) {
+            smoothRowOf(level, row, smoothingSteps[0], nullptr, level.next);
+        } else if (stage == 1) {
+            smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
+        } else {
+            residualRow(std::size_t(level.columns), level.pitch, constant(level.stencil(row)),
+                        level.row(std::as_const(level.right), row),
+                        level.row(std::as_const(level.now), row), level.row(level.next, row));
         }
     });
+}
+
+// Writes the fine grid's residual, which is in its `next`, into the right side of the coarse grid.
+void StiffnessMultigrid::restrictResidual(const Level& fine, Level& coarse) {
     forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
         std::vector<float> sum(std::size_t(fine.columns) + 3);
         const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to,
@@ -183,32 +193,39 @@ void StiffnessMultigrid::restrictResidual(Level& fine, Level& coarse) {
     });
 }
 
-void StiffnessMultigrid::addCorrection(const Level& coarse, Level& fine, bool isFinest) const {
-    forRowBands(fine.rows, fine.columns, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row) {
-            const RowOfVectors<const float> lower = coarse.row(coarse.now, row / 2),
-                                            upper = coarse.row(coarse.now, (row + 1) / 2);
-            const RowOfVectors<float> to = fine.row(fine.now, row);
-            const std::size_t columns = std::size_t(fine.columns);
-            const float* free =
-                isFinest ? free_.data() + std::size_t(row + 1) * (columns + 2) + 1 : nullptr;
-            interpolateRow(columns, lower.x, upper.x, free, to.x);
-            interpolateRow(columns, lower.z, upper.z, free, to.z);
-        }
-    });
+// Adds the coarse grid's correction to a row of `now`.
+void StiffnessMultigrid::addCorrection(const Level& coarse, Level& fine, bool isFinest,
+                                       int row) const {
+    const RowOfVectors<const float> lower = coarse.row(coarse.now, row / 2),
+                                    upper = coarse.row(coarse.now, (row + 1) / 2);
+    const RowOfVectors<float> to = fine.row(fine.now, row);
+    const std::size_t columns = std::size_t(fine.columns);
+    const float* free =
+        isFinest ? free_.data() + std::size_t(row + 1) * (columns + 2) + 1 : nullptr;
+    interpolateRow(columns, lower.x, upper.x, free, to.x);
+    interpolateRow(columns, lower.z, upper.z, free, to.z);
 }
 
 void StiffnessMultigrid::cycle(std::size_t index) {
+    static_assert(smoothingSteps.size() == 2);
     Level& level = levels_[index];
     if (index + 1 == levels_.size()) {
-        smooth(level, coarsestSteps, true);
+        solveCoarsest(level);
         return;
     }
-    smooth(level, smoothingSteps, true);
-    restrictResidual(level, levels_[index + 1]);
+    Level& coarse = levels_[index + 1];
+    smoothFromZero(level);
+    restrictResidual(level, coarse);
     cycle(index + 1);
-    addCorrection(levels_[index + 1], level, index == 0);
-    smooth(level, smoothingSteps, false);
+    forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
+        if (stage == 0) {
+            addCorrection(coarse, level, index == 0, row);
+        } else if (stage == 1) {
+            smoothRowOf(level, row, smoothingSteps[0], &level.now, level.next);
+        } else {
+            smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
+        }
+    });
 }
 
 void StiffnessMultigrid::apply(const PlaneVector& right, PlaneVector& result) {

@@ -8,8 +8,6 @@
 
 #include <dipwright/FilmSolver.h>
 
-#include <span>
-
 namespace dipwright::cpu {
 
 class StiffnessMultigrid {
@@ -48,10 +46,12 @@ private:
                   const std::vector<float>& area, float drag);
     static void coarsen(Level& fine, Level& coarse);
     static void invert(Level& level);
-    static void smooth(Level& level, std::span<const numerics::galerkin::ChebyshevStep> steps,
-                       bool fromZero);
-    static void restrictResidual(Level& fine, Level& coarse);
-    void addCorrection(const Level& coarse, Level& fine, bool isFinest) const;
+    static void smoothRowOf(Level& level, int row, const numerics::galerkin::ChebyshevStep& step,
+                            const Level::Vectors* now, Level::Vectors& result);
+    static void solveCoarsest(Level& level);
+    static void smoothFromZero(Level& level);
+    static void restrictResidual(const Level& fine, Level& coarse);
+    void addCorrection(const Level& coarse, Level& fine, bool isFinest, int row) const;
     void cycle(std::size_t index);
 
     std::vector<Level> levels_;

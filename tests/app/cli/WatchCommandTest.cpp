@@ -62,8 +62,8 @@ private slots:
         QVERIFY2(outcome.out.contains("first.dipw: done"), outcome.out);
         QVERIFY(!QFile::exists(in("jobs/first.dipw")));
         QVERIFY(QFile::exists(in("jobs/done/first.dipw")));
-        QVERIFY2(read(in("jobs/done/first.txt")).contains("Printed"),
-                 read(in("jobs/done/first.txt")));
+        QVERIFY2(read(in("jobs/done/first.dipw.txt")).contains("Printed"),
+                 read(in("jobs/done/first.dipw.txt")));
         QVERIFY(QFile::exists(in("results/first/immersion-1/sheet.pdf")));
         QCOMPARE(cups_->received("pigment").size(), 1);
     }
@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(watchOnce().exitCode, 0);
         for (const auto& [name, contents, reason] : jobs) {
             QVERIFY2(QFile::exists(in("jobs/failed/" + name)), qPrintable(name));
-            const QByteArray text = read(in("jobs/failed/" + QFileInfo(name).baseName() + ".txt"));
+            const QByteArray text = read(in("jobs/failed/" + name + ".txt"));
             QVERIFY2(text.contains(reason), text);
         }
         QVERIFY(!QFile::exists(in("results")));
@@ -107,7 +107,7 @@ private slots:
         const QStringList strict{"--require", "print", "--printer", "pigment"};
         const qsizetype before = cups_->received("pigment").size();
         QVERIFY2(watchOnce(strict).out.contains("ball.dipw: held"), "held");
-        QVERIFY(read(in("jobs/held/ball.txt")).contains("worse than required"));
+        QVERIFY(read(in("jobs/held/ball.dipw.txt")).contains("worse than required"));
         QVERIFY(QFile::exists(in("results/ball/report.json")));
         QCOMPARE(cups_->received("pigment").size(), before);
         QVERIFY(QFile::rename(in("jobs/held/ball.dipw"), in("jobs/release/ball.dipw")));
@@ -136,7 +136,7 @@ private slots:
         const qsizetype before = cups_->received("pigment").size();
         QCOMPARE(watchOnce({"--printer", "pigment"}).exitCode, 0);
         QVERIFY(QFile::exists(in("jobs/held/ball.dipw")));
-        QVERIFY(read(in("jobs/held/ball.txt")).contains("Check which sheets"));
+        QVERIFY(read(in("jobs/held/ball.dipw.txt")).contains("Check which sheets"));
         QCOMPARE(cups_->received("pigment").size(), before);
     }
 

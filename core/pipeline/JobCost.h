@@ -1,0 +1,27 @@
+// Computes the cost and the time of a job.
+#pragma once
+
+#include "cost/OrderCost.h"
+#include "pipeline/JobPacking.h"
+#include "pipeline/JobResult.h"
+
+namespace dipwright {
+
+// Returns the cost of an order of `parts` parts. Sheets and motion are those of the job; prices and
+// times are those of `profiles`, which may be newer. `result` must not be a draft. If the sheets
+// are packed on other films, `packed` holds them for racksOf() racks.
+OrderCost jobCost(const JobResult& result, const ProjectProfiles& profiles, int parts,
+                  const std::optional<FilmAmount>& packed = {});
+
+// Returns the cost of one part and, if `project` asks for more parts, of its order. `result` may be
+// older than prices and times of `project`.
+std::vector<OrderCost> jobCosts(const JobResult& result, const Project& project);
+// Returns the result with the prices, times and number of parts of `project`, for its files.
+JobResult withCostsOf(JobResult result, const Project& project);
+// Tells whether these costs are worth a sentence: there are prices, or several parts.
+bool tellsCost(const std::vector<OrderCost>& costs);
+
+// Returns how much film the packed sheets take.
+FilmAmount filmOf(const PackedFilms& films);
+
+} // namespace dipwright
