@@ -2,6 +2,7 @@
 
 #include "dip/FilmMarks.h"
 #include "parallel/ParallelFor.h"
+#include "pipeline/JobVerdict.h"
 
 #include <algorithm>
 
@@ -48,10 +49,12 @@ void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t 
     warnings.insert(warnings.end(), pieces.begin(), pieces.end());
 }
 
-std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {
+// Triangles in trapped air, without masked ones. `mask` may be null.
+std::vector<std::uint8_t> dryTriangles(const PosedBody& body, const SurfaceMask* mask) {
     std::vector<std::uint8_t> dry(body.mesh.triangles.size());
     parallelFor(std::size_t(0), dry.size(), [&](std::size_t triangle) {
-        dry[triangle] = body.isDry(middleOf(std::uint32_t(triangle)));
+        const SurfacePoint middle = middleOf(std::uint32_t(triangle));
+        dry[triangle] = body.isDry(middle) && !(mask && mask->covers(middle));
     });
     return dry;
 }
@@ -59,7 +62,7 @@ std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {
 void addNotReached(std::vector<JobWarning>& warnings, const JobResult& result) {
     const SurfaceQuery query(result.project.model->mesh);
     std::size_t count = 0;
-    for (const UnpaintedPlace& place : result.share->unpainted) {
+    for (const UnpaintedPlace& place : unreachedPlaces(result)) {
         if (place.area >= leastArea && count++ < mostOfAKind) {
             const SurfacePoint point = query.closest(place.place).point;
             warnings.push_back({WarningKind::NotReached, std::nullopt, place.place,
@@ -86,7 +89,7 @@ std::vector<JobWarning> jobWarnings(const JobResult& result) {
         const Coverage& coverage = *immersion.coverage;
         if (coverage.trappedAir.area >= leastArea) {
             addPieces(warnings, WarningKind::TrappedAir, dip, mesh, opposite,
-                      dryTriangles(*immersion.body));
+                      dryTriangles(*immersion.body, result.mask.get()));
         }
         for (const solver::PointMark mark : filmMarks) {
             if (coverage.marked.of(mark) >= leastArea) {
