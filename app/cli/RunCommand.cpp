@@ -5,7 +5,9 @@
 #include "base/Error.h"
 #include "dip/FilmUnderBody.h"
 #include "marks/SurfaceMask.h"
+#include "outputs/MakeOutputs.h"
 #include "parallel/Tasks.h"
+#include "pipeline/DipCache.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SmallerFilm.h"
@@ -33,6 +35,9 @@ const QString lawsOption = QStringLiteral("laws");
 const QString tolerancesOption = QStringLiteral("tolerances");
 const QString untilOption = QStringLiteral("until");
 const QString workOption = QStringLiteral("work");
+const QString outputsOption = QStringLiteral("outputs");
+const QString overwriteOption = QStringLiteral("overwrite");
+const QString clippingOption = QStringLiteral("accept-clipping");
 
 constexpr std::size_t mostPlaces = 8; // number of unreached places that are listed
 
@@ -239,6 +244,25 @@ void applyRefinement(Project& project, const QCommandLineParser& parser) {
     }
 }
 
+// Makes the outputs that --outputs names, in this folder. Throws Error if one of them fails.
+void writeOutputs(const JobResult& result, const QString& folder, const QString& project,
+                  const QCommandLineParser& parser, const Progress& progress, QTextStream& out) {
+    const OutputRequest request{folder, outputsNamed(result.project, parser.value(outputsOption)),
+                                project, parser.isSet(overwriteOption),
+                                parser.isSet(clippingOption)};
+    int failed = 0;
+    for (const OutputStatus& status : makeOutputs(result, request, progress)) {
+        out << statusText(status) << '\n';
+        failed += status.state == OutputState::Failed ? 1 : 0;
+    }
+    if (failed > 0) {
+        throw Error(QStringLiteral("%1 of %2 outputs failed; the reasons are listed above")
+                        .arg(failed)
+                        .arg(request.outputs.size()),
+                    folder);
+    }
+}
+
 void require(std::optional<Advice> required, const std::vector<Advice>& verdicts,
              const QString& folder) {
     const auto fails = [&](Advice verdict) { return required && isWorse(verdict, *required); };
@@ -314,6 +338,18 @@ public:
                             "linuxcnc, grbl or marlin: the program's own for dips on a path."),
              QStringLiteral("FILE")});
         syntax.addOption(
+            {outputsOption,
+             QStringLiteral("Writes only these outputs: the name of an output set of the project, "
+                            "such as Everything or “Print shop”, or a list such as "
+                            "sheet_pdf,traveller."),
+             QStringLiteral("NAME")});
+        syntax.addOption(
+            {overwriteOption,
+             QStringLiteral("With --outputs: also replaces files that no output has made.")});
+        syntax.addOption(
+            {clippingOption, QStringLiteral("With --outputs: accepts that colour outside the "
+                                            "printable area is lost in print files.")});
+        syntax.addOption(
             {languageOption,
              QStringLiteral(
                  "The language of the traveller, the job line and the notes: en, de or pt_BR."),
@@ -328,6 +364,12 @@ public:
                              QStringLiteral("--out"));
         }
         const QStringList projects = projectPaths(parser);
+        if (parser.isSet(outputsOption) && parser.isSet(motionOption)) {
+            throw UsageError(
+                QStringLiteral("--motion-template cannot be used with --outputs, which "
+                               "uses your own motion.gcode or the standard template"),
+                QStringLiteral("--motion-template"));
+        }
         const ThreadLimit threads = threadLimit(parser);
         const SolverRegistry registry;
         Tasks waking; // wakes the GPU meanwhile, because this takes longer than reading a project
@@ -390,9 +432,28 @@ private:
                         QStringLiteral("--dpi"));
         }
         applyRefinement(project, parser);
+        if (parser.isSet(outputsOption)) {
+            return runForOutputs(project, path, folder, registry, options, parser, progress,
+                                 console.out());
+        }
         const JobResult result = runAndWrite(project, registry, options, nullptr, folder, progress);
         printSummary(result, console.out());
         console.out() << QStringLiteral("Wrote %1\n").arg(folder);
+        return verdictToCompare(result);
+    }
+
+    // Does the same, but writes only the outputs of --outputs. Uses dips that the window has
+    // cached.
+    static Advice runForOutputs(const Project& project, const QString& path, const QString& folder,
+                                const SolverRegistry& registry, const JobOptions& options,
+                                const QCommandLineParser& parser, const Progress& progress,
+                                QTextStream& out) {
+        outputsNamed(project, parser.value(outputsOption)); // throws Error before the job
+        const auto cached = usableDips(project, registry, path, progress.silent());
+        const JobResult result =
+            runJob(project, registry, options, cached.get(), progress.part(0, 0.85));
+        printSummary(result, out);
+        writeOutputs(result, folder, path, parser, progress.part(0.85, 1), out);
         return verdictToCompare(result);
     }
 

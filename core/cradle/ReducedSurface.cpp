@@ -22,8 +22,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Cradle)
 };
 
-// Shares of the triangles to keep, one try after the other.
-constexpr std::array<double, 3> keptShares{0.09, 0.2, 0.4};
+// Shares of the triangles to keep, one try after the other; in the first not more than
+// mostTriangles, which are 3 MB as STL.
+constexpr std::array<double, 3> keptShares{0.1, 0.15, 0.3};
+constexpr double mostTriangles = 59'500;
 // Degrees between two triangles that make an edge. So small that the filter treats each bend of
 // the form as an edge and does not round it.
 constexpr double featureAngle = 1;
@@ -120,12 +122,17 @@ bool crossesItself(const TriangleMesh& mesh, const SurfaceQuery& query) {
 
 ReducedSurface reducedSurface(const TriangleMesh& surface, double tolerance, double spacing,
                               const Progress& progress) {
+    if (surface.triangles.empty()) {
+        return {surface, 0};
+    }
     const QString text = Text::tr("Reducing the triangles of the cradle");
     progress(0, text);
     const SurfaceQuery original(surface);
     const auto data = polyDataOf(surface);
     for (std::size_t attempt = 0; attempt < keptShares.size(); ++attempt) {
-        ReducedSurface result{decimated(*data, keptShares[attempt], progress.cancelToken), 0};
+        const double most = attempt == 0 ? mostTriangles / double(surface.triangles.size()) : 1;
+        const double share = std::min(keptShares[attempt], most);
+        ReducedSurface result{decimated(*data, share, progress.cancelToken), 0};
         progress(double(attempt + 1) / double(keptShares.size() + 1), text);
         if (!isClosedSurface(result.mesh)) {
             continue;

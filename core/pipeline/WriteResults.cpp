@@ -19,7 +19,9 @@
 #include <QJsonDocument>
 #include <QSet>
 
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <mutex>
 
 namespace dipwright {
@@ -91,19 +93,25 @@ void writeTogether(const std::vector<Piece>& pieces, const Progress& progress) {
     writing.wait();
 }
 
+enum class SheetFormats { Png, Pdf, Both };
+
 void addSheet(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
-              const FolderTransaction& folder) {
+              SheetFormats formats, const FolderTransaction& folder) {
     const QString text = Text::tr("Writing the sheet of %1").arg(result.immersion.name);
-    pieces.push_back({text, [&result, prefix, &folder] {
+    pieces.push_back({text, [&result, prefix, formats, &folder] {
                           const PreparedSheet sheet = preparedSheet(result.sheet, {});
-                          folder.write(prefix + QStringLiteral("sheet.png"), sheetPng(sheet));
-                          folder.write(prefix + QStringLiteral("sheet.pdf"), sheetPdf(sheet, {}));
+                          if (formats != SheetFormats::Pdf) {
+                              folder.write(prefix + QStringLiteral("sheet.png"), sheetPng(sheet));
+                          }
+                          if (formats != SheetFormats::Png) {
+                              folder.write(prefix + QStringLiteral("sheet.pdf"),
+                                           sheetPdf(sheet, {}));
+                          }
                       }});
 }
 
-// Adds the tasks for the film's files. `allowedError` is the limit of the numerical error map, mm.
 void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
-             double allowedError, const FolderTransaction& folder) {
+             const FolderTransaction& folder) {
     pieces.push_back(
         {Text::tr("Writing the film of %1").arg(result.immersion.name), [&result, prefix, &folder] {
              folder.write(prefix + QStringLiteral("film.vtp"),
@@ -111,6 +119,11 @@ void addFilm(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
              folder.write(prefix + QStringLiteral("body.vtp"),
                           bodyVtp(*result.body, *result.appearance, *result.coverage));
          }});
+}
+
+// Adds the tasks for the film's maps. `allowedError` is the limit of the numerical error map, mm.
+void addMaps(std::vector<Piece>& pieces, const ImmersionResult& result, const QString& prefix,
+             double allowedError, const FolderTransaction& folder) {
     const QString text = Text::tr("Writing the stretch maps of %1").arg(result.immersion.name);
     pieces.push_back({text, [&result, prefix, &folder] {
                           const QString name = prefix + QStringLiteral("stretch.png");
@@ -138,8 +151,9 @@ std::vector<Piece> immersionPieces(const Project& project, const ImmersionResult
                                    std::size_t number, const FolderTransaction& folder) {
     const QString prefix = immersionFolder(int(number) + 1) + QLatin1Char('/');
     std::vector<Piece> pieces;
-    addSheet(pieces, result, prefix, folder);
-    addFilm(pieces, result, prefix, allowedError(Zone::C, project.tolerance), folder);
+    addSheet(pieces, result, prefix, SheetFormats::Both, folder);
+    addFilm(pieces, result, prefix, folder);
+    addMaps(pieces, result, prefix, allowedError(Zone::C, project.tolerance), folder);
     return pieces;
 }
 
@@ -163,15 +177,18 @@ std::vector<Piece> cradlePieces(const JobResult& result, const std::vector<Cradl
     return pieces;
 }
 
-// Adds the tasks for the traveller and the motion of each dip. They keep references to all
-// arguments but the template.
+// Adds the task for the traveller. It keeps references to all arguments.
 void addTraveller(std::vector<Piece>& pieces, const JobResult& result,
-                  const std::optional<MotionTemplate>& motion, const FolderTransaction& folder,
-                  const CancelToken& cancelToken) {
+                  const FolderTransaction& folder, const CancelToken& cancelToken) {
     pieces.push_back({Text::tr("Writing the traveller"), [&result, &folder, cancelToken] {
                           folder.write(QStringLiteral("traveller.pdf"),
                                        travellerPdf(jobTraveller(result, {{}, cancelToken})));
                       }});
+}
+
+// Adds the task for the motion of each dip. It keeps references to all arguments but the template.
+void addMotion(std::vector<Piece>& pieces, const JobResult& result,
+               const std::optional<MotionTemplate>& motion, const FolderTransaction& folder) {
     pieces.push_back({Text::tr("Writing the motion files"), [&result, &folder, motion] {
                           for (std::size_t i = 0; i < result.immersions.size(); ++i) {
                               const DipMotion way = jobMotion(result, i);
@@ -202,11 +219,8 @@ void addToleranceMaps(std::vector<Piece>& pieces, const JobResult& result,
     }
 }
 
-// Returns the tasks for the files of the whole job.
-std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
-                             const FolderTransaction& folder) {
-    std::vector<Piece> pieces = cradlePieces(result, result.cradles, folder);
-    addToleranceMaps(pieces, result, folder);
+void addProof(std::vector<Piece>& pieces, const JobResult& result,
+              const FolderTransaction& folder) {
     pieces.push_back({Text::tr("Writing the proof"), [&] {
                           const QString proof = QStringLiteral("proof.png");
                           folder.write(proof, pngBytes(result.proof, proof));
@@ -223,10 +237,23 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
                               folder.write(name, pngBytes(result.coverage, name));
                           }});
     }
+}
+
+void addReport(std::vector<Piece>& pieces, const Project& project, const JobResult& result,
+               const FolderTransaction& folder) {
     pieces.push_back({Text::tr("Writing the report"), [&] {
                           folder.write(QStringLiteral("report.json"),
                                        QJsonDocument(report(project, result)).toJson());
                       }});
+}
+
+// Returns the tasks for the files of the whole job.
+std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
+                             const FolderTransaction& folder) {
+    std::vector<Piece> pieces = cradlePieces(result, result.cradles, folder);
+    addToleranceMaps(pieces, result, folder);
+    addProof(pieces, result, folder);
+    addReport(pieces, project, result, folder);
     return pieces;
 }
 
@@ -256,7 +283,8 @@ void writeResults(const Project& project, const JobResult& result, const QString
                   const Progress& progress) {
     FolderTransaction results(folder, resultFiles());
     std::vector<Piece> pieces = jobPieces(project, result, results);
-    addTraveller(pieces, result, std::nullopt, results, progress.cancelToken);
+    addTraveller(pieces, result, results, progress.cancelToken);
+    addMotion(pieces, result, std::nullopt, results);
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
         for (Piece& piece :
              immersionPieces(result.project, result.immersions[number], number, results)) {
@@ -276,6 +304,72 @@ std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
     writeTogether(cradlePieces(result, cradles, files), progress.part(0.95, 1));
     commit(files, progress);
     return cradles;
+}
+
+namespace {
+
+// Returns the tasks for the files that an output has for one dip; none if it has only files for
+// the job. They keep references to all other arguments.
+std::vector<Piece> dipPieces(Output output, const JobResult& result, std::size_t number,
+                             const FolderTransaction& folder) {
+    const QString prefix = immersionFolder(int(number) + 1) + QLatin1Char('/');
+    const ImmersionResult& dip = result.immersions[number];
+    std::vector<Piece> pieces;
+    if (output == Output::SheetPdf || output == Output::SheetPng) {
+        addSheet(pieces, dip, prefix,
+                 output == Output::SheetPdf ? SheetFormats::Pdf : SheetFormats::Png, folder);
+    } else if (output == Output::Film) {
+        addFilm(pieces, dip, prefix, folder);
+    } else if (output == Output::Maps) {
+        addMaps(pieces, dip, prefix, allowedError(Zone::C, result.project.tolerance), folder);
+    }
+    return pieces;
+}
+
+// Returns the tasks for the files that an output has for the job. They keep references to all
+// arguments but the output.
+std::vector<Piece> jobPieces(Output output, const JobResult& result,
+                             const std::vector<Cradle>& cradles, const FolderTransaction& folder,
+                             const CancelToken& cancelToken) {
+    std::vector<Piece> pieces;
+    if (output == Output::Proof) {
+        addProof(pieces, result, folder);
+    } else if (output == Output::Traveller) {
+        addTraveller(pieces, result, folder, cancelToken);
+    } else if (output == Output::Motion) {
+        addMotion(pieces, result, std::nullopt, folder);
+    } else if (output == Output::Cradles) {
+        pieces = cradlePieces(result, cradles, folder);
+    } else if (output == Output::Report) {
+        addReport(pieces, result.project, result, folder);
+    } else if (output == Output::Maps) {
+        addToleranceMaps(pieces, result, folder);
+    }
+    return pieces;
+}
+
+} // namespace
+
+QStringList writeOutput(const JobResult& result, Output output, const QString& folder,
+                        const Progress& progress) {
+    FolderTransaction files(folder, outputFiles(output));
+    const std::vector<Cradle> cradles = output == Output::Cradles && result.cradles.empty()
+                                            ? jobCradles(result, progress.part(0, 0.9))
+                                            : result.cradles;
+    QStringList notes;
+    for (const Cradle& cradle : cradles) {
+        notes += output == Output::Cradles ? cradle.notes : QStringList();
+    }
+    std::vector<Piece> pieces = jobPieces(output, result, cradles, files, progress.cancelToken);
+    for (std::size_t number = 0; number < result.immersions.size(); ++number) {
+        std::ranges::move(dipPieces(output, result, number, files), std::back_inserter(pieces));
+    }
+    if (pieces.empty()) {
+        throw Error(notes.isEmpty() ? Text::tr("There is nothing to write") : notes.join(u' '), {});
+    }
+    writeTogether(pieces, progress.part(0.9, 1));
+    commit(files, progress);
+    return notes;
 }
 
 namespace {
@@ -315,7 +409,8 @@ JobResult runAndWrite(const Project& project, const SolverRegistry& registry,
     };
     const JobResult result = runJob(project, registry, watched, previous, running);
     std::vector<Piece> pieces = jobPieces(project, result, results);
-    addTraveller(pieces, result, options.motion, results, progress.cancelToken);
+    addTraveller(pieces, result, results, progress.cancelToken);
+    addMotion(pieces, result, options.motion, results);
     writeTogether(pieces, progress.part(0.95, 1));
     writing.wait();
     writeTicket(result, results);

@@ -3,6 +3,7 @@
 
 #include "base/Progress.h"
 #include "pipeline/JobResult.h"
+#include "project/OutputSets.h"
 
 namespace dipwright {
 
@@ -19,6 +20,12 @@ QStringList resultFolders(const QStringList& projects, const QString& folder);
 // Writes only the cradles, all or none, and returns them. Makes the cradles if the result has none.
 std::vector<Cradle> writeCradles(const JobResult& result, const QString& folder,
                                  const Progress& progress);
+
+// Writes only the files of one output, all or none: the same bytes as writeResults(). Removes other
+// files of outputFiles(output). Returns notes for the user. Throws Error if there is nothing to
+// write, or for print files (app/outputs writes them).
+QStringList writeOutput(const JobResult& result, Output output, const QString& folder,
+                        const Progress& progress);
 
 // Runs the job (runJob) and writes its results (writeResults). Writes the files of one dip while
 // the next dip runs. `previous` is as in runJob(). Throws Error before the job if the folder cannot

@@ -83,6 +83,11 @@ std::vector<WindowActions::Entry> WindowActions::fileEntries() {
          tr("Save the film image of this dip as PNG")},
         {&A::exportCradles, "exportCradles", "export", tr("Export crad&les…"),
          tr("Save a cradle that holds the part in each dip, as STL and 3MF for 3D printing")},
+        {&A::makeOutputs, "makeOutputs", "export", tr("Make &outputs…"),
+         tr("Write a list of files that is kept with the project, such as everything that the "
+            "print "
+            "shop needs"),
+         key("Ctrl+Shift+E")},
         {&A::print, "print", "print", tr("&Print…"), tr("Print the sheets at true size"),
          QKeySequence::Print},
         {&A::printHistory, "printHistory", "", tr("Print &history…"),
@@ -356,7 +361,8 @@ void WindowActions::enable(const WindowState& state) {
         action->setEnabled(state.hasSheet);
     }
     // What is exported is what is on show.
-    for (QAction* action : {exportResults, exportPdf, exportPng, exportCradles, cradle}) {
+    for (QAction* action :
+         {exportResults, exportPdf, exportPng, exportCradles, cradle, makeOutputs}) {
         action->setEnabled(state.hasSheet && !state.isDraft);
     }
     play->setEnabled(state.isRecorded);

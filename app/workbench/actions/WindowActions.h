@@ -31,8 +31,8 @@ public:
     explicit WindowActions(QWidget& window); // adds the actions to `window`
 
     QAction *newWindow, *newProject, *open, *save, *saveAs, *snapshots, *exportResults, *exportPdf,
-        *exportPng, *exportCradles, *print, *printHistory, *jobQueue, *packJobs, *calibrate,
-        *profiles, *close, *quit;
+        *exportPng, *exportCradles, *makeOutputs, *print, *printHistory, *jobQueue, *packJobs,
+        *calibrate, *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *artwork, *preferences;
     QAction *run, *cancel, *live, *numericalError, *tolerances, *findPoses, *play;

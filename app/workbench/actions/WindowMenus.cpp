@@ -47,7 +47,7 @@ void WindowMenus::makeFileMenu(QMenu& menu, const WindowActions& a) {
     menu.addSeparator();
     addGroups(menu, {{a.save, a.saveAs, a.snapshots},
                      {a.print, a.printHistory, a.calibrate, a.jobQueue, a.packJobs, a.exportResults,
-                      a.exportPdf, a.exportPng, a.exportCradles},
+                      a.exportPdf, a.exportPng, a.exportCradles, a.makeOutputs},
                      {a.close, a.quit}});
 }
 

@@ -112,9 +112,9 @@ void DocumentSession::openCopy(const QString& path) {
 }
 
 void DocumentSession::importModel(const QString& path, const ImportOptions& options,
-                                  const std::function<void(Project&)>& complete) {
+                                  const std::function<void(Project&)>& complete, bool runs) {
     startImport(path, options, tr("New project"), jobs_, messages_,
-                [this, path, options, complete](const ImportedModel& imported) {
+                [this, path, options, complete, runs](const ImportedModel& imported) {
                     logImport(imported, messages_);
                     Project project = newProject(imported, path, options);
                     if (complete) {
@@ -124,6 +124,9 @@ void DocumentSession::importModel(const QString& path, const ImportOptions& opti
                     shown.take(std::make_unique<Document>(project));
                     if (const auto length = implausibleLength(project.model->mesh)) {
                         emit shown.implausibleLengthFound(*length);
+                    }
+                    if (runs) {
+                        emit shown.runAsked();
                     }
                 });
 }

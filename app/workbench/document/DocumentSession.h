@@ -41,9 +41,10 @@ public:
     // Opens an untitled copy of a sample, in this window if it has no document, else in another.
     void openCopy(const QString& path);
     // Creates a project from a model and opens it, in this window if it has no document, else in
-    // another. `complete` may change the new project before it is shown.
+    // another. `complete` may change the new project before it is shown. If `runs`, that window's
+    // session then emits runAsked().
     void importModel(const QString& path, const ImportOptions& options,
-                     const std::function<void(Project&)>& complete = {});
+                     const std::function<void(Project&)>& complete = {}, bool runs = false);
     void restore(const RecoveredDocument& recovered); // call it only without a document
 
     void save(); // throws as Document::save() does
@@ -55,6 +56,7 @@ signals:
     void documentChanged(); // the old document is deleted after this signal
     void saved(const QString& path);
     void implausibleLengthFound(double millimetres); // the imported body is very long or short
+    void runAsked();                                 // for a new project
 
 private:
     // On failure, reports to `teller` and calls `failed`.

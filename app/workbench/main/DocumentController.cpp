@@ -37,6 +37,7 @@ DocumentController::DocumentController(const WindowActions& actions, DocumentSes
     };
     on(actions.newProject, [this] { askNew(); });
     on(actions.open, &DocumentController::askOpen);
+    connect(&session, &DocumentSession::runAsked, actions.run, &QAction::trigger);
     on(actions.save, &DocumentController::save);
     on(actions.saveAs, &DocumentController::saveAs);
     on(actions.snapshots, &DocumentController::showSnapshots);
@@ -64,7 +65,8 @@ void DocumentController::askNew(const QString& model) {
     auto* dialog = new NewProjectDialog(model, workbench_.preferences(), &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
-        session_.importModel(dialog->model(), dialog->importOptions(), dialog->completion());
+        session_.importModel(dialog->model(), dialog->importOptions(), dialog->completion(),
+                             dialog->runsAtOnce());
     });
     dialog->open();
 }

@@ -10,6 +10,7 @@
 #include "workbench/dip/FilmTable.h"
 #include "workbench/jobs/StartJob.h"
 #include "workbench/jobs/WriteFiles.h"
+#include "workbench/outputs/OutputsDialog.h"
 #include "workbench/printing/PrintDialog.h"
 #include "workbench/results/StretchPanel.h"
 
@@ -30,6 +31,7 @@ ExportController::ExportController(const WindowActions& actions, const StretchPa
     on(actions.exportPdf, &ExportController::exportSheetPdf);
     on(actions.exportPng, &ExportController::exportSheetPng);
     on(actions.exportCradles, &ExportController::exportCradles);
+    on(actions.makeOutputs, &ExportController::makeOutputs);
     on(actions.print, &ExportController::print);
     connect(&stretch, &StretchPanel::exportAsked, this, &ExportController::exportStretch);
 }
@@ -124,6 +126,13 @@ ExportController::Write ExportController::stretchWriter(const QString& suffix) c
     return [picture = stretch_.picture()](const QString& path) {
         writeAtomically(path, [&](QIODevice& device) { writePng(picture, device, path); });
     };
+}
+
+void ExportController::makeOutputs() {
+    auto* dialog = new OutputsDialog(*session_.document(), session_.outcome().result, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &OutputsDialog::made, &messages_, &Messages::logAndSay);
+    dialog->open();
 }
 
 void ExportController::print() {

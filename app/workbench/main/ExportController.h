@@ -1,4 +1,5 @@
-// Exports results, sheets, stretch maps and numerical error to files, and prints sheets.
+// Makes outputs, exports results, sheets, stretch maps and numerical error to files, and prints
+// sheets.
 #pragma once
 
 #include "pipeline/SheetNumericalError.h"
@@ -32,6 +33,7 @@ private:
     void exportSheetPng();
     void exportCradles();
     void exportStretch(const QString& suffix); // png, csv or vtp
+    void makeOutputs();
     void print();
     QString sheetName() const;
     // Asks for a file name and writes the file.

@@ -14,6 +14,7 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -114,6 +115,12 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     form->addRow(tr("&Dips"), template_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     create_ = buttons->addButton(tr("Create"), QDialogButtonBox::AcceptRole);
+    create_->setDefault(true);
+    createAndRun_ = buttons->addButton(tr("Create and &run"), QDialogButtonBox::AcceptRole);
+    createAndRun_->setObjectName(QStringLiteral("createAndRun"));
+    createAndRun_->setToolTip(tr("Creates the project and simulates its dips at once."));
+    connect(buttons, &QDialogButtonBox::clicked, this,
+            [this](QAbstractButton* button) { runs_ = button == createAndRun_; });
     connect(buttons, &QDialogButtonBox::accepted, this, &NewProjectDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
@@ -189,7 +196,11 @@ QWidget* NewProjectDialog::makeSizeRow() {
         showExtent();
     };
     connect(unit_, &QComboBox::activated, this, choose);
-    connect(byEdge_, &QRadioButton::clicked, this, choose);
+    connect(byEdge_, &QRadioButton::clicked, this, [this, choose] {
+        edge_->setFocus(); // so that the length can be typed at once
+        edge_->selectAll();
+        choose();
+    });
     connect(byUnit_, &QRadioButton::clicked, this, choose);
     return box;
 }
@@ -197,7 +208,7 @@ QWidget* NewProjectDialog::makeSizeRow() {
 void NewProjectDialog::updateButtons() {
     jobs_.cancelAll();
     const bool isThere = QFileInfo(model_->text()).isFile();
-    create_->setEnabled(isThere);
+    enableCreate(isThere);
     reading_ = isThere ? Reading::Pending : Reading::Done;
     isAccepting_ = false;
     failure_.clear();
@@ -212,7 +223,7 @@ void NewProjectDialog::readSizes() {
     const QString path = model_->text();
     if (!QFileInfo(path).isFile()) {
         reading_ = Reading::Done;
-        create_->setEnabled(false);
+        enableCreate(false);
         return;
     }
     reading_ = Reading::Pending;
@@ -225,7 +236,9 @@ void NewProjectDialog::readSizes() {
         [path, options](const Progress& progress) { return importModel(path, options, progress); },
         [this](const ImportedModel& imported) {
             takeSizes(imported.report.box);
-            endReading({});
+            if (!proposeTexture(imported)) {
+                endReading({});
+            }
         },
         [this](const std::exception_ptr& failure) {
             try {
@@ -238,11 +251,50 @@ void NewProjectDialog::readSizes() {
         }));
 }
 
+// If the model has no texture, but could have one, and there is one picture that it can be,
+// proposes this picture: the one with the model's name, else the only one in the model's folder.
+bool NewProjectDialog::proposeTexture(const ImportedModel& imported) {
+    const QFileInfo model(model_->text());
+    const auto hasCoordinates = [&mesh = imported.model] {
+        for (std::size_t t = 0; t < mesh.mesh.triangles.size(); ++t) {
+            if (mesh.hasTextureCoordinates(t)) {
+                return true;
+            }
+        }
+        return false;
+    };
+    if (!texture_->text().isEmpty() || proposed_ == model.filePath() ||
+        !imported.model.textures.empty() || !hasCoordinates()) {
+        return false;
+    }
+    proposed_ = model.filePath(); // proposed once, so that the user can clear it
+    const QFileInfoList all = model.absoluteDir().entryInfoList(pictureFilePatterns(), QDir::Files);
+    QFileInfoList named = all;
+    named.removeIf([&](const QFileInfo& picture) {
+        return picture.completeBaseName().compare(model.completeBaseName(), Qt::CaseInsensitive) !=
+               0;
+    });
+    const QFileInfoList& found = named.isEmpty() ? all : named;
+    if (found.size() != 1) {
+        return false;
+    }
+    const bool wasAccepting = isAccepting_;
+    texture_->setText(found.first().absoluteFilePath());
+    isAccepting_ = wasAccepting;
+    enableCreate(!wasAccepting);
+    return true;
+}
+
+void NewProjectDialog::enableCreate(bool enabled) {
+    create_->setEnabled(enabled);
+    createAndRun_->setEnabled(enabled);
+}
+
 // `failure`: why the model cannot be read; empty: it can.
 void NewProjectDialog::endReading(const QString& failure) {
     reading_ = Reading::Done;
     failure_ = failure;
-    create_->setEnabled(true);
+    enableCreate(true);
     showExtent();
     if (isAccepting_ && failure.isEmpty()) {
         QDialog::accept();
@@ -257,7 +309,7 @@ void NewProjectDialog::accept() {
         return;
     }
     isAccepting_ = true;
-    create_->setEnabled(false);
+    enableCreate(false);
     if (reading_ == Reading::Done || delay_.isActive()) { // perhaps the file has been repaired
         delay_.stop();
         readSizes();

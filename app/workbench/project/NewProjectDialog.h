@@ -28,6 +28,7 @@ public:
 
     QString model() const;
     ImportOptions importOptions() const;
+    bool runsAtOnce() const { return runs_; } // whether the user chose “Create and run”
     // Returns a function that applies film, preset and dips to a project. It outlives the dialog.
     std::function<void(Project&)> completion() const;
 
@@ -43,6 +44,8 @@ private:
     void updateButtons();
     void readSizes();
     void takeSizes(const BoundingBox& box);
+    bool proposeTexture(const ImportedModel& imported); // true: the model is read again
+    void enableCreate(bool enabled);
     void endReading(const QString& failure);
     void showExtent();
     void showHint(const QString& text);
@@ -59,13 +62,15 @@ private:
     QComboBox* filmProfile_;
     QComboBox* template_;
     QLabel* extent_;
-    QPushButton* create_;
+    QPushButton *create_, *createAndRun_;
     QTimer delay_;                         // runs while a name is typed
     std::optional<Eigen::Vector3d> sizes_; // of the model in the file's unit, once it was read
     Reading reading_ = Reading::Done;
     bool isAccepting_ = false; // Create was pressed before the model was read
     QString failure_;          // why the model cannot be read; empty: no failure
     bool guesses_ = true;      // guesses the unit until the user chooses
+    bool runs_ = false;
+    QString proposed_; // model whose texture was proposed, or where the user has chosen one
     JobRunner jobs_;
 };
 

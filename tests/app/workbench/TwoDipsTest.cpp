@@ -6,6 +6,7 @@
 #include "PrivateCups.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
+#include "model/TexturedMesh.h"
 #include "results/Results.h"
 #include "workbench/project/ProjectTree.h"
 #include "workbench/results/ResultsPanel.h"
@@ -16,7 +17,10 @@
 #include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QRadioButton>
+#include <QToolButton>
 
 using namespace dipwright;
 
@@ -46,6 +50,40 @@ Widget* labelled(const QWidget& parent, const QString& text) {
     for (auto* candidate : parent.findChildren<Widget*>()) {
         if (candidate->text().contains(text)) {
             return candidate;
+        }
+    }
+    return nullptr;
+}
+
+// Works with the mouse and counts the clicks.
+class Mouse {
+public:
+    void click(QWidget* widget) {
+        QVERIFY(widget && widget->isVisible() && widget->isEnabled());
+        ++clicks_;
+        QTest::mouseClick(widget, Qt::LeftButton);
+    }
+    // Opens the box and clicks on an entry.
+    void choose(QComboBox* box, const QString& entry) {
+        clicks_ += 2;
+        box->setCurrentIndex(box->findText(entry));
+    }
+    // Clicks on the button, and double-clicks on a file in the dialog that it opens.
+    void chooseFile(QWidget* button, const QString& path) {
+        answerWithFile(path);
+        click(button);
+        ++clicks_;
+    }
+    int clicks() const { return clicks_; }
+
+private:
+    int clicks_ = 0;
+};
+
+QWidget* toolButton(const QWidget& window, const QAction* action) {
+    for (auto* button : window.findChildren<QToolButton*>()) {
+        if (button->defaultAction() == action && button->isVisible()) {
+            return button;
         }
     }
     return nullptr;
@@ -151,6 +189,57 @@ private slots:
             QVERIFY(std::abs(pdfPage(file).width() - 210) < 0.1);
             QVERIFY(std::abs(pdfPage(file).height() - 297) < 0.1);
         }
+    }
+
+    // From a textured model to two printed sheets: docs/files-and-commands.md, "From a model to two
+    // printed sheets", lists the clicks.
+    void newModel_nineClicks_printTwoSheets() {
+        const QTemporaryDir folder; // with a model that does not name its texture
+        QVERIFY(QFile::copy(model, folder.filePath(QStringLiteral("jaguar.obj"))));
+        QVERIFY(QFile::copy(texture, folder.filePath(QStringLiteral("jaguar.png"))));
+        const qsizetype printed = cups_.received(QStringLiteral("pigment")).size();
+        MainWindow window(*workbench_);
+        window.show();
+        const WindowDriver own(window);
+        connect(&window.documents(), &DocumentSession::documentChanged, &window, [&window] {
+            if (Document* document = window.document()) {
+                document->edit({}, {}, makeCoarse); // so that the test is quick
+            }
+        });
+        Mouse mouse;
+        mouse.click(toolButton(window, own.action("new")));
+        QTRY_VERIFY(own.find<QDialog>("newProjectDialog") != nullptr);
+        auto& dialog = *own.find<QDialog>("newProjectDialog");
+        QTRY_VERIFY(dialog.isVisible());
+        mouse.chooseFile(dialog.findChild<QToolButton*>(),
+                         folder.filePath(QStringLiteral("jaguar.obj")));
+        const QList<QLineEdit*> files = dialog.findChildren<QLineEdit*>();
+        QTRY_VERIFY_WITH_TIMEOUT(files[1]->text().endsWith(QStringLiteral("jaguar.png")),
+                                 patience());
+        mouse.click(labelled<QRadioButton>(dialog, QStringLiteral("largest dimension")));
+        auto* size = dialog.findChild<QDoubleSpinBox*>();
+        QTest::keyClicks(size, QStringLiteral("95")); // the only entry; replaces the 90
+        QCOMPARE(size->value(), 95.0);
+        for (auto* box : dialog.findChildren<QComboBox*>()) {
+            if (box->findText(QStringLiteral("Two dips: bottom and top")) >= 0) {
+                mouse.choose(box, QStringLiteral("Two dips: bottom and top"));
+            }
+        }
+        QSignalSpy finished(&window.session(), &DipSession::finished);
+        mouse.click(dialog.findChild<QPushButton*>("createAndRun"));
+        QTRY_VERIFY_WITH_TIMEOUT(!finished.isEmpty(), patience());
+        QVERIFY(!window.document()->project().model->textures.empty());
+        QCOMPARE(window.document()->project().immersions.size(), std::size_t(2));
+        QTRY_VERIFY_WITH_TIMEOUT(own.action("print")->isEnabled(), patience());
+        mouse.click(toolButton(window, own.action("print")));
+        QTRY_VERIFY(own.find<QDialog>("printDialog") != nullptr);
+        auto& printing = *own.find<QDialog>("printDialog");
+        QTRY_VERIFY_WITH_TIMEOUT(labelled<QLabel>(printing, QStringLiteral("Pages: 2")) != nullptr,
+                                 patience());
+        mouse.click(labelled<QPushButton>(printing, QStringLiteral("Print")));
+        QTRY_COMPARE_WITH_TIMEOUT(cups_.received(QStringLiteral("pigment")).size(), printed + 2,
+                                  patience());
+        QVERIFY2(mouse.clicks() <= 9, qPrintable(QString::number(mouse.clicks())));
     }
 
 private:

@@ -1,0 +1,180 @@
+// Makes outputs in the dialog and on the command line, and compares the files.
+#include "workbench/outputs/OutputsDialog.h"
+#include "CliProcess.h"
+#include "Patience.h"
+#include "TestFolders.h"
+#include "pipeline/Pipeline.h"
+#include "project/ProjectStore.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDirIterator>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+#include <QtTest>
+#include <map>
+
+using namespace dipwright;
+
+namespace {
+
+// Returns all files below the folder by name. The report has the times of the run.
+std::map<QString, QByteArray> filesIn(const QString& folder) {
+    std::map<QString, QByteArray> files;
+    QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+    while (all.hasNext()) {
+        QFile file(all.next());
+        const QString name = QDir(folder).relativeFilePath(file.fileName());
+        if (name != QLatin1String("report.json") && name != QLatin1String("outputs.json") &&
+            file.open(QIODevice::ReadOnly)) {
+            files[name] = file.readAll();
+        }
+    }
+    return files;
+}
+
+QStringList namesOf(const std::map<QString, QByteArray>& files) {
+    QStringList names;
+    for (const auto& [name, bytes] : files) {
+        names << name;
+    }
+    return names;
+}
+
+} // namespace
+
+class OutputsDialogTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+    QString job_ = folder_.filePath(QStringLiteral("turtle.dipw"));
+    std::unique_ptr<Document> document_;
+    std::shared_ptr<const JobResult> result_;
+
+    QString target(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+
+    // Chooses set and folder, makes the outputs and waits. Returns the text that it then shows.
+    static QString make(OutputsDialog& dialog, const QString& set, const QString& target) {
+        auto* box = dialog.findChild<QComboBox*>("outputSet");
+        box->setCurrentIndex(box->findText(set));
+        emit box->activated(box->findText(set));
+        dialog.findChild<QLineEdit*>("outputsFolder")->setText(target);
+        QSignalSpy made(&dialog, &OutputsDialog::made);
+        dialog.findChild<QPushButton*>("makeOutputsNow")->click();
+        [&] { QTRY_COMPARE_WITH_TIMEOUT(made.count(), 1, patience()); }();
+        return dialog.findChild<QLabel*>("outputsWords")->text();
+    }
+
+    static QString stateOf(const OutputsDialog& dialog, Output output) {
+        const auto number =
+            std::find(allOutputs.begin(), allOutputs.end(), output) - allOutputs.begin();
+        return dialog.findChild<QTreeWidget*>("outputs")->topLevelItem(int(number))->text(1);
+    }
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        QLocale::setDefault(QLocale(QStringLiteral("en"))); // as in the window
+        QSettings().clear();
+        qputenv("DIPWRIGHT_PRINT_HISTORY", folder_.filePath(QStringLiteral("history")).toUtf8());
+        Project project = loadProject(sampleFolder("/turtle.dipw"));
+        project.film.resolution = FilmResolution::Points;
+        project.film.columns = 40;
+        project.film.rows = 56;
+        project.fieldResolution = 64;
+        project.sheet.resolution = DotsPerInch(50);
+        project.cradle.cell = Millimetres(2);
+        saveProject(project, job_);
+        document_ = std::make_unique<Document>(loadProject(job_), job_);
+        const SolverRegistry registry{QStringList{pluginFolder()}};
+        result_ = std::make_shared<const JobResult>(
+            runJob(document_->project(), registry, {}, nullptr, {}));
+        document_->setResult(result_);
+    }
+
+    void everything_dialogAndCommandLine_giveTheSameFiles() {
+        OutputsDialog dialog(*document_, result_);
+        const QString words = make(dialog, QStringLiteral("Everything"), target("window"));
+        QVERIFY2(words.startsWith(QStringLiteral("Made the outputs")), qPrintable(words));
+        QCOMPARE(stateOf(dialog, Output::SheetPdf), QStringLiteral("Done"));
+        const test::Outcome run = test::cli({"run", job_, "--out", target("cli"), "--outputs",
+                                             "everything", "--quiet", "--language", "en"});
+        QVERIFY2(run.exitCode == 0, run.err + run.out);
+        const auto fromWindow = filesIn(target("window")), fromCli = filesIn(target("cli"));
+        QCOMPARE(namesOf(fromWindow), namesOf(fromCli));
+        for (const auto& [name, bytes] : fromWindow) {
+            QVERIFY2(bytes == fromCli.at(name), qPrintable(name + QStringLiteral(" differs")));
+        }
+        for (const char* name : {"immersion-1/sheet.pdf", "immersion-2/print.tiff", "cradle-1.stl",
+                                 "traveller.pdf", "motion-2.gcode", "proof.png"}) {
+            QVERIFY2(fromWindow.contains(QLatin1String(name)), name);
+        }
+    }
+
+    void ownSet_savedInTheProject_isKnownToTheCommandLine() {
+        {
+            OutputsDialog dialog(*document_, result_);
+            auto* list = dialog.findChild<QTreeWidget*>("outputs");
+            for (int row = 0; row < list->topLevelItemCount(); ++row) {
+                list->topLevelItem(row)->setCheckState(0, row == 0 ? Qt::Checked : Qt::Unchecked);
+            }
+            dialog.findChild<QComboBox*>("outputSet")->setEditText(QStringLiteral("For Ana"));
+            dialog.findChild<QPushButton*>("saveOutputSet")->click();
+        }
+        QVERIFY(document_->undoStack().canUndo());
+        document_->saveAs(job_);
+        QVERIFY(document_->isFresh()); // a set changes no result
+        const test::Outcome run =
+            test::cli({"run", job_, "--out", target("ana"), "--outputs", "for ana", "--quiet"});
+        QVERIFY2(run.exitCode == 0, run.err);
+        QCOMPARE(namesOf(filesIn(target("ana"))),
+                 QStringList({QStringLiteral("immersion-1/sheet.pdf"),
+                              QStringLiteral("immersion-2/sheet.pdf")}));
+        const test::Outcome unknown =
+            test::cli({"run", job_, "--out", target("bob"), "--outputs", "for bob"});
+        QVERIFY(unknown.exitCode != 0 && unknown.err.contains("For Ana"));
+        QVERIFY(!QFileInfo::exists(target("bob")));
+    }
+
+    void foreignFile_isKeptUntilOverwritingIsAllowed() {
+        QVERIFY(QDir().mkpath(target("own")));
+        QFile mine(target("own/traveller.pdf"));
+        QVERIFY(mine.open(QIODevice::WriteOnly) && mine.write("mine") == 4);
+        mine.close();
+        OutputsDialog dialog(*document_, result_);
+        const QString words = make(dialog, QStringLiteral("Tank"), target("own"));
+        QVERIFY2(words.contains(QStringLiteral("traveller.pdf")), qPrintable(words));
+        QCOMPARE(stateOf(dialog, Output::Traveller), QStringLiteral("Failed"));
+        QCOMPARE(stateOf(dialog, Output::Motion), QStringLiteral("Done")); // the others are made
+        QCOMPARE(filesIn(target("own"))[QStringLiteral("traveller.pdf")], QByteArray("mine"));
+        dialog.findChild<QCheckBox*>("overwrite")->setChecked(true);
+        make(dialog, QStringLiteral("Tank"), target("own"));
+        QCOMPARE(stateOf(dialog, Output::Traveller), QStringLiteral("Done"));
+        QVERIFY(filesIn(target("own"))[QStringLiteral("traveller.pdf")].startsWith("%PDF"));
+    }
+
+    void changedProject_outputsAreOutOfDate() {
+        OutputsDialog before(*document_, result_);
+        make(before, QStringLiteral("Tank"), target("changed"));
+        document_->edit(QStringLiteral("deeper"), {}, [](Project& project) {
+            project.process.dipSpeed = MillimetresPerSecond(6);
+        });
+        OutputsDialog after(*document_, result_);
+        auto* folder = after.findChild<QLineEdit*>("outputsFolder");
+        folder->setText(target("changed"));
+        emit folder->editingFinished();
+        QTRY_COMPARE_WITH_TIMEOUT(stateOf(after, Output::Motion), QStringLiteral("Out of date"),
+                                  patience());
+        QCOMPARE(stateOf(after, Output::Film), QStringLiteral("Not made"));
+        document_->undoStack().undo();
+    }
+};
+
+QTEST_MAIN(OutputsDialogTest)
+#include "OutputsDialogTest.moc"
