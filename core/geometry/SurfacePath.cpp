@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace dipwright {
 namespace {
@@ -12,6 +13,10 @@ namespace {
 constexpr int samples = 16; // places on an edge at which the line may cross it
 constexpr int rounds = 60;  // of shortening
 constexpr float least = 1e-6f;
+constexpr float settled = 1e-4f;        // mm
+constexpr double gain = 1e-4;           // mm
+constexpr std::size_t mostAround = 100; // triangles around a corner
+constexpr std::uint32_t noCorner = 0xffffffffu;
 
 // A place on an edge of the mesh.
 struct Crossing {
@@ -51,9 +56,32 @@ public:
         return crossed;
     }
 
-    // Moves the crossings along their edges until the line is as short as it becomes.
+    // Moves the crossings along their edges until the line is as short as it becomes. Where that
+    // leads it into a corner, it passes the corner on the other side if that is shorter.
     std::vector<Eigen::Vector3f> shortened(std::vector<Crossing> crossed,
                                            const Eigen::Vector3f& end) const {
+        std::vector<Eigen::Vector3f> line = relaxed(crossed, end);
+        for (std::size_t place = 0; place < crossed.size();) {
+            const auto [corner, last] = cornerAt(crossed, line, place);
+            const auto other =
+                corner == noCorner ? std::nullopt : otherSide(crossed, place, last, corner);
+            const auto turned = other ? relaxed(*other, end) : std::vector<Eigen::Vector3f>();
+            if (other && lengthOf(turned) < lengthOf(line) - gain) {
+                crossed = *other;
+                line = turned;
+                place -=
+                    std::min<std::size_t>(place, 2); // corners before it may now be passed, too
+            } else {
+                ++place;
+            }
+        }
+        std::reverse(line.begin(), line.end());
+        return line;
+    }
+
+private:
+    std::vector<Eigen::Vector3f> relaxed(const std::vector<Crossing>& crossed,
+                                         const Eigen::Vector3f& end) const {
         std::vector<Eigen::Vector3f> line{end};
         for (const Crossing& crossing : crossed) {
             line.push_back(at(crossing));
@@ -66,15 +94,68 @@ public:
                 line[place] = between(crossed[place - 1], line[place - 1], line[place + 1]);
                 moved = std::max(moved, (line[place] - before).norm());
             }
-            if (moved < 1e-4f) {
+            if (moved < settled) {
                 break;
             }
         }
-        std::reverse(line.begin(), line.end());
         return line;
     }
 
-private:
+    // Returns the corner in which the line lies at the crossing `first`, and the last crossing that
+    // lies there, too; noCorner: it lies in none.
+    std::pair<std::uint32_t, std::size_t> cornerAt(const std::vector<Crossing>& crossed,
+                                                   const std::vector<Eigen::Vector3f>& line,
+                                                   std::size_t first) const {
+        for (const std::uint32_t corner : {crossed[first].a, crossed[first].b}) {
+            const auto isThere = [&](std::size_t place) {
+                return (crossed[place].a == corner || crossed[place].b == corner) &&
+                       (line[place + 1] - mesh_.positions[corner]).norm() < 10 * settled;
+            };
+            if (isThere(first)) {
+                std::size_t last = first;
+                while (last + 1 < crossed.size() && isThere(last + 1)) {
+                    ++last;
+                }
+                return {corner, last};
+            }
+        }
+        return {noCorner, first};
+    }
+
+    // Returns the crossings of a line that passes a corner on the other side than the crossings
+    // `first` to `last`; nothing if the surface ends there.
+    std::optional<std::vector<Crossing>> otherSide(const std::vector<Crossing>& crossed,
+                                                   std::size_t first, std::size_t last,
+                                                   std::uint32_t corner) const {
+        std::vector<Crossing> around(crossed.begin(), crossed.begin() + std::ptrdiff_t(first));
+        const std::uint32_t end = opposite_[crossed[last].edge] / 3;
+        std::uint32_t entered = crossed[first].edge;
+        for (std::size_t step = 0; step < mostAround; ++step) {
+            const std::uint32_t triangle = entered / 3;
+            std::uint32_t edge = noEdge; // the other edge at the corner
+            for (std::uint32_t side = 0; side < 3; ++side) {
+                const auto& corners = mesh_.triangles[triangle];
+                const bool touches = corners[side] == corner || corners[(side + 1) % 3] == corner;
+                if (touches && 3 * triangle + side != entered) {
+                    edge = 3 * triangle + side;
+                }
+            }
+            if (edge == noEdge || opposite_[edge] == noEdge) {
+                return std::nullopt;
+            }
+            const auto& corners = mesh_.triangles[triangle];
+            const std::uint32_t a = corners[edge % 3], b = corners[(edge % 3 + 1) % 3];
+            around.push_back({a, b, a == corner ? 0.1f : 0.9f, edge});
+            entered = opposite_[edge];
+            if (entered / 3 == end) {
+                around.insert(around.end(), crossed.begin() + std::ptrdiff_t(last) + 1,
+                              crossed.end());
+                return around;
+            }
+        }
+        return std::nullopt;
+    }
+
     Eigen::Vector3f at(const Crossing& crossing) const {
         return (1 - crossing.share) * mesh_.positions[crossing.a] +
                crossing.share * mesh_.positions[crossing.b];

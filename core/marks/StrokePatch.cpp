@@ -11,7 +11,7 @@ Eigen::Vector3f placeOf(const BrushPoint& point) {
 } // namespace
 
 StrokePatch::StrokePatch(const TriangleMesh& mesh, const SurfaceQuery& query, Millimetres radius)
-    : mesh_(mesh), query_(query), radius_(radius) {}
+    : mesh_(mesh), query_(query), radius_(radius), isWhole_(mesh.triangles.size()) {}
 
 void StrokePatch::add(const BrushPoint& point) {
     const Eigen::Vector3f to = placeOf(point), from = path_.empty() ? to : placeOf(path_.back());
@@ -20,26 +20,30 @@ void StrokePatch::add(const BrushPoint& point) {
     const float radius = stroke.radius();
     for (const std::uint32_t triangle :
          query_.trianglesNear((from + to) / 2, radius + (to - from).norm() / 2)) {
-        Marked& marked = marked_[triangle];
-        if (marked.isWhole) {
+        if (isWhole_[triangle] != 0) {
             continue;
         }
         const MarkedPiece whole{triangle, cornersOf(mesh_, triangle)};
         const Eigen::Vector3f normal = triangleNormal(mesh_, triangle);
-        marked.pieces.clear();
+        std::vector<MarkedPiece> pieces;
         addPieces(
             whole,
             [&](const Eigen::Vector3f& place) { return radius - stroke.distance(place, normal); },
-            sidePerRadius * radius, marked.pieces);
-        marked.isWhole =
-            marked.pieces.size() == 1 && marked.pieces.front().corners == whole.corners;
+            sidePerRadius * radius, pieces);
+        if (pieces.size() == 1 && pieces.front().corners == whole.corners) {
+            isWhole_[triangle] = 1;
+            whole_.push_back(whole);
+            parts_.erase(triangle);
+        } else if (!pieces.empty()) {
+            parts_[triangle] = std::move(pieces);
+        }
     }
 }
 
 std::vector<MarkedPiece> StrokePatch::pieces() const {
-    std::vector<MarkedPiece> all;
-    for (const auto& [triangle, marked] : marked_) {
-        all.insert(all.end(), marked.pieces.begin(), marked.pieces.end());
+    std::vector<MarkedPiece> all = whole_;
+    for (const auto& [triangle, pieces] : parts_) {
+        all.insert(all.end(), pieces.begin(), pieces.end());
     }
     return all;
 }

@@ -24,12 +24,9 @@ private:
     const SurfaceQuery& query_;
     Millimetres radius_;
     BrushPath path_;
-    // Of each triangle near the stroke.
-    struct Marked {
-        bool isWhole = false;
-        std::vector<MarkedPiece> pieces;
-    };
-    std::map<std::uint32_t, Marked> marked_;
+    std::vector<std::uint8_t> isWhole_; // per triangle: 1 if all of it is marked
+    std::vector<MarkedPiece> whole_;    // these triangles
+    std::map<std::uint32_t, std::vector<MarkedPiece>> parts_; // of other triangles
 };
 
 } // namespace dipwright

@@ -474,7 +474,7 @@ MapSubject numericalErrorSubject(const ShownDistances& told) {
             Text::tr("How far the image may be off because of the film's cells and the solver's "
                      "steps; ink side up"),
             Text::tr("error\n%1").arg(unitSign(told.unit)),
-            Text::tr("Limit: %1 · magenta: painted by only one of the compared dips")
+            Text::tr("Limit: %1 · black: painted by only one of the compared dips")
                 .arg(told.text(told.limit, 2)),
             told.scale,
             told.unit,

@@ -1,4 +1,5 @@
-// Marks functions that a CUDA compiler also builds for the device.
+// Marks functions that a CUDA compiler also builds for the device, and functions of vectorised
+// loops.
 #pragma once
 
 // Marks a function that runs on the host and on the device.
@@ -14,4 +15,14 @@
 #define DIPWRIGHT_TEAM __device__
 #else
 #define DIPWRIGHT_TEAM
+#endif
+
+// Marks a function, in place of `inline`, that a loop over many cells calls. GCC does not inline
+// larger functions otherwise, and vectorises no loop that calls a function.
+#if defined(__CUDACC__)
+#define DIPWRIGHT_IN_LOOP inline
+#elif defined(_MSC_VER)
+#define DIPWRIGHT_IN_LOOP __forceinline
+#else
+#define DIPWRIGHT_IN_LOOP __attribute__((always_inline)) inline
 #endif

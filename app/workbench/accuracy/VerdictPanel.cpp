@@ -2,11 +2,11 @@
 
 #include "pipeline/JobVerdict.h"
 #include "results/Results.h"
+#include "workbench/widgets/HtmlView.h"
 #include "workbench/widgets/PicturePanel.h"
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -101,7 +101,7 @@ QString html(const JobResult& result, const ImmersionResult& dip, LengthUnit uni
 } // namespace
 
 VerdictPanel::VerdictPanel(QWidget* parent)
-    : QWidget(parent), text_(new QTextBrowser),
+    : QWidget(parent), text_(new HtmlView),
       map_(new PicturePanel(tr("Numerical error of the sheet"),
                             tr("Run the dip to see the numerical error of the sheet."))) {
     text_->setFrameShape(QFrame::NoFrame);
@@ -109,7 +109,7 @@ VerdictPanel::VerdictPanel(QWidget* parent)
     text_->setAccessibleName(tr("Verdict"));
     text_->setOpenLinks(false);
     text_->hide();
-    connect(text_, &QTextBrowser::anchorClicked, this, &VerdictPanel::choosePlace);
+    connect(text_, &HtmlView::anchorClicked, this, &VerdictPanel::choosePlace);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(text_);
@@ -126,9 +126,9 @@ void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, 
     }
     const ImmersionResult& result = outcome.result->immersions[immersion];
     places_ = result.verdict.places;
-    text_->setHtml(outcome.fineness.isDraft()
-                       ? paragraph(tr("This is a draft. The verdict follows with the result."))
-                       : html(*outcome.result, result, unit));
+    text_->showHtml(outcome.fineness.isDraft()
+                        ? paragraph(tr("This is a draft. The verdict follows with the result."))
+                        : html(*outcome.result, result, unit));
     const NumericalErrorEstimate* estimate = result.numericalError.get();
     if (estimate && estimate->failure.isEmpty()) {
         const QImage map = numericalErrorMap(

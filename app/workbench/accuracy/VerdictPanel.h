@@ -7,11 +7,11 @@
 
 #include <QWidget>
 
-class QTextBrowser;
 class QUrl;
 
 namespace dipwright {
 
+class HtmlView;
 class PicturePanel;
 
 class VerdictPanel : public QWidget {
@@ -36,7 +36,7 @@ private:
     void fitText();
 
     std::vector<PlaceToCheck> places_;
-    QTextBrowser* text_;
+    HtmlView* text_;
     PicturePanel* map_;
 };
 

@@ -32,6 +32,7 @@ BuiltPage::BuiltPage(QWidget* parent)
       picture_(new PicturePanel(tr("Repeating error and correction"),
                                 tr("The repeating error of the parts is shown here."))) {
     parts_->setObjectName(QStringLiteral("builtParts"));
+    parts_->setCornerButtonEnabled(false);
     parts_->setAccessibleName(tr("Measured parts of the job"));
     parts_->setHorizontalHeaderLabels({tr("Date"), tr("Accepted by"), tr("Photos"), tr("Error")});
     parts_->horizontalHeaderItem(3)->setToolTip(

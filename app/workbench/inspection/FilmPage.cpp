@@ -145,6 +145,10 @@ QWidget* FilmPage::makeFields() {
     begin_->setToolTip(tr("Seconds from laying the film on the water to the start of the dip. The "
                           "swell is computed for this time."));
     water_ = box("waterTemperature", none, 100, 1, tr(" °C"), tr("not measured"));
+    water_->setToolTip(tr("Temperature of the water. It is kept with the measurement and does not "
+                          "change it."));
+    lot_->setToolTip(tr("Number of the film's lot. It is kept with the measurement and printed on "
+                        "the pages."));
     lot_->setObjectName(QStringLiteral("filmLot"));
     lot_->setMaxLength(100);
     connect(lot_, &QLineEdit::textEdited, this, [this] { change(lot_->objectName()); });

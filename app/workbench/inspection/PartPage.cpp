@@ -108,6 +108,7 @@ QWidget* PartPage::makePhotoBar() {
     photos_ = new QComboBox;
     photos_->setObjectName(QStringLiteral("partPhotos"));
     photos_->setAccessibleName(tr("Photo"));
+    photos_->setToolTip(tr("The photo that is shown."));
     photos_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     removePhoto_ = new QPushButton(icon(QStringLiteral("remove")), {});
     removePhoto_->setObjectName(QStringLiteral("removePartPhoto"));

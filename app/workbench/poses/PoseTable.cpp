@@ -172,6 +172,7 @@ PoseTable::PoseTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setWordWrap(true);
+    setCornerButtonEnabled(false);
     setTabKeyNavigation(false);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     connect(this, &QTableWidget::itemSelectionChanged, this, &PoseTable::chosenChanged);

@@ -67,6 +67,9 @@ QWidget* SearchPage::makeSettings() {
     const SearchSettings usual;
     immersions_->addItem(tr("One dip"), 1);
     immersions_->addItem(tr("Two dips, judged together"), 2);
+    immersions_->setToolTip(
+        tr("Whether one dip paints the part, or two dips from different sides."));
+    immersions_->setAccessibleName(tr("Dips"));
     immersions_->setObjectName(QStringLiteral("searchedImmersions"));
     simulated_->setDecimals(0);
     simulated_->setRange(simulatedRange.least, simulatedRange.most);

@@ -138,6 +138,10 @@ QWidget* PackDialog::makeProjects() {
 }
 
 QWidget* PackDialog::makeFilm() {
+    film_->setAccessibleName(tr("Film"));
+    film_->setToolTip(tr("The film or roll on which the pieces are placed."));
+    width_->setToolTip(tr("Width of the film or roll."));
+    spacing_->setToolTip(tr("Least distance between two pieces."));
     film_->setObjectName(QStringLiteral("packFilm"));
     for (const QString& name : filmSizeNames()) {
         film_->addItem(name, name);
@@ -178,6 +182,7 @@ QWidget* PackDialog::makePreview() {
     preview_->offerTrueSize();
     shown_->setObjectName(QStringLiteral("packShown"));
     shown_->setAccessibleName(tr("Shown film"));
+    shown_->setToolTip(tr("The film that the preview shows."));
     connect(shown_, &QComboBox::currentIndexChanged, this, &PackDialog::showFilm);
     auto* box = new QWidget;
     auto* layout = new QVBoxLayout(box);
@@ -220,6 +225,7 @@ void PackDialog::add(const QStringList& projects) {
         copies->setDecimals(0);
         copies->setRange(1, 999);
         copies->setKeyboardTracking(false);
+        copies->setToolTip(tr("How many copies of the project are placed on the film."));
         copies->setAccessibleName(tr("Copies of %1").arg(name->text()));
         connect(copies, &NumberBox::valueChanged, this, &PackDialog::changed);
         table_->setCellWidget(row, Copies, copies);

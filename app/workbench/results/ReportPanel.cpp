@@ -4,13 +4,13 @@
 #include "pipeline/SmallerFilm.h"
 #include "texture/ReverseTexture.h"
 #include "workbench/results/WarningTexts.h"
+#include "workbench/widgets/HtmlView.h"
 #include "workbench/widgets/ShippedNames.h"
 
 #include <QCoreApplication>
 #include <QLabel>
 #include <QLocale>
 #include <QTextBlock>
-#include <QTextBrowser>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -231,13 +231,13 @@ QString smallerFilmHtml(const JobResult& result, LengthUnit unit) {
 } // namespace
 
 ReportPanel::ReportPanel(QWidget* parent)
-    : QWidget(parent), text_(new QTextBrowser),
+    : QWidget(parent), text_(new HtmlView),
       hint_(new QLabel(tr("Run the dip to see its figures."))) {
     text_->setFrameShape(QFrame::NoFrame);
     text_->setObjectName(QStringLiteral("report"));
     text_->setAccessibleName(tr("Report"));
     text_->setOpenLinks(false);
-    connect(text_, &QTextBrowser::anchorClicked, this, &ReportPanel::follow);
+    connect(text_, &HtmlView::anchorClicked, this, &ReportPanel::follow);
     hint_->setAlignment(Qt::AlignCenter);
     hint_->setWordWrap(true);
     hint_->setForegroundRole(QPalette::PlaceholderText);
@@ -315,7 +315,7 @@ void ReportPanel::show() {
         html += immersionHtml(immersion, unit_, links);
     }
     places_ = links.places();
-    text_->setHtml(html);
+    text_->showHtml(html);
 }
 
 void ReportPanel::follow(const QUrl& link) {

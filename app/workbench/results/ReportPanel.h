@@ -9,10 +9,11 @@
 #include <vector>
 
 class QLabel;
-class QTextBrowser;
 class QUrl;
 
 namespace dipwright {
+
+class HtmlView;
 
 class ReportPanel : public QWidget {
     Q_OBJECT
@@ -42,7 +43,7 @@ private:
     std::vector<JobWarning> warnings_;
     QStringList tolerances_;
     std::vector<Eigen::Vector3f> places_; // the places that have links
-    QTextBrowser* text_;
+    HtmlView* text_;
     QLabel* hint_; // shown instead of the text before the first run
 };
 

@@ -2,6 +2,8 @@
 
 #include "geometry/SurfacePath.h"
 
+#include <utility>
+
 namespace dipwright {
 
 MeasureTool::MeasureTool(DipView& view, const DipScene& scene, Messages& messages, QObject* parent)
@@ -10,7 +12,9 @@ MeasureTool::MeasureTool(DipView& view, const DipScene& scene, Messages& message
 }
 
 void MeasureTool::setActive(bool active) {
-    active_ = active;
+    if (std::exchange(active_, active) && !active) {
+        messages_.say({}); // what it asked for
+    }
     clear();
     show();
 }

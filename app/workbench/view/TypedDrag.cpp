@@ -1,6 +1,6 @@
 #include "workbench/view/TypedDrag.h"
 
-#include "workbench/widgets/TypedNumber.h"
+#include "base/TypedNumber.h"
 
 #include <QKeyEvent>
 
@@ -19,9 +19,15 @@ TypedDrag::TypedDrag(DipView& view, QObject* parent) : QObject(parent), view_(vi
             [this](int, double millimetres) { show(shownLength(millimetres, unit_)); });
 }
 
+QString TypedDrag::unit() const {
+    return turns_ ? QStringLiteral("°") : unitSuffix(Unit::Length, unit_);
+}
+
 // While something is typed, its text is shown instead of the value.
 void TypedDrag::show(const QString& value) {
-    view_.setDragText(typed_.isEmpty() ? value : typed_ + QStringLiteral("│"));
+    const bool hasUnit = !typed_.isEmpty() && typed_.back().isLetter();
+    view_.setDragText(
+        typed_.isEmpty() ? value : typed_ + QStringLiteral("│") + (hasUnit ? QString() : unit()));
 }
 
 bool TypedDrag::eventFilter(QObject* watched, QEvent* event) {
@@ -57,8 +63,7 @@ void TypedDrag::press(const QKeyEvent& key) {
 
 // A text that is not a number yet, such as "-", leaves the part where it is.
 void TypedDrag::apply() {
-    const QString unit = turns_ ? QStringLiteral("°") : unitSuffix(Unit::Length, unit_).trimmed();
-    const std::vector<double> values = typedNumber(typed_, unit, QLocale()).values;
+    const std::vector<double> values = typedNumber(typed_, unit().trimmed(), QLocale()).values;
     show({});
     if (typed_.isEmpty()) {
         view_.setDragValue({});

@@ -23,6 +23,7 @@ private:
     void press(const QKeyEvent& key);
     void apply();
     void show(const QString& value);
+    QString unit() const; // of a number that is typed without a unit
 
     DipView& view_;
     LengthUnit unit_ = LengthUnit::Millimetre;

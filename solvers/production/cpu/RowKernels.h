@@ -72,8 +72,8 @@ struct RowOfStates { // states of the first and second triangles (StressState)
 // Returns the edges of the first or `second` triangle of cell `i`. `right`: whether the triangle
 // has the cell's right edge instead of its left edge. If `p` are displacements, `restX` and `restZ`
 // are the lengths of the rest edges; if `p` is a direction, they are 0.
-inline numerics::EdgePair<float> cellEdges(const RowOfPoints& p, std::size_t i, bool second,
-                                           bool right, float restX, float restZ) {
+DIPWRIGHT_IN_LOOP numerics::EdgePair<float>
+cellEdges(const RowOfPoints& p, std::size_t i, bool second, bool right, float restX, float restZ) {
     const float* hx = second ? p.x1 : p.x0;
     const float* hz = second ? p.z1 : p.z0;
     const float leftEdgeX = p.x1[i] - p.x0[i], rightEdgeX = p.x1[i + 1] - p.x0[i + 1];

@@ -19,7 +19,7 @@ struct EdgeStiffness {
 // tangentFactors() (docs/film-model.md, "The film's energy"). So the stiffness is a multiple of the
 // identity plus two dyads.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline EdgeStiffness<Real>
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP EdgeStiffness<Real>
 edgeStiffness(const Matrix2<Real>& shape, const StressState<Real>& state, Real area) {
     const TangentFactors<Real> factors = tangentFactors(state, Tangent::Projected);
     const Real cosine = state.cosine, sine = state.sine;
@@ -88,8 +88,8 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> minus(const Matrix2<Real>& m, const M
 // one. A force on an edge acts with + on the edge's higher end and with − on its lower end. A
 // point's displacement changes the edge with the same signs.
 template <CellPoint point, typename Real>
-DIPWRIGHT_HOST_DEVICE inline CellRow<Real> cellRow(const EdgeStiffness<Real>& first,
-                                                   const EdgeStiffness<Real>& second, bool even) {
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP CellRow<Real>
+cellRow(const EdgeStiffness<Real>& first, const EdgeStiffness<Real>& second, bool even) {
     using detail::minus;
     using detail::plus;
     constexpr bool isLower = point == CellPoint::LowerLeft || point == CellPoint::LowerRight;

@@ -61,8 +61,8 @@ struct StressState {
 
 // Returns P = ∂W/∂F at F, and the state for stressDerivative.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> stress(const Matrix2<Real>& F, Real gatheredResistance,
-                                                  StressState<Real>& state) {
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP Matrix2<Real>
+stress(const Matrix2<Real>& F, Real gatheredResistance, StressState<Real>& state) {
     const Real sum = F.a + F.d, skew = F.c - F.b;
     const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
     const Real inverse = Real(1) / s;
@@ -108,7 +108,7 @@ DIPWRIGHT_HOST_DEVICE inline TangentFactors<Real> tangentFactors(const StressSta
 // Returns dP for a change dF at the point of `state`. The rotation changes by dR = (RJ : dF)/s ·
 // RJ, which contributes with h/s.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Matrix2<Real>
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP Matrix2<Real>
 stressDerivative(const Matrix2<Real>& dF, const StressState<Real>& state, Tangent tangent) {
     const Real cosine = state.cosine, sine = state.sine;
     const TangentFactors<Real> factors = tangentFactors(state, tangent);

@@ -46,11 +46,10 @@ private slots:
     void filmPage_pagesToPrint_areSaved() {
         answerWithFile(home_.path());
         window_->page<FilmPage>()->findChild<QPushButton*>(QStringLiteral("filmPages"))->click();
-        waitForJobs();
-        for (const char* name : {"film.pdf", "card.pdf"}) {
-            QFile file(home_.filePath(QLatin1String(name)));
-            QVERIFY2(file.open(QIODevice::ReadOnly), name);
-            QVERIFY(file.read(5) == "%PDF-");
+        for (const QString& name : {QStringLiteral("film.pdf"), QStringLiteral("card.pdf")}) {
+            QFile file(home_.filePath(name));
+            QTRY_VERIFY_WITH_TIMEOUT(file.exists(), patience());
+            QVERIFY(file.open(QIODevice::ReadOnly) && file.read(5) == "%PDF-");
         }
     }
 

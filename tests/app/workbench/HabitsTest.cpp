@@ -263,6 +263,7 @@ private slots:
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
         const Document& document = *window_->document();
+        driver.trigger("fitPart");
         driver.find<ProjectTree>("projectTree")->select({ProjectPart::Model, 0});
         auto* brush = driver.find<QComboBox>("maskBrush");
         brush->setCurrentIndex(brush->findData(int(MarkExtent::Stroke)));
@@ -295,6 +296,7 @@ private slots:
     void maskBrush_hover_showsWhatItWouldMask() {
         WindowDriver driver(*window_);
         QVERIFY(makeProject());
+        driver.trigger("fitPart");
         driver.find<ProjectTree>("projectTree")->select({ProjectPart::Model, 0});
         auto* brush = driver.find<QComboBox>("maskBrush");
         brush->setCurrentIndex(brush->findData(int(MarkExtent::Stroke)));
@@ -313,6 +315,8 @@ private slots:
         auto* brush = driver.find<QComboBox>("maskBrush");
         brush->setCurrentIndex(brush->findData(int(MarkExtent::Stroke)));
         const double before = radius->value();
+        window_->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(window_.get()));
         window_->view().setFocus();
         QTest::keyClick(&window_->view(), Qt::Key_BracketRight);
         QVERIFY(radius->value() > 1.1 * before);

@@ -17,13 +17,18 @@ namespace {
 constexpr double radius = 25;    // of the ball, mm
 constexpr double capRadius = 10; // from the pole to the rim of the masked cap, mm
 
-Project ball() {
+std::shared_ptr<const TexturedMesh> ballModel() {
     auto model = std::make_shared<TexturedMesh>();
     model->mesh = sphereMesh(radius, 60, 120);
     model->textureCoordinates.resize(model->mesh.triangles.size());
     model->material.resize(model->mesh.triangles.size(), 0);
     model->chart.resize(model->mesh.triangles.size(), 0);
     model->materials = {{QStringLiteral("body"), QColor(30, 60, 90), -1}};
+    return model;
+}
+
+Project ball() {
+    static const auto model = ballModel();
     Project project;
     project.model = model;
     project.film.width = project.film.height = Millimetres(120);
