@@ -18,8 +18,8 @@ constexpr int samplesOfBody = 40'000;
 
 // Result of the samples of one body triangle.
 struct TriangleCover {
-    double painted = 0; // mm²
-    double masked = 0;  // mm²
+    double painted = 0;               // mm²
+    double masked = 0, maskedAir = 0; // mm², masked in all, and masked in trapped air
     MarkedArea marked;
     std::uint8_t marks = 0; // the marks that apply to at least half of the painted area
     bool isCovered = false; // at least half of the triangle is painted or masked
@@ -31,11 +31,12 @@ TriangleCover triangleCover(const LaidFilm& laid, const SurfaceMask* mask, std::
     const int pieces =
         int(std::clamp(std::ceil(std::sqrt(area / sampleArea)), 1.0, double(mostPieces)));
     const double pieceArea = area / (pieces * pieces);
-    int hits = 0, masked = 0;
+    int hits = 0, masked = 0, maskedAir = 0;
     TriangleCover cover;
     forEachPiece(std::uint32_t(triangle), pieces, [&](const SurfacePoint& sample) {
         if (mask && mask->covers(sample)) {
             ++masked;
+            maskedAir += laid.body().isDry(sample) ? 1 : 0;
         } else if (const auto place = laid.place(sample)) {
             ++hits;
             cover.marked.add(laid.marks(place->triangle), pieceArea);
@@ -43,6 +44,7 @@ TriangleCover triangleCover(const LaidFilm& laid, const SurfaceMask* mask, std::
     });
     cover.painted = area * hits / (pieces * pieces);
     cover.masked = area * masked / (pieces * pieces);
+    cover.maskedAir = area * maskedAir / (pieces * pieces);
     cover.isCovered = 2 * (hits + masked) >= pieces * pieces;
     for (std::size_t mark = 0; mark < filmMarks.size(); ++mark) {
         if (hits > 0 && 2 * cover.marked.each[mark] >= cover.painted) {
@@ -63,17 +65,19 @@ Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask) {
         covers[triangle] = triangleCover(laid, mask, triangle, sampleArea);
     });
     Coverage result;
-    double masked = 0; // mm²
+    double masked = 0, maskedAir = 0; // mm²
     for (const TriangleCover& cover : covers) {
         result.covered.push_back(cover.isCovered ? 1 : 0);
         result.marks.push_back(cover.marks);
         result.paintedArea += cover.painted;
         masked += cover.masked;
+        maskedAir += cover.maskedAir;
         result.marked.add(cover.marked);
     }
     const double open = surfaceArea(mesh) - masked;
     result.share = open > 0 ? result.paintedArea / open : 0;
     result.trappedAir = trappedAir(laid.body());
+    result.trappedAir.area = std::max(result.trappedAir.area - maskedAir, 0.0);
     return result;
 }
 

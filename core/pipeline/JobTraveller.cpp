@@ -134,8 +134,10 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         if (tablePays(*fine, 3.0 * afterPixels.width() * afterPixels.height())) {
             films.back().places = std::make_shared<const FilmPlaces>(*fine, *dipped[i].laid);
         }
-        dip.after = afterDip({*immersion.body, *fine, nullptr, films, result.mask.get()},
-                             progress.silent());
+        const bool isLast = i + 1 == result.immersions.size(); // then the tape is off
+        dip.after =
+            afterDip({*immersion.body, *fine, nullptr, films, isLast ? nullptr : result.mask.get()},
+                     progress.silent());
     }
     return traveller;
 }

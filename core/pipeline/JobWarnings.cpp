@@ -54,10 +54,12 @@ void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t 
     warnings.insert(warnings.end(), pieces.begin(), pieces.end());
 }
 
-std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {
+// Triangles in trapped air, without masked ones. `mask` may be null.
+std::vector<std::uint8_t> dryTriangles(const PosedBody& body, const SurfaceMask* mask) {
     std::vector<std::uint8_t> dry(body.mesh.triangles.size());
     parallelFor(std::size_t(0), dry.size(), [&](std::size_t triangle) {
-        dry[triangle] = body.isDry(middleOf(std::uint32_t(triangle)));
+        const SurfacePoint middle = middleOf(std::uint32_t(triangle));
+        dry[triangle] = body.isDry(middle) && !(mask && mask->covers(middle));
     });
     return dry;
 }
@@ -91,7 +93,7 @@ std::vector<JobWarning> jobWarnings(const JobResult& result) {
         const Coverage& coverage = *immersion.coverage;
         if (coverage.trappedAir.area >= leastArea) {
             addPieces(warnings, WarningKind::TrappedAir, dip, result, opposite,
-                      dryTriangles(*immersion.body));
+                      dryTriangles(*immersion.body, result.mask.get()));
         }
         for (const solver::PointMark mark : filmMarks) {
             if (coverage.marked.of(mark) >= leastArea) {

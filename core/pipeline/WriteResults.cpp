@@ -353,9 +353,10 @@ std::vector<Piece> jobPieces(Output output, const JobResult& result,
 QStringList writeOutput(const JobResult& result, Output output, const QString& folder,
                         const Progress& progress) {
     FolderTransaction files(folder, outputFiles(output));
-    const std::vector<Cradle> cradles = output == Output::Cradles && result.cradles.empty()
-                                            ? jobCradles(result, progress.part(0, 0.9))
-                                            : result.cradles;
+    const bool makesCradles = output == Output::Cradles && result.cradles.empty();
+    const double making = makesCradles ? 0.9 : 0; // share of the time
+    const std::vector<Cradle> cradles =
+        makesCradles ? jobCradles(result, progress.part(0, making)) : result.cradles;
     QStringList notes;
     for (const Cradle& cradle : cradles) {
         notes += output == Output::Cradles ? cradle.notes : QStringList();
@@ -367,7 +368,7 @@ QStringList writeOutput(const JobResult& result, Output output, const QString& f
     if (pieces.empty()) {
         throw Error(notes.isEmpty() ? Text::tr("There is nothing to write") : notes.join(u' '), {});
     }
-    writeTogether(pieces, progress.part(0.9, 1));
+    writeTogether(pieces, progress.part(making, 1));
     commit(files, progress);
     return notes;
 }

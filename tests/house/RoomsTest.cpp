@@ -431,7 +431,9 @@ void RoomsTest::vtk_otherFolders_doNotIncludeIt() {
     expectNone(offenders(QStringLiteral("core"), [&](const Include& include) {
         return isVtkRendering(include) ||
                (isVtk(include) && !lives(include, "core/results/") &&
-                !lives(include, "core/cradle/FormSurface.cpp")); // the surface of a grid
+                !lives(include, "core/cradle/FormSurface.cpp") &&    // the surface of a grid
+                !lives(include, "core/cradle/ReducedSurface.cpp") && // with fewer triangles
+                !lives(include, "core/cradle/VtkSurface"));
     }));
     expectNone(offenders(QStringLiteral("app"), [&](const Include& include) {
         return isVtk(include) && !lives(include, "app/viewport/");

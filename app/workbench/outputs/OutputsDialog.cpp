@@ -51,7 +51,8 @@ OutputsDialog::OutputsDialog(Document& document, std::shared_ptr<const JobResult
       overwrite_(new QCheckBox(tr("Overwrite files that were not made here"))),
       clip_(new QCheckBox(tr("Clip what lies outside the printable area"))), words_(new QLabel),
       progress_(new QProgressBar), save_(new QPushButton(tr("&Save set"))),
-      remove_(new QPushButton(tr("&Remove set"))), make_(nullptr) {
+      remove_(new QPushButton(tr("&Remove set"))), choose_(new QPushButton(tr("&Choose…"))),
+      make_(nullptr), close_(nullptr) {
     setObjectName(QStringLiteral("outputsDialog"));
     setWindowTitle(tr("Make outputs"));
     list_->setObjectName(QStringLiteral("outputs"));
@@ -137,8 +138,7 @@ QWidget* OutputsDialog::makeFolder() {
     folder_->setObjectName(QStringLiteral("outputsFolder"));
     folder_->setToolTip(tr("The folder that the files are written to. It is made if it does not "
                            "exist."));
-    auto* choose = new QPushButton(tr("&Choose…"));
-    connect(choose, &QPushButton::clicked, this, &OutputsDialog::chooseFolder);
+    connect(choose_, &QPushButton::clicked, this, &OutputsDialog::chooseFolder);
     connect(folder_, &QLineEdit::editingFinished, this, &OutputsDialog::showStates);
     auto* box = new QWidget;
     auto* row = new QHBoxLayout(box);
@@ -147,7 +147,7 @@ QWidget* OutputsDialog::makeFolder() {
     label->setBuddy(folder_);
     row->addWidget(label);
     row->addWidget(folder_, 1);
-    row->addWidget(choose);
+    row->addWidget(choose_);
     return box;
 }
 
@@ -166,7 +166,11 @@ QWidget* OutputsDialog::makeOptions() {
 }
 
 QWidget* OutputsDialog::makeButtons() {
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    auto* buttons = new QDialogButtonBox;
+    close_ = buttons->addButton(tr("Close"), QDialogButtonBox::RejectRole);
+    for (QPushButton* other : {save_, remove_, choose_, close_}) {
+        other->setAutoDefault(false); // Enter makes the outputs
+    }
     make_ = buttons->addButton(tr("&Make outputs"), QDialogButtonBox::ActionRole);
     make_->setObjectName(QStringLiteral("makeOutputsNow"));
     make_->setDefault(true);
@@ -340,6 +344,7 @@ void OutputsDialog::setBusy(bool busy, const QString& what) {
     progress_->setVisible(busy);
     progress_->setValue(0);
     words_->setText(what);
+    close_->setText(busy ? tr("Cancel") : tr("Close"));
     enable();
 }
 
@@ -353,7 +358,7 @@ void OutputsDialog::enable() {
         return outputSetText(set.name) == typed;
     }));
     for (QWidget* widget : {static_cast<QWidget*>(set_), static_cast<QWidget*>(list_),
-                            static_cast<QWidget*>(folder_)}) {
+                            static_cast<QWidget*>(folder_), static_cast<QWidget*>(choose_)}) {
         widget->setEnabled(!making_);
     }
 }

@@ -60,7 +60,7 @@ private:
     QCheckBox *overwrite_, *clip_;
     QLabel* words_;
     QProgressBar* progress_;
-    QPushButton *save_, *remove_, *make_;
+    QPushButton *save_, *remove_, *choose_, *make_, *close_;
     bool making_ = false;
     int lookup_ = 0; // number of the latest look-up of states
     JobRunner jobs_; // destroyed first: jobs report to the members above

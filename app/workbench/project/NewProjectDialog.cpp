@@ -116,6 +116,7 @@ NewProjectDialog::NewProjectDialog(const QString& model, const Preferences& pref
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     create_ = buttons->addButton(tr("Create"), QDialogButtonBox::AcceptRole);
     create_->setDefault(true);
+    buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
     createAndRun_ = buttons->addButton(tr("Create and &run"), QDialogButtonBox::AcceptRole);
     createAndRun_->setObjectName(QStringLiteral("createAndRun"));
     createAndRun_->setToolTip(tr("Creates the project and simulates its dips at once."));

@@ -199,6 +199,9 @@ private slots:
         ShareMark mark;
         mark.place = {Millimetres(1), Millimetres(-2), Millimetres(3)};
         project.share.marks = {mark};
+        MaskMark mask;
+        mask.path = {{mark.place, {0, 0, 1}}};
+        project.masks = {mask};
         const double edge = longestEdgeOf(project.model->mesh);
         const double unit = project.modelOrigin.unitMillimetres;
         Document document(project);
@@ -207,6 +210,8 @@ private slots:
         QVERIFY(std::abs(longestEdgeOf(document.project().model->mesh) - 2 * edge) < 1e-4 * edge);
         QVERIFY(std::abs(document.project().modelOrigin.unitMillimetres - 2 * unit) < 1e-6);
         QVERIFY(std::abs(document.project().share.marks[0].place[1].value() + 4) < 1e-6);
+        QVERIFY(std::abs(document.project().masks[0].path[0].place[1].value() + 4) < 1e-6);
+        QVERIFY(std::abs(document.project().masks[0].radius.value() - 10) < 1e-6);
         document.undoStack().undo();
         QCOMPARE(document.project(), project);
     }

@@ -390,6 +390,14 @@ void BodyShareTest::shareBody_marks_areObeyed() {
     settings.marks.push_back(mark);
     settings.marks.back().kind = ShareMarkKind::Second;
     QCOMPARE(painterAt(shared(model, films, settings), above), Painter::Second);
+    // A brush stroke marks like a spot, and an eraser takes the mark out.
+    ShareMark stroke{ShareMarkKind::First, {}, Millimetres(12)};
+    stroke.path = {{mark.place, {0, 0.2, 0.98}}};
+    settings.marks = {stroke};
+    QCOMPARE(painterAt(shared(model, films, settings), above), Painter::First);
+    settings.marks.push_back(stroke);
+    settings.marks.back().kind = ShareMarkKind::None;
+    QCOMPARE(painterAt(shared(model, films, settings), above), Painter::Second);
     // The seam goes round a spot that it must avoid.
     settings.marks = {mark};
     settings.marks[0].kind = ShareMarkKind::Avoid;
