@@ -1,5 +1,6 @@
 #include "pipeline/SheetNumericalError.h"
 
+#include "accuracy/error/SheetDifference.h"
 #include "base/Error.h"
 #include "base/Png.h"
 #include "dip/Dip.h"
@@ -19,7 +20,6 @@
 #include <QJsonArray>
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -63,15 +63,6 @@ Project withHalfSpacing(Project project) {
     }
     project.process.timeStep = Seconds(project.process.timeStep.value() / 2);
     return project;
-}
-
-std::vector<float> pointMoves(const LaidFilm& own, const LaidFilm& finer) {
-    std::vector<float> distances = sheetMoves(own, finer, own.contact().surface);
-    for (float& distance : distances) {
-        distance = distance == paintedByOne ? std::numeric_limits<float>::quiet_NaN()
-                                            : std::max(distance, 0.f);
-    }
-    return distances;
 }
 
 DipNumericalError numericalError(const Project& project, const Immersion& immersion,

@@ -1,4 +1,5 @@
 #include "results/ColourMap.h"
+#include "results/DifferenceMap.h"
 #include "results/Results.h"
 
 #include "dip/FilmMarks.h"
@@ -23,7 +24,6 @@ struct Text {
 const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor paleInk(105, 112, 120);
-const QColor unknown(0, 0, 0); // no colour map is as dark
 
 // The range of values and its colour map.
 struct Scale {
@@ -40,15 +40,19 @@ struct Scale {
     QColor past() const { return colourAbove(map); }
 };
 
-double niceStep(double span) {
-    const double rough = span / 6;
-    const double decade = std::pow(10, std::floor(std::log10(rough)));
+// Returns the smallest of 1, 2 and 5 times a power of ten that is not less than `least`.
+double roundedUp(double least) {
+    const double decade = std::pow(10, std::floor(std::log10(least)));
     for (double factor : {1.0, 2.0, 5.0}) {
-        if (factor * decade >= rough) {
+        if (factor * decade >= least) {
             return factor * decade;
         }
     }
     return 10 * decade;
+}
+
+double niceStep(double span) {
+    return roundedUp(span / 6);
 }
 
 // Returns a scale from 1 (unstretched) upwards, or symmetric about 1 if film is also compressed. A
@@ -140,7 +144,7 @@ private:
         const auto marked = [this](double i, double j) { return film_.mark(i, j).has_value(); };
         const double value = film_.at(column(x), row(y));
         const bool isPast = scale_.hasColourAbove && value > scale_.high;
-        const QRgb colour = std::isnan(value) ? unknown.rgb()
+        const QRgb colour = std::isnan(value) ? paintedOnceColour.rgb()
                             : isPast
                                 ? past_
                                 : colours_[std::size_t(std::lround(255 * scale_.share(value)))];
@@ -411,22 +415,26 @@ MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling
         compressionScale(distribution(values.paintedValues()).minimum)};
 }
 
+// Returns the value that nearly all of `values` (at least one) are below.
+double highestOf(std::vector<float> values) {
+    constexpr double outliers = 0.01;
+    std::sort(values.begin(), values.end());
+    return double(values[std::size_t(std::ceil((1 - outliers) * double(values.size() - 1)))]);
+}
+
 // Returns a scale that starts at 0 and includes nearly all values, up to a few times `limit`.
 // Outliers lie above the scale. `least` is the smallest range of the scale; it keeps noise from
 // filling the picture.
-Scale changeScale(std::vector<float> values, double limit, double least) {
-    constexpr double outliers = 0.01;
+Scale changeScale(const std::vector<float>& values, double limit, double least) {
     constexpr double mostLimits = 4;
-    std::sort(values.begin(), values.end());
-    const double highest = std::max(
-        least, double(values[std::size_t(std::ceil((1 - outliers) * double(values.size() - 1)))]));
+    const double highest = std::max(least, highestOf(values));
     Scale scale;
     scale.step = highest < limit ? niceStep(highest) : limit;
     scale.low = 0;
     const double steps = std::ceil(highest / scale.step - 1e-6);
     scale.high = scale.step * (highest < limit ? steps : std::min(steps, mostLimits));
     scale.map = QStringLiteral("lagoon");
-    scale.hasColourAbove = double(values.back()) > scale.high;
+    scale.hasColourAbove = double(*std::max_element(values.begin(), values.end())) > scale.high;
     return scale;
 }
 
@@ -482,6 +490,23 @@ MapSubject numericalErrorSubject(const ShownDistances& told) {
             told.marks};
 }
 
+MapSubject differenceSubject(const ShownDistances& told, double scaleEnd) {
+    constexpr double steps = 5;
+    Scale scale = told.scale;
+    scale.high = scaleEnd / millimetresIn(told.unit);
+    scale.step = scale.high / steps;
+    scale.hasColourAbove =
+        double(*std::max_element(told.painted.begin(), told.painted.end())) > scale.high;
+    return {Text::tr("Difference of two sheets"),
+            Text::tr("How far the image is from its place on the other sheet; ink side up"),
+            Text::tr("distance\n%1").arg(unitSign(told.unit)),
+            Text::tr("Black: painted in only one of the two states"),
+            scale,
+            told.unit,
+            false,
+            told.marks};
+}
+
 MapSubject toleranceSubject(const ShownDistances& told) {
     return {Text::tr("Tolerance of the sheet"),
             Text::tr("How far handling may move the image on the part; ink side up"),
@@ -517,6 +542,20 @@ QImage toleranceMap(const LaidFilm& laid, const std::vector<float>& spread, doub
                     int longEdge, LengthUnit unit) {
     const ShownDistances told(laid, spread, limit, unit);
     return FilmMap(laid.film().grid, told.values, toleranceSubject(told), longEdge).draw();
+}
+
+double differenceScaleEnd(std::vector<float> moves, LengthUnit unit) {
+    constexpr double least = 0.1; // mm; a smaller range would show only noise
+    std::erase_if(moves, [](float move) { return !(move >= 0); });
+    const double highest = moves.empty() ? least : std::max(least, highestOf(std::move(moves)));
+    return millimetresIn(unit) * roundedUp(highest / millimetresIn(unit));
+}
+
+QImage differenceMap(const LaidFilm& laid, const std::vector<float>& moves, double scaleEnd,
+                     int longEdge, LengthUnit unit) {
+    const ShownDistances told(laid, moves, scaleEnd, unit);
+    return FilmMap(laid.film().grid, told.values, differenceSubject(told, scaleEnd), longEdge)
+        .draw();
 }
 
 } // namespace dipwright

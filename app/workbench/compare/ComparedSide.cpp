@@ -34,9 +34,12 @@ void ComparedSide::show(ComparedLook look, const HeatScale& scale) {
     const bool isDipped = reading() != nullptr;
     scene_.setProject(document_.project(), session_.immersion());
     scene_.setPreviewed(!isDipped);
-    scene_.setBodyLook(look == ComparedLook::Coverage ? BodyLook::Coverage : BodyLook::Own);
+    scene_.setBodyLook(look == ComparedLook::Coverage     ? BodyLook::Coverage
+                       : look == ComparedLook::Difference ? BodyLook::Difference
+                                                          : BodyLook::Own);
     // Hides the body under its film, because both lie at the same depth and would flicker.
-    const bool isFilmAlone = look != ComparedLook::Coverage && isDipped;
+    const bool showsFilm = look == ComparedLook::Film || look == ComparedLook::Stretch;
+    const bool isFilmAlone = showsFilm && isDipped;
     scene_.setFilmExtent(isFilmAlone ? FilmExtent::OnBody : FilmExtent::Whole);
     view_.setBodyVisible(!isFilmAlone);
     scene_.setHeat(FilmQuantity::Length, scale);

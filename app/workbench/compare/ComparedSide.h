@@ -9,7 +9,7 @@
 
 namespace dipwright {
 
-enum class ComparedLook { Film, Stretch, Coverage };
+enum class ComparedLook { Film, Stretch, Coverage, Difference };
 
 class ComparedSide : public QObject {
     Q_OBJECT
@@ -24,6 +24,9 @@ public:
     // Before the dip, the body shows a preview of the painted area, estimated from the body's
     // shape.
     void show(ComparedLook look, const HeatScale& scale);
+    // What show() shows as ComparedLook::Difference.
+    void setDifference(const BodyAppearance& appearance) { scene_.setDifference(appearance); }
+    void lookAt(const Eigen::Vector3f& place) { scene_.lookAt(place); } // in model coordinates
     std::shared_ptr<const FilmReadout> reading() const { return session_.reading(); }
     QString title() const { return title_; }
     // Returns the figures given with the state, followed by the figures of the dips.

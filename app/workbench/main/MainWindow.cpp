@@ -216,7 +216,7 @@ void MainWindow::connectSession() {
             [this](const Eigen::Vector3f& place) {
                 parts_.timeline->pause();
                 parts_.timeline->setPosition(parts_.timeline->frames());
-                reader_.lookAtModelPlace(place);
+                scene_.lookAt(place);
             });
     connect(parts_.results, &ResultsPanel::fieldChosen, this, [this](const QString& path) {
         if (const std::optional<ProjectNode> node = nodeOfField(path)) {

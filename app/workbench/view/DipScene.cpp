@@ -562,6 +562,13 @@ void DipScene::setTolerances(std::shared_ptr<const JobTolerances> tolerances) {
     }
 }
 
+void DipScene::setDifference(BodyAppearance appearance) {
+    difference_ = std::move(appearance);
+    if (bodyLook_ == BodyLook::Difference) {
+        updateBody();
+    }
+}
+
 void DipScene::setPathKey(int key) {
     if (key != std::exchange(pathKey_, key) && moment_ == Moment::Setup) {
         showSetup();
@@ -676,6 +683,8 @@ std::vector<QRgb> DipScene::frameColours() const {
 void DipScene::updateBody() {
     if (bodyLook_ == BodyLook::Zones && project_.model) {
         showZones();
+    } else if (bodyLook_ == BodyLook::Difference) {
+        showBody(difference_);
     } else if (bodyLook_ == BodyLook::Own || !result_ || result_->project.model != project_.model ||
                immersion_ >= result_->immersions.size()) {
         showBody(isPrintDrawn() ? bareAppearance(own_, ground().base) : BodyAppearance{own_, {}});
@@ -845,6 +854,17 @@ Eigen::Vector3f DipScene::toModel(const Eigen::Vector3f& worldPoint) const {
 
 SurfacePoint DipScene::nearestSurface(const Eigen::Vector3f& modelPoint) const {
     return query_->closest(modelPoint).point;
+}
+
+void DipScene::lookAt(const Eigen::Vector3f& modelPoint) {
+    if (!project_.model) {
+        return;
+    }
+    const SurfacePoint point = nearestSurface(modelPoint);
+    const Eigen::Vector3f outward = triangleNormal(project_.model->mesh, point.triangle);
+    const Eigen::Vector3f world = toWorld(modelPoint);
+    view_.setMarker(world);
+    view_.lookAt(world, toWorld(modelPoint + outward) - world);
 }
 
 Eigen::Vector3f DipScene::toWorld(const Eigen::Vector3f& modelPoint) const {

@@ -64,6 +64,8 @@ public:
     void setMarking(bool marking);
     // The tolerances for BodyLook::Zones; null: none that match the project.
     void setTolerances(std::shared_ptr<const JobTolerances> tolerances);
+    // For BodyLook::Difference; the model must be that of the project, or a finer mesh of it.
+    void setDifference(BodyAppearance appearance);
     // While the path goes through poses: the pose in which the body is shown before the dip; −1:
     // the first moment of the dip.
     void setPathKey(int key);
@@ -102,6 +104,8 @@ public:
     std::optional<SurfacePoint> modelSurface(const ViewRay& ray) const;
     // For queries of the shown model; null without a model.
     const SurfaceQuery* query() const { return query_.get(); }
+    // Points the camera at a place on the shown model, in model coordinates, and marks it.
+    void lookAt(const Eigen::Vector3f& modelPoint);
     Eigen::Vector3f toWorld(const Eigen::Vector3f& modelPoint) const;
     Eigen::Vector3f toModel(const Eigen::Vector3f& worldPoint) const;
     // A model must be shown.
@@ -178,6 +182,7 @@ private:
     std::shared_ptr<const TexturedMesh> sharedBody_;
     std::unique_ptr<ZonedBody> zones_; // for the project's model; null until first shown
     std::shared_ptr<const TexturedMesh> zonedBody_;
+    BodyAppearance difference_;                // for BodyLook::Difference
     std::shared_ptr<const SurfaceMask> mask_;  // of the project; null: nothing is masked
     std::unique_ptr<CoveragePreview> preview_; // for the project's model; null until first shown
     std::shared_ptr<const TexturedMesh> previewedBody_;

@@ -26,17 +26,6 @@ void FilmProbe::lookAtFilmPlace(const Eigen::Vector2f& rest) {
     }
 }
 
-void FilmProbe::lookAtModelPlace(const Eigen::Vector3f& place) {
-    if (!scene_.model()) {
-        return;
-    }
-    const SurfacePoint point = scene_.nearestSurface(place);
-    const Eigen::Vector3f outward = triangleNormal(scene_.model()->mesh, point.triangle);
-    const Eigen::Vector3f world = scene_.toWorld(place);
-    view_.setMarker(world);
-    view_.lookAt(world, scene_.toWorld(place + outward) - world);
-}
-
 void FilmProbe::readAlong(const ViewRay& ray) {
     if (const auto worldToEnd = scene_.worldToEnd()) {
         const Eigen::Isometry3f toPose = worldToEnd->cast<float>();

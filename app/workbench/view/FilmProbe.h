@@ -20,8 +20,6 @@ public:
     // Points the camera at the place on the body where the film point with the rest position `rest`
     // lies. Reads the film there. The view must show the end of the dip.
     void lookAtFilmPlace(const Eigen::Vector2f& rest);
-    // Points the camera at a place on the body, in model coordinates, and marks it.
-    void lookAtModelPlace(const Eigen::Vector3f& place);
 
 signals:
     void read(const QString& description); // empty: nothing under the cursor

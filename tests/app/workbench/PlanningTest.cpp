@@ -17,6 +17,7 @@
 #include "workbench/results/ResultsPanel.h"
 #include "workbench/results/Timeline.h"
 #include "workbench/widgets/NoticeBar.h"
+#include "workbench/widgets/PicturePanel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -36,6 +37,8 @@
 #include <QTableWidget>
 #include <QTextBrowser>
 #include <QTranslator>
+
+#include <cmath>
 
 using namespace dipwright;
 
@@ -420,6 +423,47 @@ private slots:
         QTest::keyClick(&compared->view(0), Qt::Key_Escape);
         QTRY_VERIFY(!compared);
         QVERIFY(document.project() == before);
+        snapshots->close();
+    }
+
+    void compareWindow_bodyMovedBy2mm_showsDifferenceOf2mm() {
+        WindowDriver driver(*window_);
+        QVERIFY(driver.create(sampleFolder("/models/sphere.obj"),
+                              sampleFolder("/models/sphere.png"), 40, [](Project& project) {
+                                  makeCoarse(project);
+                                  project.film.width = project.film.height = Millimetres(120);
+                                  project.film.columns = project.film.rows = 61; // 2 mm apart
+                              }));
+        takeSnapshot(*window_->document(), QStringLiteral("As drawn"));
+        window_->document()->edit(QStringLiteral("move"), {}, [](Project& project) {
+            project.immersions[0].offset[0] = Millimetres(2);
+        });
+        driver.trigger("snapshots");
+        auto* snapshots = window_->findChild<SnapshotsDialog*>();
+        snapshots->findChild<QPushButton*>(QStringLiteral("sideBySide"))->click();
+        const QPointer<CompareWindow> compared = window_->findChild<CompareWindow*>();
+        QVERIFY(compared);
+        auto* look = compared->findChild<QComboBox*>(QStringLiteral("comparedLook"));
+        look->setCurrentIndex(look->count() - 1);
+        const auto* note = compared->findChild<QLabel*>(QStringLiteral("differenceNote"));
+        QVERIFY2(note->text().contains(QLatin1String("needs the dips of both states")),
+                 qPrintable(note->text()));
+        auto* dips = compared->findChild<QTableWidget*>(QStringLiteral("comparedDifferences"));
+        QTRY_COMPARE_WITH_TIMEOUT(dips->rowCount(), 1, patience());
+        QVERIFY(dips->isVisible());
+        const auto millimetres = [&](int column) {
+            return dips->item(0, column)->text().section(QLatin1Char(' '), 0, 0).toDouble();
+        };
+        const double most = millimetres(1), largest = millimetres(2);
+        QVERIFY2(std::abs(most - 2) < 0.1, qPrintable(QString::number(most)));
+        QVERIFY2(std::abs(largest - 2) < 0.3, qPrintable(QString::number(largest)));
+        const auto* map = compared->findChild<PicturePanel*>();
+        QVERIFY(map->isVisible());
+        emit dips->cellClicked(0, 0); // turns to the largest
+        QVERIFY(!compared->view(0).picture().isNull());
+        look->setCurrentIndex(0);
+        QVERIFY(!map->isVisible() && !dips->isVisible());
+        compared->close();
         snapshots->close();
     }
 
