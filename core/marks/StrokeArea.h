@@ -15,10 +15,12 @@ namespace dipwright {
 // this: about 104°, so that a stroke goes round an edge, but not through a wall.
 inline constexpr float leastFacing = -0.25f;
 
-// Immutable; any thread may read. Model coordinates, mm.
+// Any number of threads may read. Model coordinates, mm.
 class StrokeArea {
 public:
     StrokeArea(const BrushPath& path, Millimetres radius);
+
+    void add(const BrushPoint& point); // to the end of the path
 
     float radius() const { return radius_; }
     // Contains the whole marked surface.
