@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::size_t runLength = 16; // segments that share a box, for quick rejection
 
-Eigen::Vector3f vector(const std::array<Millimetres, 3>& place) {
-    return {float(place[0].value()), float(place[1].value()), float(place[2].value())};
-}
-
 // Returns the part [first, last] of 0 … 1 in which a value that changes linearly from `begin` to
 // `end` is not negative; first > last if there is none.
 std::array<float, 2> notNegative(float begin, float end) {
@@ -30,7 +26,7 @@ StrokeArea::StrokeArea(const BrushPath& path, Millimetres radius) : radius_(floa
     for (const BrushPoint& point : path) {
         const Eigen::Vector3f outward(float(point.outward[0]), float(point.outward[1]),
                                       float(point.outward[2]));
-        points_.push_back({vector(point.place), outward.stableNormalized()});
+        points_.push_back({modelPlace(point.place), outward.stableNormalized()});
         box_.extend(points_.back().place);
     }
     if (points_.size() == 1) {
@@ -46,6 +42,10 @@ StrokeArea::StrokeArea(const BrushPath& path, Millimetres radius) : radius_(floa
     if (!points_.empty()) {
         const Eigen::Vector3f around = Eigen::Vector3f::Constant(radius_);
         box_ = BoundingBox(box_.min() - around, box_.max() + around);
+        borderLength_ = 2 * float(pi) * radius_;
+    }
+    for (std::size_t point = 1; point < points_.size(); ++point) {
+        borderLength_ += 2 * (points_[point].place - points_[point - 1].place).norm();
     }
 }
 
