@@ -251,6 +251,177 @@
     </message>
 </context>
 <context>
+    <name>Cost</name>
+    <message>
+        <source>Cyan</source>
+        <translation>Cyan</translation>
+    </message>
+    <message>
+        <source>Magenta</source>
+        <translation>Magenta</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Ink: %1</source>
+        <translation>Tinte: %1</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Arbeit</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>Einrichten</translation>
+    </message>
+    <message>
+        <source>Handling</source>
+        <translation>Handhabung</translation>
+    </message>
+    <message>
+        <source>Soak</source>
+        <translation>Einweichen</translation>
+    </message>
+    <message>
+        <source>Activator</source>
+        <translation>Aktivator</translation>
+    </message>
+    <message>
+        <source>Dip</source>
+        <translation>Tauchen</translation>
+    </message>
+    <message>
+        <source>Flash, each rack</source>
+        <translation>Ablüften, je Gestell</translation>
+    </message>
+    <message>
+        <source>Drying, each rack</source>
+        <translation>Trocknen, je Gestell</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>%1 m of roll</source>
+        <translation>%1 m Rolle</translation>
+    </message>
+    <message>
+        <source>%1 sheets</source>
+        <translation>%1 Blätter</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>no price</source>
+        <translation>kein Preis</translation>
+    </message>
+    <message>
+        <source>no ml/m²</source>
+        <translation>keine ml/m²</translation>
+    </message>
+    <message>
+        <source>no time for the set-up</source>
+        <translation>keine Zeit für das Einrichten</translation>
+    </message>
+    <message>
+        <source>no time for handling</source>
+        <translation>keine Zeit für die Handhabung</translation>
+    </message>
+    <message>
+        <source>no soak time</source>
+        <translation>keine Einweichzeit</translation>
+    </message>
+    <message>
+        <source>no activator time</source>
+        <translation>keine Aktivatorzeit</translation>
+    </message>
+    <message>
+        <source>no flash time</source>
+        <translation>keine Ablüftzeit</translation>
+    </message>
+    <message>
+        <source>no drying time</source>
+        <translation>keine Trockenzeit</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 days %2 h</source>
+        <translation>%1 Tage %2 h</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>Sum of the known prices</source>
+        <translation>Summe der bekannten Preise</translation>
+    </message>
+    <message>
+        <source>Working time</source>
+        <translation>Arbeitszeit</translation>
+    </message>
+    <message>
+        <source>Until the last part is dry</source>
+        <translation>Bis das letzte Teil trocken ist</translation>
+    </message>
+    <message>
+        <source>no price for the film</source>
+        <translation>kein Preis für den Film</translation>
+    </message>
+    <message>
+        <source>no price for an hour of work</source>
+        <translation>kein Preis für eine Arbeitsstunde</translation>
+    </message>
+    <message>
+        <source>no amount in ml/m² for ink: %1</source>
+        <translation>keine Menge in ml/m² für Tinte: %1</translation>
+    </message>
+    <message>
+        <source>no price for ink: %1</source>
+        <translation>kein Preis für Tinte: %1</translation>
+    </message>
+    <message>
+        <source>Parts: %1, sheets: %2</source>
+        <translation>Teile: %1, Blätter: %2</translation>
+    </message>
+    <message>
+        <source>cost: %1, for each part: %2</source>
+        <translation>Kosten: %1, je Teil: %2</translation>
+    </message>
+    <message>
+        <source>working time: %1, until the last part is dry: %2</source>
+        <translation>Arbeitszeit: %1, bis das letzte Teil trocken ist: %2</translation>
+    </message>
+</context>
+<context>
     <name>Cradle</name>
     <message>
         <source>Forming the cradle</source>
@@ -291,6 +462,10 @@
     <message>
         <source>%1: no cradle is possible, because on this path it would touch the film on the water; tilt or roll the part less, dip it less deep, or hold it by hand</source>
         <translation>%1: Es ist keine Halterung möglich, weil sie auf diesem Weg den Film auf dem Wasser berühren würde; kippen oder rollen Sie das Teil weniger, tauchen Sie es weniger tief, oder halten Sie es von Hand</translation>
+    </message>
+    <message>
+        <source>Reducing the triangles of the cradle</source>
+        <translation>Dreiecke der Halterung werden verringert</translation>
     </message>
 </context>
 <context>
@@ -809,6 +984,10 @@
         <source>File ▸ Job queue</source>
         <translation>Datei ▸ Warteschlange</translation>
     </message>
+    <message>
+        <source>At the tank</source>
+        <translation>Am Becken</translation>
+    </message>
 </context>
 <context>
     <name>ImmersionEdits</name>
@@ -936,6 +1115,25 @@
         <source>Mark area for the seam</source>
         <translation>Bereich für die Naht markieren</translation>
     </message>
+    <message>
+        <source>Erase marks for the seam</source>
+        <translation>Markierungen für die Naht radieren</translation>
+    </message>
+    <message>
+        <source>Erase mask</source>
+        <translation>Maske radieren</translation>
+    </message>
+    <message>
+        <source>Mask area</source>
+        <translation>Fläche maskieren</translation>
+    </message>
+</context>
+<context>
+    <name>Mask</name>
+    <message>
+        <source>Masked areas: %1 (%2 mm²). Cover them with tape before the first dip.</source>
+        <translation>Maskierte Flächen: %1 (%2 mm²). Vor dem ersten Tauchvorgang mit Klebeband abdecken.</translation>
+    </message>
 </context>
 <context>
     <name>ModelEdits</name>
@@ -1015,6 +1213,100 @@
     <message>
         <source>its process ended unexpectedly (exit code %1)</source>
         <translation>sein Prozess endete unerwartet (Exit-Code %1)</translation>
+    </message>
+</context>
+<context>
+    <name>OutputSets</name>
+    <message>
+        <source>Sheets as PDF</source>
+        <translation>Blätter als PDF</translation>
+    </message>
+    <message>
+        <source>Film images as PNG</source>
+        <translation>Filmbilder als PNG</translation>
+    </message>
+    <message>
+        <source>Sheets in the printer&apos;s colours as PDF</source>
+        <translation>Blätter in den Farben des Druckers als PDF</translation>
+    </message>
+    <message>
+        <source>Sheets in the printer&apos;s colours as TIFF</source>
+        <translation>Blätter in den Farben des Druckers als TIFF</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Traveller</source>
+        <translation>Laufkarte</translation>
+    </message>
+    <message>
+        <source>Motion programs</source>
+        <translation>Bewegungsprogramme</translation>
+    </message>
+    <message>
+        <source>Cradles</source>
+        <translation>Halterungen</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>Film and part for ParaView</source>
+        <translation>Film und Teil für ParaView</translation>
+    </message>
+    <message>
+        <source>Maps of the film</source>
+        <translation>Karten des Films</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Print shop</source>
+        <translation>Druckerei</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Becken</translation>
+    </message>
+    <message>
+        <source>There is no output set of this name; the project has %1. A list of outputs is also possible: %2</source>
+        <translation>Es gibt keinen Ausgabesatz mit diesem Namen; das Projekt hat %1. Möglich ist auch eine Liste von Ausgaben: %2</translation>
+    </message>
+</context>
+<context>
+    <name>Outputs</name>
+    <message>
+        <source>Writing the sheet of %1</source>
+        <translation>Blatt von %1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>The folder cannot be created; choose another one</source>
+        <translation>Der Ordner kann nicht angelegt werden; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>These files were not made by an output or were changed since: %1. Allow overwriting, or choose another folder</source>
+        <translation>Diese Dateien hat keine Ausgabe erzeugt, oder sie wurden seitdem geändert: %1. Erlauben Sie das Überschreiben oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>%1: done, %2</source>
+        <translation>%1: fertig, %2</translation>
+    </message>
+    <message>
+        <source>%1: failed. %2</source>
+        <translation>%1: fehlgeschlagen. %2</translation>
+    </message>
+    <message>
+        <source>%1: out of date</source>
+        <translation>%1: veraltet</translation>
+    </message>
+    <message>
+        <source>%1: not made</source>
+        <translation>%1: nicht erzeugt</translation>
     </message>
 </context>
 <context>
@@ -1150,10 +1442,6 @@
 </context>
 <context>
     <name>Pipeline</name>
-    <message>
-        <source>%1 %2 × %3 mm</source>
-        <translation>%1 %2 × %3 mm</translation>
-    </message>
     <message>
         <source>Writing the sheet of %1</source>
         <translation>Blatt von %1 wird geschrieben</translation>
@@ -1333,6 +1621,18 @@
     <message>
         <source>The film model of the paper allows only straight dips; choose the production film, or a straight path</source>
         <translation>Das Filmmodell der Veröffentlichung erlaubt nur gerade Tauchvorgänge; wählen Sie den Produktionsfilm oder einen geraden Weg</translation>
+    </message>
+    <message>
+        <source>The roll is cut into films of at most %1 mm, because an image at %2 dpi has at most %3 pixels per side; a lower resolution allows longer films</source>
+        <translation>Die Rolle wird in Folien von höchstens %1 mm geschnitten, weil ein Bild mit %2 dpi höchstens %3 Pixel je Seite hat; eine kleinere Auflösung erlaubt längere Folien</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>There is nothing to write</source>
+        <translation>Es gibt nichts zu schreiben</translation>
     </message>
 </context>
 <context>
@@ -1869,6 +2169,155 @@
         <source>Distance from the water surface to the tank&apos;s floor. The verdict on a dip that goes deeper is “Do not print”.</source>
         <translation>Abstand von der Wasseroberfläche zum Boden des Beckens. Das Urteil über einen tieferen Tauchvorgang ist „Nicht drucken“.</translation>
     </message>
+    <message>
+        <source>Cost of the ink</source>
+        <translation>Kosten der Tinte</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <comment>spot inks</comment>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Ink at full tint, ml/m²</source>
+        <translation>Tinte bei vollem Ton, ml/m²</translation>
+    </message>
+    <message>
+        <source>Millilitres of each ink on a square metre that is printed at full tint. Usual values are 5 to 20. 0: not given.</source>
+        <translation>Milliliter jeder Tinte auf einem Quadratmeter, der mit vollem Ton gedruckt ist. Übliche Werte sind 5 bis 20. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Price of a litre</source>
+        <translation>Preis eines Liters</translation>
+    </message>
+    <message>
+        <source>Price of a litre of each ink, in the currency of the tank&apos;s profile. 0: not given.</source>
+        <translation>Preis eines Liters jeder Tinte, in der Währung des Beckenprofils. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Spot ink at full tint, ml/m²</source>
+        <translation>Sonderfarbe bei vollem Ton, ml/m²</translation>
+    </message>
+    <message>
+        <source>The same for white and for every other spot ink. 0: not given.</source>
+        <translation>Dasselbe für Weiß und für jede andere Sonderfarbe. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Price of a litre of spot ink</source>
+        <translation>Preis eines Liters Sonderfarbe</translation>
+    </message>
+    <message>
+        <source>The price of white and of every other spot ink. 0: not given.</source>
+        <translation>Preis von Weiß und von jeder anderen Sonderfarbe. 0: nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>Cost of the film</source>
+        <translation>Kosten des Films</translation>
+    </message>
+    <message>
+        <source>Price</source>
+        <translation>Preis</translation>
+    </message>
+    <message>
+        <source>Price of the film for the unit below, in the currency of the tank&apos;s profile.</source>
+        <translation>Preis des Films für die Einheit darunter, in der Währung des Beckenprofils.</translation>
+    </message>
+    <message>
+        <source>Price for</source>
+        <translation>Preis für</translation>
+    </message>
+    <message>
+        <source>What the price is for. A metre of roll is as wide as the film is cut.</source>
+        <translation>Wofür der Preis gilt. Ein Meter Rolle ist so breit, wie der Film geschnitten wird.</translation>
+    </message>
+    <message>
+        <source>A square metre</source>
+        <translation>Einen Quadratmeter</translation>
+    </message>
+    <message>
+        <source>A metre of roll</source>
+        <translation>Einen Meter Rolle</translation>
+    </message>
+    <message>
+        <source>A sheet</source>
+        <translation>Ein Blatt</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Arbeit</translation>
+    </message>
+    <message>
+        <source>Price of an hour</source>
+        <translation>Preis einer Stunde</translation>
+    </message>
+    <message>
+        <source>Price of an hour of work at the tank. Set-up, handling, soak, activator and dip count as work; flash and drying do not.</source>
+        <translation>Preis einer Stunde Arbeit am Becken. Einrichten, Handhabung, Einweichen, Aktivator und Tauchen zählen als Arbeit; Ablüften und Trocknen nicht.</translation>
+    </message>
+    <message>
+        <source>Set-up, minutes</source>
+        <translation>Einrichten, Minuten</translation>
+    </message>
+    <message>
+        <source>Minutes of work before the first dip of an order.</source>
+        <translation>Minuten Arbeit vor dem ersten Tauchvorgang einer Bestellung.</translation>
+    </message>
+    <message>
+        <source>Handling, minutes</source>
+        <translation>Handhabung, Minuten</translation>
+    </message>
+    <message>
+        <source>Minutes of work for each dip of a rack, in addition to the timed steps: laying the film, mounting, rinsing.</source>
+        <translation>Minuten Arbeit für jeden Tauchvorgang eines Gestells, zusätzlich zu den Schritten mit fester Zeit: Film auflegen, einspannen, abspülen.</translation>
+    </message>
+    <message>
+        <source>Parts per rack</source>
+        <translation>Teile je Gestell</translation>
+    </message>
+    <message>
+        <source>How many parts one dip with one sheet makes. More than 1 only if the model shows several parts on a jig.</source>
+        <translation>Wie viele Teile ein Tauchvorgang mit einem Blatt ergibt. Mehr als 1 nur, wenn das Modell mehrere Teile auf einem Träger zeigt.</translation>
+    </message>
+    <message>
+        <source>Scrap</source>
+        <translation>Ausschuss</translation>
+    </message>
+    <message>
+        <source>Share of the dipped racks that cannot be sold. Film, ink and work are counted for them, too. Usual values are 2 to 10 %.</source>
+        <translation>Anteil der getauchten Gestelle, die nicht verkauft werden können. Film, Tinte und Arbeit werden auch für sie gezählt. Übliche Werte sind 2 bis 10 %.</translation>
+    </message>
+    <message>
+        <source>Currency</source>
+        <translation>Währung</translation>
+    </message>
+    <message>
+        <source>The currency of all prices, for example EUR.</source>
+        <translation>Die Währung aller Preise, zum Beispiel EUR.</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -2000,10 +2449,6 @@
         <translation>eine Farbe wie #1a2b3c</translation>
     </message>
     <message>
-        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built and inspection</source>
-        <translation>die Abschnitte sind artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built und inspection</translation>
-    </message>
-    <message>
         <source>A value is missing; expected %1</source>
         <translation>Hier fehlt ein Wert; erwartet wird %1</translation>
     </message>
@@ -2075,6 +2520,22 @@
         <source>In the poses of a path, times are at most %1 s, lengths %2 mm and turns %3°</source>
         <translation>In den Lagen eines Wegs sind Zeiten höchstens %1 s, Längen höchstens %2 mm und Drehungen höchstens %3°</translation>
     </message>
+    <message>
+        <source>The brush strokes in %1 have %2 points; at most %3 are possible</source>
+        <translation>Die Pinselstriche in %1 haben %2 Punkte; höchstens %3 sind möglich</translation>
+    </message>
+    <message>
+        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built, inspection and order</source>
+        <translation>die Abschnitte sind artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built, inspection und order</translation>
+    </message>
+    <message>
+        <source>The value must be a list in JSON, as in the project file</source>
+        <translation>Der Wert muss eine Liste in JSON sein, wie in der Projektdatei</translation>
+    </message>
+    <message>
+        <source>The normals of a brush stroke have parts from −1 to 1</source>
+        <translation>Die Normalen eines Pinselstrichs haben Komponenten von −1 bis 1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -2137,6 +2598,10 @@
     <message>
         <source>Tank profile</source>
         <translation>Beckenprofil</translation>
+    </message>
+    <message>
+        <source>Marks for masks</source>
+        <translation>Markierungen für Masken</translation>
     </message>
 </context>
 <context>
@@ -3152,6 +3617,18 @@
         <source>No limit</source>
         <translation>Keine Grenze</translation>
     </message>
+    <message>
+        <source>Order</source>
+        <translation>Bestellung</translation>
+    </message>
+    <message>
+        <source>Parts to make</source>
+        <translation>Zu fertigende Teile</translation>
+    </message>
+    <message>
+        <source>The number of good parts that are ordered. Report, queue and traveller give the cost and the time of the order. Sheets do not depend on it.</source>
+        <translation>Zahl der guten Teile, die bestellt sind. Bericht, Warteschlange und Laufkarte geben Kosten und Zeit der Bestellung an. Blätter hängen nicht davon ab.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3274,6 +3751,62 @@
     <message>
         <source>Place of the largest stretch</source>
         <translation>Ort der größten Dehnung</translation>
+    </message>
+    <message>
+        <source>Warnings on the part</source>
+        <translation>Warnungen auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Cost and time</source>
+        <translation>Kosten und Zeit</translation>
+    </message>
+    <message>
+        <source>One part</source>
+        <translation>Ein Teil</translation>
+    </message>
+    <message>
+        <source>Order of %1 parts</source>
+        <translation>Bestellung über %1 Teile</translation>
+    </message>
+    <message>
+        <source>Sheets to print</source>
+        <translation>Zu druckende Blätter</translation>
+    </message>
+    <message>
+        <source>The amounts of ink are estimated, because the project has no printer profile with an ICC profile in CMYK.</source>
+        <translation>Die Tintenmengen sind geschätzt, weil das Projekt kein Druckerprofil mit einem ICC-Profil in CMYK hat.</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern …</translation>
+    </message>
+    <message>
+        <source>Edit prices…</source>
+        <translation>Preise bearbeiten …</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Took, mean of all runs</source>
+        <translation>Gedauert, Mittel aller Durchgänge</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Tauchvorgang %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>At the tank</source>
+        <translation>Am Becken</translation>
     </message>
 </context>
 <context>
@@ -3512,6 +4045,38 @@
     <message>
         <source>%1 (worse)</source>
         <translation>%1 (schlechter)</translation>
+    </message>
+    <message>
+        <source>Largest stretch of the film on the part</source>
+        <translation>Größte Dehnung des Films auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Numerical error of the sheet, 95th percentile</source>
+        <translation>Numerischer Fehler des Blatts, 95. Perzentil</translation>
+    </message>
+    <message>
+        <source>Compressed film that may wrinkle</source>
+        <translation>Gestauchter Film, der Falten werfen kann</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Eingeschlossene Luft</translation>
+    </message>
+    <message>
+        <source>Area painted by film that tore, was released or did not converge</source>
+        <translation>Fläche, bemalt von Film, der riss, sich löste oder nicht konvergierte</translation>
+    </message>
+    <message>
+        <source>Area too pale because of the ink limit</source>
+        <translation>Wegen des Tintenlimits zu blasse Fläche</translation>
+    </message>
+    <message>
+        <source>Length of the seam</source>
+        <translation>Länge der Naht</translation>
+    </message>
+    <message>
+        <source>Ink of all plates, as area at full tint</source>
+        <translation>Tinte aller Platten, als Fläche mit vollem Ton</translation>
     </message>
 </context>
 <context>
@@ -3797,6 +4362,62 @@
     <message>
         <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water (to the right; towards the upper edge; up), and the turn about these axes relative to the rotation at the end: %3</source>
         <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Jede Lage nennt die Zeit, den Ort der Teilmitte gegenüber der Filmmitte auf dem Wasser (nach rechts; zum oberen Rand; nach oben) und die Drehung um diese Achsen gegenüber der Drehung am Ende: %3</translation>
+    </message>
+    <message>
+        <source>Tape the masked surface</source>
+        <translation>Maskierte Fläche abkleben</translation>
+    </message>
+    <message>
+        <source>Lay the film</source>
+        <translation>Film auflegen</translation>
+    </message>
+    <message>
+        <source>Soak</source>
+        <translation>Einweichen</translation>
+    </message>
+    <message>
+        <source>Spray the activator</source>
+        <translation>Aktivator sprühen</translation>
+    </message>
+    <message>
+        <source>Dip the part</source>
+        <translation>Teil tauchen</translation>
+    </message>
+    <message>
+        <source>Hold under water</source>
+        <translation>Unter Wasser halten</translation>
+    </message>
+    <message>
+        <source>Let it flash off</source>
+        <translation>Ablüften lassen</translation>
+    </message>
+    <message>
+        <source>Rinse and dry</source>
+        <translation>Abspülen und trocknen</translation>
+    </message>
+    <message>
+        <source>Remove the tape</source>
+        <translation>Klebeband abziehen</translation>
+    </message>
+    <message>
+        <source>Compare the part</source>
+        <translation>Teil vergleichen</translation>
+    </message>
+    <message>
+        <source>Cover the masked surface of the part with tape (pink in the pictures). Number of areas: %1; in total %2 mm².</source>
+        <translation>Die maskierte Fläche des Teils mit Klebeband abdecken (rosa in den Bildern). Anzahl der Flächen: %1; zusammen %2 mm².</translation>
+    </message>
+    <message>
+        <source>Check that the tape still covers the masked surface (pink in the pictures).</source>
+        <translation>Prüfen, ob das Klebeband die maskierte Fläche noch abdeckt (rosa in den Bildern).</translation>
+    </message>
+    <message>
+        <source>Remove the tape from the masked surface.</source>
+        <translation>Das Klebeband von der maskierten Fläche abziehen.</translation>
+    </message>
+    <message>
+        <source>Compare the part with the picture on the traveller: the colours are in place, and nothing is torn or folded.</source>
+        <translation>Vergleichen Sie das Teil mit dem Bild auf der Laufkarte: Die Farben sind an ihrem Ort, und nichts ist gerissen oder gefaltet.</translation>
     </message>
 </context>
 <context>
@@ -4354,24 +4975,24 @@
         <translation>Teil drehen</translation>
     </message>
     <message>
-        <source>Turned by %1° about %2 (hold Shift for steps of %3°)</source>
-        <translation>Um %1° um %2 gedreht (mit Umschalt in Schritten von %3°)</translation>
-    </message>
-    <message>
         <source>Change depth</source>
         <translation>Tiefe ändern</translation>
-    </message>
-    <message>
-        <source>Depth %1 (hold Shift for steps of %2)</source>
-        <translation>Tiefe %1 (mit Umschalt in Schritten von %2)</translation>
     </message>
     <message>
         <source>Move part</source>
         <translation>Teil verschieben</translation>
     </message>
     <message>
-        <source>Moved to %1 along %2 (hold Shift for steps of %3)</source>
-        <translation>Auf %1 längs %2 verschoben (mit Umschalt in Schritten von %3)</translation>
+        <source>Turned by %1° about %2 (type an angle, or hold Shift for steps of %3°)</source>
+        <translation>Um %1° um %2 gedreht (Winkel eingeben, oder mit Umschalt in Schritten von %3°)</translation>
+    </message>
+    <message>
+        <source>Moved to %1 along %2 (type a distance, or hold Shift for steps of %3)</source>
+        <translation>Auf %1 längs %2 verschoben (Abstand eingeben, oder mit Umschalt in Schritten von %3)</translation>
+    </message>
+    <message>
+        <source>Depth %1 (type a distance, or hold Shift for steps of %2)</source>
+        <translation>Tiefe %1 (Abstand eingeben, oder mit Umschalt in Schritten von %2)</translation>
     </message>
 </context>
 <context>
@@ -4403,6 +5024,10 @@
     <message>
         <source>Turn a face down</source>
         <translation>Fläche nach unten drehen</translation>
+    </message>
+    <message>
+        <source>Mask this face, so that it &amp;stays free of film</source>
+        <translation>Diese Fläche maskieren, damit sie &amp;frei von Film bleibt</translation>
     </message>
 </context>
 <context>
@@ -4595,6 +5220,38 @@
     <message>
         <source>Name of the person</source>
         <translation>Name der Person</translation>
+    </message>
+    <message>
+        <source>Times at the tank</source>
+        <translation>Zeiten am Becken</translation>
+    </message>
+    <message>
+        <source>At the tank</source>
+        <translation>Am Becken</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Took</source>
+        <translation>Gedauert</translation>
+    </message>
+    <message>
+        <source>Mean of all runs, and the shortest and longest run</source>
+        <translation>Mittel aller Durchgänge, und der kürzeste und der längste Durchgang</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Tauchvorgang %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
     </message>
 </context>
 <context>
@@ -4882,6 +5539,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::CradleView</name>
+    <message>
+        <source>Making the cradle</source>
+        <translation>Die Halterung wird hergestellt</translation>
+    </message>
+    <message>
+        <source>Show cradle</source>
+        <translation>Halterung zeigen</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DeeperFilm</name>
     <message>
         <source>Deeper dip</source>
@@ -4964,6 +5632,13 @@
     <message>
         <source>The saved results contain no recording of the dip. The dip is simulated again so that you can play it; the results stay the same.</source>
         <translation>Die gespeicherten Ergebnisse enthalten keine Aufzeichnung des Tauchvorgangs. Er wird noch einmal simuliert, damit Sie ihn abspielen können; die Ergebnisse bleiben gleich.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DipScene</name>
+    <message>
+        <source>Mask: stays free of film</source>
+        <translation>Maske: bleibt frei von Film</translation>
     </message>
 </context>
 <context>
@@ -5180,6 +5855,14 @@
     <message>
         <source>Save maps</source>
         <translation>Karten speichern</translation>
+    </message>
+    <message>
+        <source>Save costs</source>
+        <translation>Kosten speichern</translation>
+    </message>
+    <message>
+        <source>%1 costs</source>
+        <translation>%1 Kosten</translation>
     </message>
 </context>
 <context>
@@ -5416,10 +6099,6 @@
         <translation>k2 ?</translation>
     </message>
     <message>
-        <source>Add photos of the film&apos;s chessboard on the water with the card beside it, or drop them here. The guide explains how to take them.</source>
-        <translation>Fügen Sie Fotos vom Schachbrett des Films auf dem Wasser mit der Karte daneben hinzu, oder legen Sie sie hier ab. Das Handbuch erklärt, wie man sie aufnimmt.</translation>
-    </message>
-    <message>
         <source>Corners found in the photo are shown here.</source>
         <translation>Hier werden die im Foto gefundenen Ecken gezeigt.</translation>
     </message>
@@ -5502,6 +6181,26 @@
     <message>
         <source>Card height above film</source>
         <translation>Karte über dem Film</translation>
+    </message>
+    <message>
+        <source>Print the two pages, then add photos of the film&apos;s chessboard on the water with the card beside it, or drop them here. The guide explains how to take them.</source>
+        <translation>Drucken Sie die zwei Seiten. Fügen Sie dann Fotos vom Schachbrett des Films auf dem Wasser mit der Karte daneben hinzu oder legen Sie sie hier ab. Das Handbuch erklärt, wie Sie fotografieren.</translation>
+    </message>
+    <message>
+        <source>Temperature of the water. It is kept with the measurement and does not change it.</source>
+        <translation>Temperatur des Wassers. Sie wird mit der Messung aufbewahrt und ändert diese nicht.</translation>
+    </message>
+    <message>
+        <source>Number of the film&apos;s lot. It is kept with the measurement and printed on the pages.</source>
+        <translation>Nummer der Charge des Films. Sie wird mit der Messung aufbewahrt und auf die Seiten gedruckt.</translation>
+    </message>
+    <message>
+        <source>Pages to p&amp;rint…</source>
+        <translation>Seiten zum D&amp;rucken …</translation>
+    </message>
+    <message>
+        <source>Saves the chessboard for the film (film.pdf) and the card (card.pdf) to a folder. Print the film&apos;s page on the film and the card&apos;s page on stiff, waterproof cardboard, both at 100 %.</source>
+        <translation>Speichert das Schachbrett für den Film (film.pdf) und die Karte (card.pdf) in einen Ordner. Drucken Sie die Seite für den Film auf den Film und die Karte auf steifen, wasserfesten Karton, beide mit 100 %.</translation>
     </message>
 </context>
 <context>
@@ -5655,6 +6354,18 @@
     <message>
         <source>Wrote the film measurement to %1</source>
         <translation>Filmmessung nach %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Save the pages for the film and the card to a folder</source>
+        <translation>Die Seiten für Film und Karte in einen Ordner speichern</translation>
+    </message>
+    <message>
+        <source>Save pages to print</source>
+        <translation>Seiten zum Drucken speichern</translation>
+    </message>
+    <message>
+        <source>Wrote film.pdf and card.pdf to %1. Print them at 100 %; the rulers must measure 100 mm.</source>
+        <translation>film.pdf und card.pdf wurden in %1 gespeichert. Drucken Sie sie mit 100 %; die Lineale müssen 100 mm messen.</translation>
     </message>
 </context>
 <context>
@@ -6445,16 +7156,43 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Ein Klick auf das Teil</translation>
     </message>
     <message>
-        <source>Radius of the mark around the click, along the surface.</source>
-        <translation>Radius der Markierung um den Klick, entlang der Oberfläche.</translation>
-    </message>
-    <message>
         <source>Marks on the part: %1</source>
         <translation>Marken auf dem Teil: %1</translation>
     </message>
     <message>
         <source>Click on part</source>
         <translation>Klick auf das Teil</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Radierer</translation>
+    </message>
+    <message>
+        <source>Radius of the brush on the part. The keys [ and ] change it.</source>
+        <translation>Radius des Pinsels auf dem Teil. Die Tasten [ und ] ändern ihn.</translation>
+    </message>
+    <message>
+        <source>Strokes on the part take the area out of the marks. Hold Shift to erase with a single stroke.</source>
+        <translation>Striche auf dem Teil nehmen die Fläche aus den Markierungen heraus. Mit gehaltener Umschalttaste radiert ein einzelner Strich.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::MaskFields</name>
+    <message>
+        <source>Masks with a brush</source>
+        <translation>Maskiert mit einem Pinsel</translation>
+    </message>
+    <message>
+        <source>Masks a whole face</source>
+        <translation>Maskiert eine ganze Fläche</translation>
+    </message>
+    <message>
+        <source>Masks a whole material</source>
+        <translation>Maskiert ein ganzes Material</translation>
+    </message>
+    <message>
+        <source>What a click or drag on the part does. Masked surface must stay free of film: it is covered with tape, the sheet stays blank there, and the cradle may touch it.</source>
+        <translation>Was ein Klick oder ein Ziehen auf dem Teil bewirkt. Maskierte Fläche muss frei von Film bleiben: Sie wird mit Klebeband abgedeckt, das Blatt bleibt dort leer, und die Halterung darf sie berühren.</translation>
     </message>
 </context>
 <context>
@@ -6497,6 +7235,10 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>Click the second place on the part</source>
         <translation>Klicken Sie die zweite Stelle auf dem Teil an</translation>
+    </message>
+    <message>
+        <source>%1, along the surface %2</source>
+        <translation>%1, entlang der Oberfläche %2</translation>
     </message>
 </context>
 <context>
@@ -6700,6 +7442,14 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <source>The model file of the part to dip: %1.</source>
         <translation>Die Modelldatei des Teils, das getaucht wird: %1.</translation>
     </message>
+    <message>
+        <source>Create and &amp;run</source>
+        <translation>Anlegen und &amp;starten</translation>
+    </message>
+    <message>
+        <source>Creates the project and simulates its dips at once.</source>
+        <translation>Legt das Projekt an und simuliert seine Tauchvorgänge sofort.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::NoticeBar</name>
@@ -6741,6 +7491,10 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>“%1” can mean %2 or %3; type one of them</source>
         <translation>„%1“ kann %2 oder %3 bedeuten; geben Sie eines davon ein</translation>
+    </message>
+    <message>
+        <source>“%1” is not a unit that this field knows; type a number in %2</source>
+        <translation>„%1“ ist keine Einheit, die dieses Feld kennt; geben Sie eine Zahl in %2 ein</translation>
     </message>
 </context>
 <context>
@@ -6848,6 +7602,161 @@ zuerst eintaucht</translation>
     <message>
         <source>Objective %1; click to turn this side down</source>
         <translation>Zielwert %1; Klick dreht diese Seite nach unten</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::OutputsDialog</name>
+    <message>
+        <source>Overwrite files that were not made here</source>
+        <translation>Dateien überschreiben, die nicht hier erzeugt wurden</translation>
+    </message>
+    <message>
+        <source>Clip what lies outside the printable area</source>
+        <translation>Abschneiden, was außerhalb des druckbaren Bereichs liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Save set</source>
+        <translation>Satz &amp;speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Remove set</source>
+        <translation>Satz &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Wählen…</translation>
+    </message>
+    <message>
+        <source>Make outputs</source>
+        <translation>Ausgaben erzeugen</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ausgaben</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stand</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>These results were made before the last changes to the project. Run the dip again for outputs of the current state.</source>
+        <translation>Diese Ergebnisse stammen von vor den letzten Änderungen am Projekt. Starten Sie den Tauchvorgang neu, um Ausgaben des jetzigen Standes zu erhalten.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Outputs that were finished before stay.</source>
+        <translation>Abgebrochen. Ausgaben, die vorher fertig waren, bleiben.</translation>
+    </message>
+    <message>
+        <source>Output set</source>
+        <translation>Ausgabesatz</translation>
+    </message>
+    <message>
+        <source>A named list of outputs. To make an own set, tick its outputs, type a name and save it. It is kept with the project; the command line makes the same files with run --outputs NAME.</source>
+        <translation>Eine benannte Liste von Ausgaben. Für einen eigenen Satz haken Sie seine Ausgaben an, geben einen Namen ein und speichern ihn. Er bleibt im Projekt; die Befehlszeile erzeugt dieselben Dateien mit run --outputs NAME.</translation>
+    </message>
+    <message>
+        <source>Keeps the ticked outputs under this name in the project. This can be undone.</source>
+        <translation>Behält die angehakten Ausgaben unter diesem Namen im Projekt. Das lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Removes this set from the project. This can be undone.</source>
+        <translation>Entfernt diesen Satz aus dem Projekt. Das lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>S&amp;et</source>
+        <translation>Sa&amp;tz</translation>
+    </message>
+    <message>
+        <source>The folder that the files are written to. It is made if it does not exist.</source>
+        <translation>Der Ordner, in den die Dateien geschrieben werden. Er wird angelegt, wenn es ihn nicht gibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Ordner</translation>
+    </message>
+    <message>
+        <source>If this is not ticked, an output fails rather than replace a file that it has not made, or that was changed since.</source>
+        <translation>Ohne Haken schlägt eine Ausgabe fehl, statt eine Datei zu ersetzen, die sie nicht erzeugt hat oder die seitdem geändert wurde.</translation>
+    </message>
+    <message>
+        <source>For sheets in the printer&apos;s colours: if this is not ticked, they fail if colour lies where the printer cannot print.</source>
+        <translation>Für Blätter in den Farben des Druckers: Ohne Haken schlagen sie fehl, wenn Farbe dort liegt, wo der Drucker nicht drucken kann.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Make outputs</source>
+        <translation>Ausgaben er&amp;zeugen</translation>
+    </message>
+    <message>
+        <source>Writes the files of all ticked outputs.</source>
+        <translation>Schreibt die Dateien aller angehakten Ausgaben.</translation>
+    </message>
+    <message>
+        <source>Save output set “%1”</source>
+        <translation>Ausgabesatz „%1“ speichern</translation>
+    </message>
+    <message>
+        <source>The set “%1” is kept with the project.</source>
+        <translation>Der Satz „%1“ bleibt im Projekt.</translation>
+    </message>
+    <message>
+        <source>Remove output set “%1”</source>
+        <translation>Ausgabesatz „%1“ entfernen</translation>
+    </message>
+    <message>
+        <source>Folder of the outputs</source>
+        <translation>Ordner der Ausgaben</translation>
+    </message>
+    <message>
+        <source>Looking for outputs</source>
+        <translation>Ausgaben werden gesucht</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Veraltet</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Not made</source>
+        <translation>Nicht erzeugt</translation>
+    </message>
+    <message>
+        <source>Making outputs …</source>
+        <translation>Ausgaben werden erzeugt …</translation>
+    </message>
+    <message>
+        <source>Making outputs</source>
+        <translation>Ausgaben werden erzeugt</translation>
+    </message>
+    <message>
+        <source>Made the outputs in %1</source>
+        <translation>Die Ausgaben wurden in %1 erzeugt</translation>
+    </message>
+    <message>
+        <source>Outputs that failed: %1 of %2</source>
+        <translation>Fehlgeschlagene Ausgaben: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -7023,6 +7932,26 @@ zuerst eintaucht</translation>
     <message>
         <source>&amp;Spacing between pieces</source>
         <translation>&amp;Abstand der Stücke</translation>
+    </message>
+    <message>
+        <source>The film or roll on which the pieces are placed.</source>
+        <translation>Der Film oder die Rolle, auf die die Stücke gelegt werden.</translation>
+    </message>
+    <message>
+        <source>Width of the film or roll.</source>
+        <translation>Breite des Films oder der Rolle.</translation>
+    </message>
+    <message>
+        <source>Least distance between two pieces.</source>
+        <translation>Kleinster Abstand zwischen zwei Stücken.</translation>
+    </message>
+    <message>
+        <source>The film that the preview shows.</source>
+        <translation>Der Film, den die Vorschau zeigt.</translation>
+    </message>
+    <message>
+        <source>How many copies of the project are placed on the film.</source>
+        <translation>Wie viele Kopien des Projekts auf den Film gelegt werden.</translation>
     </message>
 </context>
 <context>
@@ -7276,6 +8205,10 @@ zuerst eintaucht</translation>
     <message>
         <source>%1 pairs. Drag a place to correct it, or press Delete to remove it. Then click “Find corners”, or click “Measure pairs” to use only the pairs.</source>
         <translation>%1 Paare. Ziehen Sie eine Stelle, um sie zu berichtigen; Entf löscht sie. Klicken Sie dann auf „Ecken suchen“, oder auf „Paare messen“, um nur die Paare zu verwenden.</translation>
+    </message>
+    <message>
+        <source>The photo that is shown.</source>
+        <translation>Das gezeigte Foto.</translation>
     </message>
 </context>
 <context>
@@ -8207,6 +9140,10 @@ Unterschiede</translation>
         <source>This version of the program cannot print; print the sheet&apos;s PDF at 100 % with another program</source>
         <translation>Diese Fassung des Programms kann nicht drucken; drucken Sie das PDF des Blatts mit 100 % aus einem anderen Programm</translation>
     </message>
+    <message>
+        <source>any size from %1 to %2</source>
+        <translation>jede Größe von %1 bis %2</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
@@ -8598,6 +9535,10 @@ Unterschiede</translation>
         <source>Change poses of path</source>
         <translation>Lagen des Wegs ändern</translation>
     </message>
+    <message>
+        <source>Masks on the part</source>
+        <translation>Masken auf dem Teil</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::QueueDialog</name>
@@ -8658,10 +9599,6 @@ Unterschiede</translation>
 Results: %2</source>
         <translation>%1
 Ergebnisse: %2</translation>
-    </message>
-    <message>
-        <source>, about %1 left</source>
-        <translation>, noch etwa %1</translation>
     </message>
     <message>
         <source>Result</source>
@@ -8731,6 +9668,14 @@ Ergebnisse: %2</translation>
         <source>Result of the selected project</source>
         <translation>Ergebnis des gewählten Projekts</translation>
     </message>
+    <message>
+        <source>At the tan&amp;k…</source>
+        <translation>Am Bec&amp;ken …</translation>
+    </message>
+    <message>
+        <source>Opens the tank-side page with the steps of all finished projects</source>
+        <translation>Öffnet die Seite für das Becken mit den Schritten aller fertigen Projekte</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReadPhotos</name>
@@ -8799,6 +9744,10 @@ Ergebnisse: %2</translation>
     <message>
         <source>Total coverage</source>
         <translation>Gesamte Abdeckung</translation>
+    </message>
+    <message>
+        <source>Masked areas</source>
+        <translation>Maskierte Flächen</translation>
     </message>
 </context>
 <context>
@@ -8925,10 +9874,6 @@ mm je mm</translation>
 %1</translation>
     </message>
     <message>
-        <source>Limit: %1 · magenta: painted by only one of the compared dips</source>
-        <translation>Grenze: %1 · Magenta: nur von einem der verglichenen Tauchvorgänge bemalt</translation>
-    </message>
-    <message>
         <source>How far handling may move the image on the part; ink side up</source>
         <translation>Wie weit die Handhabung das Bild auf dem Teil verschieben kann; Farbseite oben</translation>
     </message>
@@ -8953,6 +9898,10 @@ mm je mm</translation>
     <message>
         <source>On the part: 95 % of the image moves by ±%1 or less</source>
         <translation>Auf dem Teil: 95 % des Bilds verschieben sich um höchstens ±%1</translation>
+    </message>
+    <message>
+        <source>Limit: %1 · black: painted by only one of the compared dips</source>
+        <translation>Grenze: %1 · schwarz: nur von einem der verglichenen Tauchvorgänge bedeckt</translation>
     </message>
 </context>
 <context>
@@ -9146,10 +10095,6 @@ mm je mm</translation>
         <translation>%1 von %2 Tauchvorgängen</translation>
     </message>
     <message>
-        <source>%1, about %2 s left</source>
-        <translation>%1, noch etwa %2 s</translation>
-    </message>
-    <message>
         <source>Rank %1</source>
         <translation>Rang %1</translation>
     </message>
@@ -9229,6 +10174,10 @@ mm je mm</translation>
         <source>Also tries paths for the best poses: the part enters the water tilted and is levelled on the way down, goes down slanted, or, if a depth is set, rolls. So air can escape, and the film reaches further. Takes about twice as long.</source>
         <translation>Probiert für die besten Lagen auch Wege: Das Teil taucht gekippt ein und wird beim Absenken waagerecht gestellt, geht schräg nach unten oder rollt, wenn eine Tiefe eingestellt ist. So kann Luft entweichen, und der Film reicht weiter. Dauert etwa doppelt so lange.</translation>
     </message>
+    <message>
+        <source>Whether one dip paints the part, or two dips from different sides.</source>
+        <translation>Ob ein Tauchvorgang das Teil bemalt oder zwei von verschiedenen Seiten.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::Sheet</name>
@@ -9249,20 +10198,8 @@ mm je mm</translation>
         <translation>Unbekanntes Papier „%1“; wählen Sie film, A4, A3, Letter oder custom</translation>
     </message>
     <message>
-        <source>%1 · %2 · %3 · Film %4 · Scale %5 · Job %6</source>
-        <translation>%1 · %2 · %3 · Film %4 · Maßstab %5 · Auftrag %6</translation>
-    </message>
-    <message>
-        <source>%1 · Job %2</source>
-        <translation>%1 · Auftrag %2</translation>
-    </message>
-    <message>
         <source>The paper of %1 × %2 mm is smaller than the film of %3 × %4 mm; choose larger paper, turn it or make the film smaller</source>
         <translation>Das Papier von %1 × %2 mm ist kleiner als der Film von %3 × %4 mm; wählen Sie größeres Papier, drehen Sie es oder verkleinern Sie den Film</translation>
-    </message>
-    <message>
-        <source>Film %1 of %2, pieces: %3</source>
-        <translation>Film %1 von %2, Stücke: %3</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
@@ -9309,10 +10246,6 @@ mm je mm</translation>
         <translation>Das Blatt braucht mehr als %1 Seiten dieses Papiers; verwenden Sie größeres Papier</translation>
     </message>
     <message>
-        <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashed lines</source>
-        <translation>%1 · Zeile %2 von %3, Spalte %4 von %5 · an den gestrichelten Linien schneiden</translation>
-    </message>
-    <message>
         <source>This job&apos;s spot ink %1 has another colour or printing order than in another job; give it the same colour and order in both jobs</source>
         <translation>Die Sonderfarbe %1 hat in diesem Auftrag eine andere Farbe oder Druckreihenfolge als in einem anderen Auftrag; geben Sie ihr in beiden Aufträgen dieselbe Farbe und Reihenfolge</translation>
     </message>
@@ -9327,6 +10260,22 @@ mm je mm</translation>
     <message>
         <source>Paper of %1 × %2 mm is too small for a tile of the sheet; use larger paper</source>
         <translation>Papier von %1 × %2 mm ist zu klein für eine Kachel des Blatts; verwenden Sie größeres Papier</translation>
+    </message>
+    <message>
+        <source>Film %1 of %2, 1 piece</source>
+        <translation>Film %1 von %2, 1 Stück</translation>
+    </message>
+    <message>
+        <source>Film %1 of %2, %3 pieces</source>
+        <translation>Film %1 von %2, %3 Stücke</translation>
+    </message>
+    <message>
+        <source>Film %1 · Scale %2 · %3</source>
+        <translation>Film %1 · Maßstab %2 · %3</translation>
+    </message>
+    <message>
+        <source>Job %1 · row %2 of %3, column %4 of %5 · %6 · %7 · cut along the dashed lines</source>
+        <translation>Auftrag %1 · Zeile %2 von %3, Spalte %4 von %5 · %6 · %7 · an den gestrichelten Linien schneiden</translation>
     </message>
 </context>
 <context>
@@ -9541,6 +10490,10 @@ mm je mm</translation>
         <source>The job does not respond. Save your work, then close the window to end the job.</source>
         <translation>Der Auftrag reagiert nicht. Speichern Sie Ihre Arbeit und schließen Sie dann das Fenster, um ihn zu beenden.</translation>
     </message>
+    <message>
+        <source>Estimated from the progress of the job.</source>
+        <translation>Aus dem Fortschritt der Aufgabe geschätzt.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::StretchPanel</name>
@@ -9669,6 +10622,124 @@ mm je mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::TankController</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The project has changed since these sheets were made.</source>
+        <translation>Das Projekt hat sich geändert, seit diese Blätter gemacht wurden.</translation>
+    </message>
+    <message>
+        <source>Keep times at the tank</source>
+        <translation>Zeiten am Becken behalten</translation>
+    </message>
+    <message>
+        <source>The times of %1 were not stored: the project is closed and has no file</source>
+        <translation>Die Zeiten von %1 wurden nicht gespeichert: Das Projekt ist geschlossen und hat keine Datei</translation>
+    </message>
+    <message>
+        <source>Storing the times</source>
+        <translation>Zeiten werden gespeichert</translation>
+    </message>
+    <message>
+        <source>The times of %1 were not stored</source>
+        <translation>Die Zeiten von %1 wurden nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::TankPage</name>
+    <message>
+        <source>Done (space bar)</source>
+        <translation>Fertig (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Ends this step and stores its time; space bar</source>
+        <translation>Beendet diesen Schritt und merkt sich seine Zeit; Leertaste</translation>
+    </message>
+    <message>
+        <source>Back (←)</source>
+        <translation>Zurück (←)</translation>
+    </message>
+    <message>
+        <source>Returns to the step before and forgets its time; left arrow</source>
+        <translation>Geht zum Schritt davor zurück und vergisst dessen Zeit; Pfeil nach links</translation>
+    </message>
+    <message>
+        <source>Pause (P)</source>
+        <translation>Pause (P)</translation>
+    </message>
+    <message>
+        <source>Stops the clock until you continue; P</source>
+        <translation>Hält die Uhr an, bis Sie weitermachen; P</translation>
+    </message>
+    <message>
+        <source>Sound (S)</source>
+        <translation>Ton (S)</translation>
+    </message>
+    <message>
+        <source>Beeps in the last three seconds of a step; S</source>
+        <translation>Gibt in den letzten drei Sekunden eines Schritts einen Ton; S</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Closes the page. It continues at this step when it is opened again; Escape</source>
+        <translation>Schließt die Seite. Sie macht bei diesem Schritt weiter, wenn sie wieder geöffnet wird; Esc</translation>
+    </message>
+    <message>
+        <source>At the tank</source>
+        <translation>Am Becken</translation>
+    </message>
+    <message>
+        <source>Time of the step</source>
+        <translation>Zeit des Schritts</translation>
+    </message>
+    <message>
+        <source>job %1 of %2</source>
+        <translation>Auftrag %1 von %2</translation>
+    </message>
+    <message>
+        <source>dip %1</source>
+        <translation>Tauchvorgang %1</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>Durchgang %1</translation>
+    </message>
+    <message>
+        <source>All steps are done</source>
+        <translation>Alle Schritte sind fertig</translation>
+    </message>
+    <message>
+        <source>Paused: %1</source>
+        <translation>Pause: %1</translation>
+    </message>
+    <message>
+        <source>The times are stored with the job. The space bar starts the next run.</source>
+        <translation>Die Zeiten sind beim Auftrag gespeichert. Die Leertaste beginnt den nächsten Durchgang.</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Danach: %1</translation>
+    </message>
+    <message>
+        <source>Next run (space bar)</source>
+        <translation>Nächster Durchgang (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Continue (P)</source>
+        <translation>Weiter (P)</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::Texture</name>
     <message>
         <source>The picture has no pixels; choose another one</source>
@@ -9728,6 +10799,21 @@ mm je mm</translation>
     <message>
         <source>Texture %1 of the model</source>
         <translation>Textur %1 des Modells</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::TimeLeft</name>
+    <message>
+        <source>about %1 s left</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>about %1 h %2 min left</source>
+        <translation>noch etwa %1 h %2 min</translation>
     </message>
 </context>
 <context>
@@ -10483,10 +11569,6 @@ mm je mm</translation>
         <translation>Das Teil durch den Film hindurch zeigen</translation>
     </message>
     <message>
-        <source>Click two places on the part to measure the distance between them</source>
-        <translation>Zwei Stellen auf dem Teil anklicken, um ihren Abstand zu messen</translation>
-    </message>
-    <message>
         <source>What the film shows in the 3D view</source>
         <translation>Was der Film in der 3D-Ansicht zeigt</translation>
     </message>
@@ -10601,6 +11683,42 @@ mm je mm</translation>
     <message>
         <source>Show the part as large as possible, without the film around it</source>
         <translation>Das Teil so groß wie möglich zeigen, ohne den Film darum herum</translation>
+    </message>
+    <message>
+        <source>Make &amp;outputs…</source>
+        <translation>Aus&amp;gaben erzeugen…</translation>
+    </message>
+    <message>
+        <source>Write a list of files that is kept with the project, such as everything that the print shop needs</source>
+        <translation>Eine Liste von Dateien schreiben, die im Projekt bleibt, zum Beispiel alles, was die Druckerei braucht</translation>
+    </message>
+    <message>
+        <source>At the tan&amp;k…</source>
+        <translation>Am Bec&amp;ken …</translation>
+    </message>
+    <message>
+        <source>Show the steps at the tank in large letters, count their times down and store how long they took</source>
+        <translation>Die Schritte am Becken in großen Buchstaben zeigen, ihre Zeiten herunterzählen und speichern, wie lange sie gedauert haben</translation>
+    </message>
+    <message>
+        <source>Warnings on t&amp;he part</source>
+        <translation>Warn&amp;ungen auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Mark trapped air, torn film and places that are not reached. Click a mark to see it in the report</source>
+        <translation>Eingeschlossene Luft, gerissenen Film und nicht erreichte Stellen markieren. Ein Klick auf eine Marke zeigt sie im Bericht</translation>
+    </message>
+    <message>
+        <source>Cradle aro&amp;und the part</source>
+        <translation>&amp;Halterung um das Teil</translation>
+    </message>
+    <message>
+        <source>Make the cradle of this dip and show it, before you export it</source>
+        <translation>Die Halterung dieses Tauchvorgangs herstellen und zeigen, bevor sie exportiert wird</translation>
+    </message>
+    <message>
+        <source>Click two places on the part to measure the straight distance between them, and the distance along the surface</source>
+        <translation>Zwei Stellen auf dem Teil anklicken, um ihren geraden Abstand und den Abstand entlang der Oberfläche zu messen</translation>
     </message>
 </context>
 <context>
@@ -10758,10 +11876,6 @@ mm je mm</translation>
         <translation>Ausdehnung</translation>
     </message>
     <message>
-        <source>Spot</source>
-        <translation>Fleck</translation>
-    </message>
-    <message>
         <source>Whole face</source>
         <translation>Ganze Fläche</translation>
     </message>
@@ -10770,12 +11884,16 @@ mm je mm</translation>
         <translation>Ganzes Material</translation>
     </message>
     <message>
-        <source>How far the mark extends around the click: a radius along the surface, the face up to its edges, or everything with the same material in the model.</source>
-        <translation>Wie weit die Marke um den Klick reicht: ein Radius entlang der Oberfläche, die Fläche bis zu ihren Kanten oder alles mit demselben Material im Modell.</translation>
-    </message>
-    <message>
         <source>The zone that a click or drag on the part sets. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
         <translation>Die Zone, die ein Klick oder Ziehen auf dem Teil setzt. Zone A muss am genauesten bemalt werden. Die Fläche ohne Marke ist Zone C.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>What a click marks: the surface under the brush, the face up to its edges, or everything with the same material in the model.</source>
+        <translation>Was ein Klick markiert: die Oberfläche unter dem Pinsel, die Fläche bis zu ihren Kanten oder alles, was im Modell dasselbe Material hat.</translation>
     </message>
 </context>
 <context>

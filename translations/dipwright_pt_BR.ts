@@ -251,6 +251,177 @@
     </message>
 </context>
 <context>
+    <name>Cost</name>
+    <message>
+        <source>Cyan</source>
+        <translation>Ciano</translation>
+    </message>
+    <message>
+        <source>Magenta</source>
+        <translation>Magenta</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Amarelo</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Preto</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Película</translation>
+    </message>
+    <message>
+        <source>Ink: %1</source>
+        <translation>Tinta: %1</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Trabalho</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>Preparação</translation>
+    </message>
+    <message>
+        <source>Handling</source>
+        <translation>Manuseio</translation>
+    </message>
+    <message>
+        <source>Soak</source>
+        <translation>Molho</translation>
+    </message>
+    <message>
+        <source>Activator</source>
+        <translation>Ativador</translation>
+    </message>
+    <message>
+        <source>Dip</source>
+        <translation>Imersão</translation>
+    </message>
+    <message>
+        <source>Flash, each rack</source>
+        <translation>Evaporação, cada suporte</translation>
+    </message>
+    <message>
+        <source>Drying, each rack</source>
+        <translation>Secagem, cada suporte</translation>
+    </message>
+    <message>
+        <source>%1 m²</source>
+        <translation>%1 m²</translation>
+    </message>
+    <message>
+        <source>%1 m of roll</source>
+        <translation>%1 m de rolo</translation>
+    </message>
+    <message>
+        <source>%1 sheets</source>
+        <translation>%1 folhas</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>no price</source>
+        <translation>sem preço</translation>
+    </message>
+    <message>
+        <source>no ml/m²</source>
+        <translation>sem ml/m²</translation>
+    </message>
+    <message>
+        <source>no time for the set-up</source>
+        <translation>sem tempo de preparação</translation>
+    </message>
+    <message>
+        <source>no time for handling</source>
+        <translation>sem tempo de manuseio</translation>
+    </message>
+    <message>
+        <source>no soak time</source>
+        <translation>sem tempo de molho</translation>
+    </message>
+    <message>
+        <source>no activator time</source>
+        <translation>sem tempo do ativador</translation>
+    </message>
+    <message>
+        <source>no flash time</source>
+        <translation>sem tempo de evaporação</translation>
+    </message>
+    <message>
+        <source>no drying time</source>
+        <translation>sem tempo de secagem</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>%1 days %2 h</source>
+        <translation>%1 dias %2 h</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>Soma</translation>
+    </message>
+    <message>
+        <source>Sum of the known prices</source>
+        <translation>Soma dos preços conhecidos</translation>
+    </message>
+    <message>
+        <source>Working time</source>
+        <translation>Tempo de trabalho</translation>
+    </message>
+    <message>
+        <source>Until the last part is dry</source>
+        <translation>Até a última peça secar</translation>
+    </message>
+    <message>
+        <source>no price for the film</source>
+        <translation>sem preço da película</translation>
+    </message>
+    <message>
+        <source>no price for an hour of work</source>
+        <translation>sem preço de uma hora de trabalho</translation>
+    </message>
+    <message>
+        <source>no amount in ml/m² for ink: %1</source>
+        <translation>sem quantidade em ml/m² de tinta: %1</translation>
+    </message>
+    <message>
+        <source>no price for ink: %1</source>
+        <translation>sem preço de tinta: %1</translation>
+    </message>
+    <message>
+        <source>Parts: %1, sheets: %2</source>
+        <translation>Peças: %1, folhas: %2</translation>
+    </message>
+    <message>
+        <source>cost: %1, for each part: %2</source>
+        <translation>custo: %1, por peça: %2</translation>
+    </message>
+    <message>
+        <source>working time: %1, until the last part is dry: %2</source>
+        <translation>tempo de trabalho: %1, até a última peça secar: %2</translation>
+    </message>
+</context>
+<context>
     <name>Cradle</name>
     <message>
         <source>Forming the cradle</source>
@@ -291,6 +462,10 @@
     <message>
         <source>%1: no cradle is possible, because on this path it would touch the film on the water; tilt or roll the part less, dip it less deep, or hold it by hand</source>
         <translation>%1: nenhum berço é possível, porque neste percurso ele tocaria a película na água; tombe ou role menos a peça, mergulhe-a menos fundo ou segure-a com a mão</translation>
+    </message>
+    <message>
+        <source>Reducing the triangles of the cradle</source>
+        <translation>Reduzindo os triângulos do berço</translation>
     </message>
 </context>
 <context>
@@ -809,6 +984,10 @@
         <source>File ▸ Job queue</source>
         <translation>Arquivo ▸ Fila de trabalhos</translation>
     </message>
+    <message>
+        <source>At the tank</source>
+        <translation>No tanque</translation>
+    </message>
 </context>
 <context>
     <name>ImmersionEdits</name>
@@ -936,6 +1115,25 @@
         <source>Mark area for the seam</source>
         <translation>Marcar área para a emenda</translation>
     </message>
+    <message>
+        <source>Erase marks for the seam</source>
+        <translation>Apagar marcas para a emenda</translation>
+    </message>
+    <message>
+        <source>Erase mask</source>
+        <translation>Apagar máscara</translation>
+    </message>
+    <message>
+        <source>Mask area</source>
+        <translation>Mascarar área</translation>
+    </message>
+</context>
+<context>
+    <name>Mask</name>
+    <message>
+        <source>Masked areas: %1 (%2 mm²). Cover them with tape before the first dip.</source>
+        <translation>Áreas mascaradas: %1 (%2 mm²). Cubra-as com fita antes da primeira imersão.</translation>
+    </message>
 </context>
 <context>
     <name>ModelEdits</name>
@@ -1015,6 +1213,100 @@
     <message>
         <source>its process ended unexpectedly (exit code %1)</source>
         <translation>o processo dele terminou inesperadamente (código de saída %1)</translation>
+    </message>
+</context>
+<context>
+    <name>OutputSets</name>
+    <message>
+        <source>Sheets as PDF</source>
+        <translation>Folhas em PDF</translation>
+    </message>
+    <message>
+        <source>Film images as PNG</source>
+        <translation>Imagens da película em PNG</translation>
+    </message>
+    <message>
+        <source>Sheets in the printer&apos;s colours as PDF</source>
+        <translation>Folhas nas cores da impressora em PDF</translation>
+    </message>
+    <message>
+        <source>Sheets in the printer&apos;s colours as TIFF</source>
+        <translation>Folhas nas cores da impressora em TIFF</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Prova</translation>
+    </message>
+    <message>
+        <source>Traveller</source>
+        <translation>Ficha de acompanhamento</translation>
+    </message>
+    <message>
+        <source>Motion programs</source>
+        <translation>Programas de movimento</translation>
+    </message>
+    <message>
+        <source>Cradles</source>
+        <translation>Berços</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Relatório</translation>
+    </message>
+    <message>
+        <source>Film and part for ParaView</source>
+        <translation>Película e peça para ParaView</translation>
+    </message>
+    <message>
+        <source>Maps of the film</source>
+        <translation>Mapas da película</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Tudo</translation>
+    </message>
+    <message>
+        <source>Print shop</source>
+        <translation>Gráfica</translation>
+    </message>
+    <message>
+        <source>Tank</source>
+        <translation>Tanque</translation>
+    </message>
+    <message>
+        <source>There is no output set of this name; the project has %1. A list of outputs is also possible: %2</source>
+        <translation>Não há conjunto de saídas com este nome; o projeto tem %1. Também é possível uma lista de saídas: %2</translation>
+    </message>
+</context>
+<context>
+    <name>Outputs</name>
+    <message>
+        <source>Writing the sheet of %1</source>
+        <translation>Gravando a folha de %1</translation>
+    </message>
+    <message>
+        <source>The folder cannot be created; choose another one</source>
+        <translation>A pasta não pode ser criada; escolha outra</translation>
+    </message>
+    <message>
+        <source>These files were not made by an output or were changed since: %1. Allow overwriting, or choose another folder</source>
+        <translation>Estes arquivos não foram gerados por uma saída ou foram alterados depois: %1. Permita sobrescrever ou escolha outra pasta</translation>
+    </message>
+    <message>
+        <source>%1: done, %2</source>
+        <translation>%1: pronto, %2</translation>
+    </message>
+    <message>
+        <source>%1: failed. %2</source>
+        <translation>%1: falhou. %2</translation>
+    </message>
+    <message>
+        <source>%1: out of date</source>
+        <translation>%1: desatualizado</translation>
+    </message>
+    <message>
+        <source>%1: not made</source>
+        <translation>%1: não gerado</translation>
     </message>
 </context>
 <context>
@@ -1150,10 +1442,6 @@
 </context>
 <context>
     <name>Pipeline</name>
-    <message>
-        <source>%1 %2 × %3 mm</source>
-        <translation>%1 %2 × %3 mm</translation>
-    </message>
     <message>
         <source>Writing the sheet of %1</source>
         <translation>Gravando a folha de %1</translation>
@@ -1333,6 +1621,18 @@
     <message>
         <source>The film model of the paper allows only straight dips; choose the production film, or a straight path</source>
         <translation>O modelo de película do artigo só permite imersões retas; escolha a película de produção ou um percurso reto</translation>
+    </message>
+    <message>
+        <source>The roll is cut into films of at most %1 mm, because an image at %2 dpi has at most %3 pixels per side; a lower resolution allows longer films</source>
+        <translation>O rolo é cortado em películas de no máximo %1 mm, porque uma imagem com %2 dpi tem no máximo %3 pixels por lado; uma resolução menor permite películas mais longas</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>There is nothing to write</source>
+        <translation>Não há nada para gravar</translation>
     </message>
 </context>
 <context>
@@ -1869,6 +2169,155 @@
         <source>Distance from the water surface to the tank&apos;s floor. The verdict on a dip that goes deeper is “Do not print”.</source>
         <translation>Distância da superfície da água ao fundo do tanque. O veredito de uma imersão mais funda é “Não imprimir”.</translation>
     </message>
+    <message>
+        <source>Cost of the ink</source>
+        <translation>Custo da tinta</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <comment>cyan</comment>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <comment>magenta</comment>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <comment>yellow</comment>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <comment>black</comment>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Branco</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <comment>spot inks</comment>
+        <translation>Outras</translation>
+    </message>
+    <message>
+        <source>Ink at full tint, ml/m²</source>
+        <translation>Tinta a 100 %, ml/m²</translation>
+    </message>
+    <message>
+        <source>Millilitres of each ink on a square metre that is printed at full tint. Usual values are 5 to 20. 0: not given.</source>
+        <translation>Mililitros de cada tinta em um metro quadrado impresso a 100 %. Valores usuais: 5 a 20. 0: não informado.</translation>
+    </message>
+    <message>
+        <source>Price of a litre</source>
+        <translation>Preço de um litro</translation>
+    </message>
+    <message>
+        <source>Price of a litre of each ink, in the currency of the tank&apos;s profile. 0: not given.</source>
+        <translation>Preço de um litro de cada tinta, na moeda do perfil do tanque. 0: não informado.</translation>
+    </message>
+    <message>
+        <source>Spot ink at full tint, ml/m²</source>
+        <translation>Tinta especial a 100 %, ml/m²</translation>
+    </message>
+    <message>
+        <source>The same for white and for every other spot ink. 0: not given.</source>
+        <translation>O mesmo para o branco e para cada outra tinta especial. 0: não informado.</translation>
+    </message>
+    <message>
+        <source>Price of a litre of spot ink</source>
+        <translation>Preço de um litro de tinta especial</translation>
+    </message>
+    <message>
+        <source>The price of white and of every other spot ink. 0: not given.</source>
+        <translation>Preço do branco e de cada outra tinta especial. 0: não informado.</translation>
+    </message>
+    <message>
+        <source>Cost of the film</source>
+        <translation>Custo da película</translation>
+    </message>
+    <message>
+        <source>Price</source>
+        <translation>Preço</translation>
+    </message>
+    <message>
+        <source>Price of the film for the unit below, in the currency of the tank&apos;s profile.</source>
+        <translation>Preço da película para a unidade abaixo, na moeda do perfil do tanque.</translation>
+    </message>
+    <message>
+        <source>Price for</source>
+        <translation>Preço por</translation>
+    </message>
+    <message>
+        <source>What the price is for. A metre of roll is as wide as the film is cut.</source>
+        <translation>A que se refere o preço. Um metro de rolo tem a largura em que a película é cortada.</translation>
+    </message>
+    <message>
+        <source>A square metre</source>
+        <translation>Um metro quadrado</translation>
+    </message>
+    <message>
+        <source>A metre of roll</source>
+        <translation>Um metro de rolo</translation>
+    </message>
+    <message>
+        <source>A sheet</source>
+        <translation>Uma folha</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Trabalho</translation>
+    </message>
+    <message>
+        <source>Price of an hour</source>
+        <translation>Preço de uma hora</translation>
+    </message>
+    <message>
+        <source>Price of an hour of work at the tank. Set-up, handling, soak, activator and dip count as work; flash and drying do not.</source>
+        <translation>Preço de uma hora de trabalho no tanque. Preparação, manuseio, molho, ativador e imersão contam como trabalho; evaporação e secagem, não.</translation>
+    </message>
+    <message>
+        <source>Set-up, minutes</source>
+        <translation>Preparação, minutos</translation>
+    </message>
+    <message>
+        <source>Minutes of work before the first dip of an order.</source>
+        <translation>Minutos de trabalho antes da primeira imersão de um pedido.</translation>
+    </message>
+    <message>
+        <source>Handling, minutes</source>
+        <translation>Manuseio, minutos</translation>
+    </message>
+    <message>
+        <source>Minutes of work for each dip of a rack, in addition to the timed steps: laying the film, mounting, rinsing.</source>
+        <translation>Minutos de trabalho em cada imersão de um suporte, além dos passos cronometrados: pôr a película, montar, enxaguar.</translation>
+    </message>
+    <message>
+        <source>Parts per rack</source>
+        <translation>Peças por suporte</translation>
+    </message>
+    <message>
+        <source>How many parts one dip with one sheet makes. More than 1 only if the model shows several parts on a jig.</source>
+        <translation>Quantas peças uma imersão com uma folha faz. Mais de 1 só se o modelo mostra várias peças em um suporte.</translation>
+    </message>
+    <message>
+        <source>Scrap</source>
+        <translation>Refugo</translation>
+    </message>
+    <message>
+        <source>Share of the dipped racks that cannot be sold. Film, ink and work are counted for them, too. Usual values are 2 to 10 %.</source>
+        <translation>Parte dos suportes mergulhados que não pode ser vendida. Película, tinta e trabalho contam também para eles. Valores usuais: 2 a 10 %.</translation>
+    </message>
+    <message>
+        <source>Currency</source>
+        <translation>Moeda</translation>
+    </message>
+    <message>
+        <source>The currency of all prices, for example EUR.</source>
+        <translation>A moeda de todos os preços, por exemplo BRL.</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -2000,10 +2449,6 @@
         <translation>uma cor como #1a2b3c</translation>
     </message>
     <message>
-        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built and inspection</source>
-        <translation>as seções são artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built e inspection</translation>
-    </message>
-    <message>
         <source>A value is missing; expected %1</source>
         <translation>Falta um valor; esperado: %1</translation>
     </message>
@@ -2075,6 +2520,22 @@
         <source>In the poses of a path, times are at most %1 s, lengths %2 mm and turns %3°</source>
         <translation>Nas poses de um percurso, os tempos são de no máximo %1 s, os comprimentos de %2 mm e os giros de %3°</translation>
     </message>
+    <message>
+        <source>The brush strokes in %1 have %2 points; at most %3 are possible</source>
+        <translation>As pinceladas em %1 têm %2 pontos; são possíveis no máximo %3</translation>
+    </message>
+    <message>
+        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built, inspection and order</source>
+        <translation>as seções são artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built, inspection e order</translation>
+    </message>
+    <message>
+        <source>The value must be a list in JSON, as in the project file</source>
+        <translation>O valor deve ser uma lista em JSON, como no arquivo do projeto</translation>
+    </message>
+    <message>
+        <source>The normals of a brush stroke have parts from −1 to 1</source>
+        <translation>As normais de uma pincelada têm componentes de −1 a 1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -2137,6 +2598,10 @@
     <message>
         <source>Tank profile</source>
         <translation>Perfil do tanque</translation>
+    </message>
+    <message>
+        <source>Marks for masks</source>
+        <translation>Marcas para máscaras</translation>
     </message>
 </context>
 <context>
@@ -3152,6 +3617,18 @@
         <source>No limit</source>
         <translation>Sem limite</translation>
     </message>
+    <message>
+        <source>Order</source>
+        <translation>Pedido</translation>
+    </message>
+    <message>
+        <source>Parts to make</source>
+        <translation>Peças a fazer</translation>
+    </message>
+    <message>
+        <source>The number of good parts that are ordered. Report, queue and traveller give the cost and the time of the order. Sheets do not depend on it.</source>
+        <translation>Número de peças boas que foram pedidas. O relatório, a fila e a ficha de acompanhamento dão o custo e o tempo do pedido. As folhas não dependem dele.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3274,6 +3751,62 @@
     <message>
         <source>Place of the largest stretch</source>
         <translation>Lugar do maior estiramento</translation>
+    </message>
+    <message>
+        <source>Warnings on the part</source>
+        <translation>Avisos na peça</translation>
+    </message>
+    <message>
+        <source>Cost and time</source>
+        <translation>Custo e tempo</translation>
+    </message>
+    <message>
+        <source>One part</source>
+        <translation>Uma peça</translation>
+    </message>
+    <message>
+        <source>Order of %1 parts</source>
+        <translation>Pedido de %1 peças</translation>
+    </message>
+    <message>
+        <source>Sheets to print</source>
+        <translation>Folhas a imprimir</translation>
+    </message>
+    <message>
+        <source>The amounts of ink are estimated, because the project has no printer profile with an ICC profile in CMYK.</source>
+        <translation>As quantidades de tinta são estimadas, porque o projeto não tem um perfil de impressora com um perfil ICC em CMYK.</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Salvar como CSV…</translation>
+    </message>
+    <message>
+        <source>Edit prices…</source>
+        <translation>Editar preços…</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Passo</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Planejado</translation>
+    </message>
+    <message>
+        <source>Took, mean of all runs</source>
+        <translation>Levou, média de todas as vezes</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Imersão %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 a %3)</translation>
+    </message>
+    <message>
+        <source>At the tank</source>
+        <translation>No tanque</translation>
     </message>
 </context>
 <context>
@@ -3512,6 +4045,38 @@
     <message>
         <source>%1 (worse)</source>
         <translation>%1 (pior)</translation>
+    </message>
+    <message>
+        <source>Largest stretch of the film on the part</source>
+        <translation>Maior estiramento da película na peça</translation>
+    </message>
+    <message>
+        <source>Numerical error of the sheet, 95th percentile</source>
+        <translation>Erro numérico da folha, percentil 95</translation>
+    </message>
+    <message>
+        <source>Compressed film that may wrinkle</source>
+        <translation>Película comprimida que pode enrugar</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Ar preso</translation>
+    </message>
+    <message>
+        <source>Area painted by film that tore, was released or did not converge</source>
+        <translation>Área pintada por película que rasgou, se soltou ou não convergiu</translation>
+    </message>
+    <message>
+        <source>Area too pale because of the ink limit</source>
+        <translation>Área clara demais por causa do limite de tinta</translation>
+    </message>
+    <message>
+        <source>Length of the seam</source>
+        <translation>Comprimento da emenda</translation>
+    </message>
+    <message>
+        <source>Ink of all plates, as area at full tint</source>
+        <translation>Tinta de todas as chapas, como área a 100 %</translation>
     </message>
 </context>
 <context>
@@ -3797,6 +4362,62 @@
     <message>
         <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water (to the right; towards the upper edge; up), and the turn about these axes relative to the rotation at the end: %3</source>
         <translation>Mergulhe a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Cada pose dá o tempo, a posição do centro da peça em relação ao centro da película na água (para a direita; para a borda superior; para cima) e o giro em torno desses eixos em relação à rotação no fim: %3</translation>
+    </message>
+    <message>
+        <source>Tape the masked surface</source>
+        <translation>Cobrir a superfície mascarada</translation>
+    </message>
+    <message>
+        <source>Lay the film</source>
+        <translation>Pôr a película</translation>
+    </message>
+    <message>
+        <source>Soak</source>
+        <translation>Molho</translation>
+    </message>
+    <message>
+        <source>Spray the activator</source>
+        <translation>Borrifar o ativador</translation>
+    </message>
+    <message>
+        <source>Dip the part</source>
+        <translation>Mergulhar a peça</translation>
+    </message>
+    <message>
+        <source>Hold under water</source>
+        <translation>Manter debaixo da água</translation>
+    </message>
+    <message>
+        <source>Let it flash off</source>
+        <translation>Deixar evaporar</translation>
+    </message>
+    <message>
+        <source>Rinse and dry</source>
+        <translation>Enxaguar e secar</translation>
+    </message>
+    <message>
+        <source>Remove the tape</source>
+        <translation>Tirar a fita</translation>
+    </message>
+    <message>
+        <source>Compare the part</source>
+        <translation>Comparar a peça</translation>
+    </message>
+    <message>
+        <source>Cover the masked surface of the part with tape (pink in the pictures). Number of areas: %1; in total %2 mm².</source>
+        <translation>Cubra com fita a superfície mascarada da peça (rosa nas figuras). Número de áreas: %1; no total %2 mm².</translation>
+    </message>
+    <message>
+        <source>Check that the tape still covers the masked surface (pink in the pictures).</source>
+        <translation>Verifique se a fita ainda cobre a superfície mascarada (rosa nas figuras).</translation>
+    </message>
+    <message>
+        <source>Remove the tape from the masked surface.</source>
+        <translation>Retire a fita da superfície mascarada.</translation>
+    </message>
+    <message>
+        <source>Compare the part with the picture on the traveller: the colours are in place, and nothing is torn or folded.</source>
+        <translation>Compare a peça com a imagem na ficha de acompanhamento: as cores estão no lugar, e nada está rasgado ou dobrado.</translation>
     </message>
 </context>
 <context>
@@ -4354,24 +4975,24 @@
         <translation>Girar peça</translation>
     </message>
     <message>
-        <source>Turned by %1° about %2 (hold Shift for steps of %3°)</source>
-        <translation>Girado %1° em torno de %2 (segure Shift para passos de %3°)</translation>
-    </message>
-    <message>
         <source>Change depth</source>
         <translation>Alterar profundidade</translation>
-    </message>
-    <message>
-        <source>Depth %1 (hold Shift for steps of %2)</source>
-        <translation>Profundidade %1 (segure Shift para passos de %2)</translation>
     </message>
     <message>
         <source>Move part</source>
         <translation>Mover peça</translation>
     </message>
     <message>
-        <source>Moved to %1 along %2 (hold Shift for steps of %3)</source>
-        <translation>Movido para %1 ao longo de %2 (segure Shift para passos de %3)</translation>
+        <source>Turned by %1° about %2 (type an angle, or hold Shift for steps of %3°)</source>
+        <translation>Girado %1° em torno de %2 (digite um ângulo ou segure Shift para passos de %3°)</translation>
+    </message>
+    <message>
+        <source>Moved to %1 along %2 (type a distance, or hold Shift for steps of %3)</source>
+        <translation>Movido para %1 ao longo de %2 (digite uma distância ou segure Shift para passos de %3)</translation>
+    </message>
+    <message>
+        <source>Depth %1 (type a distance, or hold Shift for steps of %2)</source>
+        <translation>Profundidade %1 (digite uma distância ou segure Shift para passos de %2)</translation>
     </message>
 </context>
 <context>
@@ -4403,6 +5024,10 @@
     <message>
         <source>Turn a face down</source>
         <translation>Virar uma face para baixo</translation>
+    </message>
+    <message>
+        <source>Mask this face, so that it &amp;stays free of film</source>
+        <translation>Mascarar esta face, para que fique &amp;livre de película</translation>
     </message>
 </context>
 <context>
@@ -4595,6 +5220,38 @@
     <message>
         <source>Name of the person</source>
         <translation>Nome da pessoa</translation>
+    </message>
+    <message>
+        <source>Times at the tank</source>
+        <translation>Tempos no tanque</translation>
+    </message>
+    <message>
+        <source>At the tank</source>
+        <translation>No tanque</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Vezes</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Planejado</translation>
+    </message>
+    <message>
+        <source>Took</source>
+        <translation>Levou</translation>
+    </message>
+    <message>
+        <source>Mean of all runs, and the shortest and longest run</source>
+        <translation>Média de todas as vezes, e a mais curta e a mais longa</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Imersão %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 a %3)</translation>
     </message>
 </context>
 <context>
@@ -4882,6 +5539,17 @@
     </message>
 </context>
 <context>
+    <name>dipwright::CradleView</name>
+    <message>
+        <source>Making the cradle</source>
+        <translation>Fazendo o berço</translation>
+    </message>
+    <message>
+        <source>Show cradle</source>
+        <translation>Mostrar berço</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::DeeperFilm</name>
     <message>
         <source>Deeper dip</source>
@@ -4964,6 +5632,13 @@
     <message>
         <source>The saved results contain no recording of the dip. The dip is simulated again so that you can play it; the results stay the same.</source>
         <translation>Os resultados salvos não contêm uma gravação da imersão. A imersão é simulada de novo para que você possa reproduzi-la; os resultados permanecem iguais.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::DipScene</name>
+    <message>
+        <source>Mask: stays free of film</source>
+        <translation>Máscara: fica livre de película</translation>
     </message>
 </context>
 <context>
@@ -5180,6 +5855,14 @@
     <message>
         <source>Save maps</source>
         <translation>Salvar mapas</translation>
+    </message>
+    <message>
+        <source>Save costs</source>
+        <translation>Salvar custos</translation>
+    </message>
+    <message>
+        <source>%1 costs</source>
+        <translation>%1 custos</translation>
     </message>
 </context>
 <context>
@@ -5416,10 +6099,6 @@
         <translation>k2 ?</translation>
     </message>
     <message>
-        <source>Add photos of the film&apos;s chessboard on the water with the card beside it, or drop them here. The guide explains how to take them.</source>
-        <translation>Adicione fotos do tabuleiro da película na água com o cartão ao lado, ou solte-as aqui. O guia explica como tirá-las.</translation>
-    </message>
-    <message>
         <source>Corners found in the photo are shown here.</source>
         <translation>Os cantos encontrados na foto aparecem aqui.</translation>
     </message>
@@ -5502,6 +6181,26 @@
     <message>
         <source>Card height above film</source>
         <translation>Cartão acima da película</translation>
+    </message>
+    <message>
+        <source>Print the two pages, then add photos of the film&apos;s chessboard on the water with the card beside it, or drop them here. The guide explains how to take them.</source>
+        <translation>Imprima as duas páginas. Depois adicione fotos do xadrez da película na água com o cartão ao lado, ou solte-as aqui. O guia explica como fotografar.</translation>
+    </message>
+    <message>
+        <source>Temperature of the water. It is kept with the measurement and does not change it.</source>
+        <translation>Temperatura da água. É guardada com a medição e não a altera.</translation>
+    </message>
+    <message>
+        <source>Number of the film&apos;s lot. It is kept with the measurement and printed on the pages.</source>
+        <translation>Número do lote da película. É guardado com a medição e impresso nas páginas.</translation>
+    </message>
+    <message>
+        <source>Pages to p&amp;rint…</source>
+        <translation>Páginas para i&amp;mprimir…</translation>
+    </message>
+    <message>
+        <source>Saves the chessboard for the film (film.pdf) and the card (card.pdf) to a folder. Print the film&apos;s page on the film and the card&apos;s page on stiff, waterproof cardboard, both at 100 %.</source>
+        <translation>Salva o xadrez para a película (film.pdf) e o cartão (card.pdf) em uma pasta. Imprima a página da película na película e a do cartão em papel-cartão rígido e impermeável, ambas a 100 %.</translation>
     </message>
 </context>
 <context>
@@ -5655,6 +6354,18 @@
     <message>
         <source>Wrote the film measurement to %1</source>
         <translation>Medição da película gravada em %1</translation>
+    </message>
+    <message>
+        <source>Save the pages for the film and the card to a folder</source>
+        <translation>Salvar as páginas da película e do cartão em uma pasta</translation>
+    </message>
+    <message>
+        <source>Save pages to print</source>
+        <translation>Salvar páginas para imprimir</translation>
+    </message>
+    <message>
+        <source>Wrote film.pdf and card.pdf to %1. Print them at 100 %; the rulers must measure 100 mm.</source>
+        <translation>film.pdf e card.pdf foram salvos em %1. Imprima-os a 100 %; as réguas devem medir 100 mm.</translation>
     </message>
 </context>
 <context>
@@ -6445,16 +7156,43 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>Um clique na peça</translation>
     </message>
     <message>
-        <source>Radius of the mark around the click, along the surface.</source>
-        <translation>Raio da marca em volta do clique, ao longo da superfície.</translation>
-    </message>
-    <message>
         <source>Marks on the part: %1</source>
         <translation>Marcas na peça: %1</translation>
     </message>
     <message>
         <source>Click on part</source>
         <translation>Clique na peça</translation>
+    </message>
+    <message>
+        <source>Eraser</source>
+        <translation>Borracha</translation>
+    </message>
+    <message>
+        <source>Radius of the brush on the part. The keys [ and ] change it.</source>
+        <translation>Raio do pincel na peça. As teclas [ e ] o mudam.</translation>
+    </message>
+    <message>
+        <source>Strokes on the part take the area out of the marks. Hold Shift to erase with a single stroke.</source>
+        <translation>Pinceladas na peça retiram a área das marcas. Com Shift pressionado, uma única pincelada apaga.</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::MaskFields</name>
+    <message>
+        <source>Masks with a brush</source>
+        <translation>Mascara com um pincel</translation>
+    </message>
+    <message>
+        <source>Masks a whole face</source>
+        <translation>Mascara uma face inteira</translation>
+    </message>
+    <message>
+        <source>Masks a whole material</source>
+        <translation>Mascara um material inteiro</translation>
+    </message>
+    <message>
+        <source>What a click or drag on the part does. Masked surface must stay free of film: it is covered with tape, the sheet stays blank there, and the cradle may touch it.</source>
+        <translation>O que um clique ou arrasto na peça faz. A superfície mascarada precisa ficar livre de película: ela é coberta com fita, a folha fica em branco ali, e o berço pode tocá-la.</translation>
     </message>
 </context>
 <context>
@@ -6497,6 +7235,10 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>Click the second place on the part</source>
         <translation>Clique no segundo ponto da peça</translation>
+    </message>
+    <message>
+        <source>%1, along the surface %2</source>
+        <translation>%1, ao longo da superfície %2</translation>
     </message>
 </context>
 <context>
@@ -6700,6 +7442,14 @@ impresso em papel-cartão rígido e impermeável</translation>
         <source>The model file of the part to dip: %1.</source>
         <translation>O arquivo do modelo da peça a mergulhar: %1.</translation>
     </message>
+    <message>
+        <source>Create and &amp;run</source>
+        <translation>Criar e e&amp;xecutar</translation>
+    </message>
+    <message>
+        <source>Creates the project and simulates its dips at once.</source>
+        <translation>Cria o projeto e simula suas imersões na hora.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::NoticeBar</name>
@@ -6741,6 +7491,10 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>“%1” can mean %2 or %3; type one of them</source>
         <translation>“%1” pode significar %2 ou %3; digite um deles</translation>
+    </message>
+    <message>
+        <source>“%1” is not a unit that this field knows; type a number in %2</source>
+        <translation>“%1” não é uma unidade que este campo conhece; digite um número em %2</translation>
     </message>
 </context>
 <context>
@@ -6848,6 +7602,161 @@ desce primeiro</translation>
     <message>
         <source>Objective %1; click to turn this side down</source>
         <translation>Objetivo %1; clique para virar este lado para baixo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::OutputsDialog</name>
+    <message>
+        <source>Overwrite files that were not made here</source>
+        <translation>Sobrescrever arquivos que não foram gerados aqui</translation>
+    </message>
+    <message>
+        <source>Clip what lies outside the printable area</source>
+        <translation>Cortar o que fica fora da área imprimível</translation>
+    </message>
+    <message>
+        <source>&amp;Save set</source>
+        <translation>&amp;Salvar conjunto</translation>
+    </message>
+    <message>
+        <source>&amp;Remove set</source>
+        <translation>&amp;Remover conjunto</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Escolher…</translation>
+    </message>
+    <message>
+        <source>Make outputs</source>
+        <translation>Gerar saídas</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Saídas</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Saída</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Arquivos</translation>
+    </message>
+    <message>
+        <source>These results were made before the last changes to the project. Run the dip again for outputs of the current state.</source>
+        <translation>Estes resultados são anteriores às últimas alterações do projeto. Execute a imersão de novo para ter saídas do estado atual.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Outputs that were finished before stay.</source>
+        <translation>Cancelado. As saídas que já estavam prontas ficam.</translation>
+    </message>
+    <message>
+        <source>Output set</source>
+        <translation>Conjunto de saídas</translation>
+    </message>
+    <message>
+        <source>A named list of outputs. To make an own set, tick its outputs, type a name and save it. It is kept with the project; the command line makes the same files with run --outputs NAME.</source>
+        <translation>Uma lista de saídas com nome. Para um conjunto próprio, marque suas saídas, digite um nome e salve. Ele fica no projeto; a linha de comando gera os mesmos arquivos com run --outputs NOME.</translation>
+    </message>
+    <message>
+        <source>Keeps the ticked outputs under this name in the project. This can be undone.</source>
+        <translation>Guarda as saídas marcadas com este nome no projeto. Isto pode ser desfeito.</translation>
+    </message>
+    <message>
+        <source>Removes this set from the project. This can be undone.</source>
+        <translation>Remove este conjunto do projeto. Isto pode ser desfeito.</translation>
+    </message>
+    <message>
+        <source>S&amp;et</source>
+        <translation>Con&amp;junto</translation>
+    </message>
+    <message>
+        <source>The folder that the files are written to. It is made if it does not exist.</source>
+        <translation>A pasta em que os arquivos são gravados. Ela é criada se não existir.</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Pasta</translation>
+    </message>
+    <message>
+        <source>If this is not ticked, an output fails rather than replace a file that it has not made, or that was changed since.</source>
+        <translation>Sem a marca, uma saída falha em vez de substituir um arquivo que ela não gerou ou que foi alterado depois.</translation>
+    </message>
+    <message>
+        <source>For sheets in the printer&apos;s colours: if this is not ticked, they fail if colour lies where the printer cannot print.</source>
+        <translation>Para folhas nas cores da impressora: sem a marca, elas falham se houver cor onde a impressora não alcança.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fechar</translation>
+    </message>
+    <message>
+        <source>&amp;Make outputs</source>
+        <translation>&amp;Gerar saídas</translation>
+    </message>
+    <message>
+        <source>Writes the files of all ticked outputs.</source>
+        <translation>Grava os arquivos de todas as saídas marcadas.</translation>
+    </message>
+    <message>
+        <source>Save output set “%1”</source>
+        <translation>Salvar conjunto de saídas “%1”</translation>
+    </message>
+    <message>
+        <source>The set “%1” is kept with the project.</source>
+        <translation>O conjunto “%1” fica no projeto.</translation>
+    </message>
+    <message>
+        <source>Remove output set “%1”</source>
+        <translation>Remover conjunto de saídas “%1”</translation>
+    </message>
+    <message>
+        <source>Folder of the outputs</source>
+        <translation>Pasta das saídas</translation>
+    </message>
+    <message>
+        <source>Looking for outputs</source>
+        <translation>Procurando saídas</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Pronto</translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation>Desatualizado</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Falhou</translation>
+    </message>
+    <message>
+        <source>Not made</source>
+        <translation>Não gerado</translation>
+    </message>
+    <message>
+        <source>Making outputs …</source>
+        <translation>Gerando saídas …</translation>
+    </message>
+    <message>
+        <source>Making outputs</source>
+        <translation>Gerando saídas</translation>
+    </message>
+    <message>
+        <source>Made the outputs in %1</source>
+        <translation>As saídas foram geradas em %1</translation>
+    </message>
+    <message>
+        <source>Outputs that failed: %1 of %2</source>
+        <translation>Saídas que falharam: %1 de %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
     </message>
 </context>
 <context>
@@ -7023,6 +7932,26 @@ desce primeiro</translation>
     <message>
         <source>&amp;Spacing between pieces</source>
         <translation>&amp;Espaçamento entre pedaços</translation>
+    </message>
+    <message>
+        <source>The film or roll on which the pieces are placed.</source>
+        <translation>A película ou o rolo em que as partes são colocadas.</translation>
+    </message>
+    <message>
+        <source>Width of the film or roll.</source>
+        <translation>Largura da película ou do rolo.</translation>
+    </message>
+    <message>
+        <source>Least distance between two pieces.</source>
+        <translation>Menor distância entre duas partes.</translation>
+    </message>
+    <message>
+        <source>The film that the preview shows.</source>
+        <translation>A película que a prévia mostra.</translation>
+    </message>
+    <message>
+        <source>How many copies of the project are placed on the film.</source>
+        <translation>Quantas cópias do projeto são colocadas na película.</translation>
     </message>
 </context>
 <context>
@@ -7276,6 +8205,10 @@ desce primeiro</translation>
     <message>
         <source>%1 pairs. Drag a place to correct it, or press Delete to remove it. Then click “Find corners”, or click “Measure pairs” to use only the pairs.</source>
         <translation>%1 pares. Arraste um ponto para corrigi-lo, ou pressione Delete para removê-lo. Depois clique em “Procurar cantos”, ou em “Medir pares” para usar só os pares.</translation>
+    </message>
+    <message>
+        <source>The photo that is shown.</source>
+        <translation>A foto mostrada.</translation>
     </message>
 </context>
 <context>
@@ -8207,6 +9140,10 @@ diferenças</translation>
         <source>This version of the program cannot print; print the sheet&apos;s PDF at 100 % with another program</source>
         <translation>Esta versão do programa não imprime; imprima o PDF da folha a 100 % com outro programa</translation>
     </message>
+    <message>
+        <source>any size from %1 to %2</source>
+        <translation>qualquer tamanho de %1 a %2</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
@@ -8598,6 +9535,10 @@ diferenças</translation>
         <source>Change poses of path</source>
         <translation>Alterar poses do percurso</translation>
     </message>
+    <message>
+        <source>Masks on the part</source>
+        <translation>Máscaras na peça</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::QueueDialog</name>
@@ -8658,10 +9599,6 @@ diferenças</translation>
 Results: %2</source>
         <translation>%1
 Resultados: %2</translation>
-    </message>
-    <message>
-        <source>, about %1 left</source>
-        <translation>, faltam cerca de %1</translation>
     </message>
     <message>
         <source>Result</source>
@@ -8731,6 +9668,14 @@ Resultados: %2</translation>
         <source>Result of the selected project</source>
         <translation>Resultado do projeto selecionado</translation>
     </message>
+    <message>
+        <source>At the tan&amp;k…</source>
+        <translation>No tan&amp;que…</translation>
+    </message>
+    <message>
+        <source>Opens the tank-side page with the steps of all finished projects</source>
+        <translation>Abre a página do tanque com os passos de todos os projetos prontos</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ReadPhotos</name>
@@ -8799,6 +9744,10 @@ Resultados: %2</translation>
     <message>
         <source>Total coverage</source>
         <translation>Cobertura total</translation>
+    </message>
+    <message>
+        <source>Masked areas</source>
+        <translation>Áreas mascaradas</translation>
     </message>
 </context>
 <context>
@@ -8925,10 +9874,6 @@ mm por mm</translation>
 %1</translation>
     </message>
     <message>
-        <source>Limit: %1 · magenta: painted by only one of the compared dips</source>
-        <translation>Limite: %1 · magenta: pintado por só uma das imersões comparadas</translation>
-    </message>
-    <message>
         <source>How far handling may move the image on the part; ink side up</source>
         <translation>Quanto o manuseio pode deslocar a imagem na peça; lado da tinta para cima</translation>
     </message>
@@ -8953,6 +9898,10 @@ mm por mm</translation>
     <message>
         <source>On the part: 95 % of the image moves by ±%1 or less</source>
         <translation>Na peça: 95 % da imagem se deslocam no máximo ±%1</translation>
+    </message>
+    <message>
+        <source>Limit: %1 · black: painted by only one of the compared dips</source>
+        <translation>Limite: %1 · preto: pintado por só uma das imersões comparadas</translation>
     </message>
 </context>
 <context>
@@ -9146,10 +10095,6 @@ mm por mm</translation>
         <translation>%1 de %2 imersões</translation>
     </message>
     <message>
-        <source>%1, about %2 s left</source>
-        <translation>%1, restam cerca de %2 s</translation>
-    </message>
-    <message>
         <source>Rank %1</source>
         <translation>Colocação %1</translation>
     </message>
@@ -9229,6 +10174,10 @@ mm por mm</translation>
         <source>Also tries paths for the best poses: the part enters the water tilted and is levelled on the way down, goes down slanted, or, if a depth is set, rolls. So air can escape, and the film reaches further. Takes about twice as long.</source>
         <translation>Tenta também percursos para as melhores poses: a peça entra tombada na água e é nivelada na descida, desce inclinada ou, se uma profundidade está definida, rola. Assim o ar pode escapar, e a película alcança mais longe. Demora cerca do dobro.</translation>
     </message>
+    <message>
+        <source>Whether one dip paints the part, or two dips from different sides.</source>
+        <translation>Se uma imersão pinta a peça, ou duas de lados diferentes.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::Sheet</name>
@@ -9249,20 +10198,8 @@ mm por mm</translation>
         <translation>Papel “%1” desconhecido; escolha film, A4, A3, Letter ou custom</translation>
     </message>
     <message>
-        <source>%1 · %2 · %3 · Film %4 · Scale %5 · Job %6</source>
-        <translation>%1 · %2 · %3 · Película %4 · Escala %5 · Trabalho %6</translation>
-    </message>
-    <message>
-        <source>%1 · Job %2</source>
-        <translation>%1 · Trabalho %2</translation>
-    </message>
-    <message>
         <source>The paper of %1 × %2 mm is smaller than the film of %3 × %4 mm; choose larger paper, turn it or make the film smaller</source>
         <translation>O papel de %1 × %2 mm é menor que a película de %3 × %4 mm; escolha papel maior, gire-o ou diminua a película</translation>
-    </message>
-    <message>
-        <source>Film %1 of %2, pieces: %3</source>
-        <translation>Película %1 de %2, pedaços: %3</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
@@ -9309,10 +10246,6 @@ mm por mm</translation>
         <translation>A folha precisa de mais de %1 páginas deste papel; use papel maior</translation>
     </message>
     <message>
-        <source>%1 · row %2 of %3, column %4 of %5 · cut along the dashed lines</source>
-        <translation>%1 · linha %2 de %3, coluna %4 de %5 · corte nas linhas tracejadas</translation>
-    </message>
-    <message>
         <source>This job&apos;s spot ink %1 has another colour or printing order than in another job; give it the same colour and order in both jobs</source>
         <translation>A tinta especial %1 tem neste trabalho outra cor ou ordem de impressão que em outro trabalho; dê a ela a mesma cor e ordem nos dois trabalhos</translation>
     </message>
@@ -9327,6 +10260,22 @@ mm por mm</translation>
     <message>
         <source>Paper of %1 × %2 mm is too small for a tile of the sheet; use larger paper</source>
         <translation>Papel de %1 × %2 mm é pequeno demais para uma parte da folha; use papel maior</translation>
+    </message>
+    <message>
+        <source>Film %1 of %2, 1 piece</source>
+        <translation>Película %1 de %2, 1 pedaço</translation>
+    </message>
+    <message>
+        <source>Film %1 of %2, %3 pieces</source>
+        <translation>Película %1 de %2, %3 pedaços</translation>
+    </message>
+    <message>
+        <source>Film %1 · Scale %2 · %3</source>
+        <translation>Película %1 · Escala %2 · %3</translation>
+    </message>
+    <message>
+        <source>Job %1 · row %2 of %3, column %4 of %5 · %6 · %7 · cut along the dashed lines</source>
+        <translation>Trabalho %1 · linha %2 de %3, coluna %4 de %5 · %6 · %7 · corte ao longo das linhas tracejadas</translation>
     </message>
 </context>
 <context>
@@ -9541,6 +10490,10 @@ mm por mm</translation>
         <source>The job does not respond. Save your work, then close the window to end the job.</source>
         <translation>O trabalho não responde. Salve seu trabalho e feche a janela para encerrá-lo.</translation>
     </message>
+    <message>
+        <source>Estimated from the progress of the job.</source>
+        <translation>Estimado pelo progresso da tarefa.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::StretchPanel</name>
@@ -9669,6 +10622,124 @@ mm por mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::TankController</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The project has changed since these sheets were made.</source>
+        <translation>O projeto mudou desde que estas folhas foram feitas.</translation>
+    </message>
+    <message>
+        <source>Keep times at the tank</source>
+        <translation>Guardar tempos no tanque</translation>
+    </message>
+    <message>
+        <source>The times of %1 were not stored: the project is closed and has no file</source>
+        <translation>Os tempos de %1 não foram guardados: o projeto está fechado e não tem arquivo</translation>
+    </message>
+    <message>
+        <source>Storing the times</source>
+        <translation>Guardando os tempos</translation>
+    </message>
+    <message>
+        <source>The times of %1 were not stored</source>
+        <translation>Os tempos de %1 não foram guardados</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::TankPage</name>
+    <message>
+        <source>Done (space bar)</source>
+        <translation>Pronto (barra de espaço)</translation>
+    </message>
+    <message>
+        <source>Ends this step and stores its time; space bar</source>
+        <translation>Termina este passo e guarda o tempo; barra de espaço</translation>
+    </message>
+    <message>
+        <source>Back (←)</source>
+        <translation>Voltar (←)</translation>
+    </message>
+    <message>
+        <source>Returns to the step before and forgets its time; left arrow</source>
+        <translation>Volta ao passo anterior e esquece o tempo dele; seta para a esquerda</translation>
+    </message>
+    <message>
+        <source>Pause (P)</source>
+        <translation>Pausa (P)</translation>
+    </message>
+    <message>
+        <source>Stops the clock until you continue; P</source>
+        <translation>Para o relógio até você continuar; P</translation>
+    </message>
+    <message>
+        <source>Sound (S)</source>
+        <translation>Som (S)</translation>
+    </message>
+    <message>
+        <source>Beeps in the last three seconds of a step; S</source>
+        <translation>Apita nos três últimos segundos de um passo; S</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fechar (Esc)</translation>
+    </message>
+    <message>
+        <source>Closes the page. It continues at this step when it is opened again; Escape</source>
+        <translation>Fecha a página. Ela continua neste passo quando for aberta de novo; Esc</translation>
+    </message>
+    <message>
+        <source>At the tank</source>
+        <translation>No tanque</translation>
+    </message>
+    <message>
+        <source>Time of the step</source>
+        <translation>Tempo do passo</translation>
+    </message>
+    <message>
+        <source>job %1 of %2</source>
+        <translation>trabalho %1 de %2</translation>
+    </message>
+    <message>
+        <source>dip %1</source>
+        <translation>imersão %1</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>passo %1 de %2</translation>
+    </message>
+    <message>
+        <source>run %1</source>
+        <translation>vez %1</translation>
+    </message>
+    <message>
+        <source>All steps are done</source>
+        <translation>Todos os passos estão prontos</translation>
+    </message>
+    <message>
+        <source>Paused: %1</source>
+        <translation>Pausa: %1</translation>
+    </message>
+    <message>
+        <source>The times are stored with the job. The space bar starts the next run.</source>
+        <translation>Os tempos foram guardados com o trabalho. A barra de espaço começa a próxima vez.</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Depois: %1</translation>
+    </message>
+    <message>
+        <source>Next run (space bar)</source>
+        <translation>Próxima vez (barra de espaço)</translation>
+    </message>
+    <message>
+        <source>Continue (P)</source>
+        <translation>Continuar (P)</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::Texture</name>
     <message>
         <source>The picture has no pixels; choose another one</source>
@@ -9728,6 +10799,21 @@ mm por mm</translation>
     <message>
         <source>Texture %1 of the model</source>
         <translation>Textura %1 do modelo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::TimeLeft</name>
+    <message>
+        <source>about %1 s left</source>
+        <translation>restam cerca de %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>restam cerca de %1 min</translation>
+    </message>
+    <message>
+        <source>about %1 h %2 min left</source>
+        <translation>restam cerca de %1 h %2 min</translation>
     </message>
 </context>
 <context>
@@ -10483,10 +11569,6 @@ mm por mm</translation>
         <translation>Mostra a peça através da película</translation>
     </message>
     <message>
-        <source>Click two places on the part to measure the distance between them</source>
-        <translation>Clique em dois pontos da peça para medir a distância entre eles</translation>
-    </message>
-    <message>
         <source>What the film shows in the 3D view</source>
         <translation>O que a película mostra na vista 3D</translation>
     </message>
@@ -10601,6 +11683,42 @@ mm por mm</translation>
     <message>
         <source>Show the part as large as possible, without the film around it</source>
         <translation>Mostra a peça no maior tamanho possível, sem a película ao redor</translation>
+    </message>
+    <message>
+        <source>Make &amp;outputs…</source>
+        <translation>Gerar saí&amp;das…</translation>
+    </message>
+    <message>
+        <source>Write a list of files that is kept with the project, such as everything that the print shop needs</source>
+        <translation>Gravar uma lista de arquivos guardada no projeto, por exemplo tudo o que a gráfica precisa</translation>
+    </message>
+    <message>
+        <source>At the tan&amp;k…</source>
+        <translation>No tan&amp;que…</translation>
+    </message>
+    <message>
+        <source>Show the steps at the tank in large letters, count their times down and store how long they took</source>
+        <translation>Mostrar os passos no tanque em letras grandes, contar seus tempos para trás e guardar quanto levaram</translation>
+    </message>
+    <message>
+        <source>Warnings on t&amp;he part</source>
+        <translation>Avisos na peç&amp;a</translation>
+    </message>
+    <message>
+        <source>Mark trapped air, torn film and places that are not reached. Click a mark to see it in the report</source>
+        <translation>Marcar ar preso, película rasgada e lugares não alcançados. Clique em uma marca para vê-la no relatório</translation>
+    </message>
+    <message>
+        <source>Cradle aro&amp;und the part</source>
+        <translation>Berço em to&amp;rno da peça</translation>
+    </message>
+    <message>
+        <source>Make the cradle of this dip and show it, before you export it</source>
+        <translation>Fazer o berço desta imersão e mostrá-lo antes de exportá-lo</translation>
+    </message>
+    <message>
+        <source>Click two places on the part to measure the straight distance between them, and the distance along the surface</source>
+        <translation>Clique em dois pontos da peça para medir a distância em linha reta e ao longo da superfície</translation>
     </message>
 </context>
 <context>
@@ -10758,10 +11876,6 @@ mm por mm</translation>
         <translation>Extensão</translation>
     </message>
     <message>
-        <source>Spot</source>
-        <translation>Mancha</translation>
-    </message>
-    <message>
         <source>Whole face</source>
         <translation>Face inteira</translation>
     </message>
@@ -10770,12 +11884,16 @@ mm por mm</translation>
         <translation>Material inteiro</translation>
     </message>
     <message>
-        <source>How far the mark extends around the click: a radius along the surface, the face up to its edges, or everything with the same material in the model.</source>
-        <translation>Até onde a marca vai em torno do clique: um raio ao longo da superfície, a face até suas arestas ou tudo o que tem o mesmo material no modelo.</translation>
-    </message>
-    <message>
         <source>The zone that a click or drag on the part sets. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
         <translation>A zona que um clique ou arrasto na peça define. A zona A deve ser pintada com mais exatidão. A superfície sem marca é a zona C.</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pincel</translation>
+    </message>
+    <message>
+        <source>What a click marks: the surface under the brush, the face up to its edges, or everything with the same material in the model.</source>
+        <translation>O que um clique marca: a superfície sob o pincel, a face até as arestas ou tudo o que tem o mesmo material no modelo.</translation>
     </message>
 </context>
 <context>
