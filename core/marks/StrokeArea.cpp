@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::size_t runLength = 16; // segments that share a box, for quick rejection
 
-Eigen::Vector3f vector(const std::array<Millimetres, 3>& place) {
-    return {float(place[0].value()), float(place[1].value()), float(place[2].value())};
-}
-
 // Returns the part [first, last] of 0 … 1 in which a value that changes linearly from `begin` to
 // `end` is not negative; first > last if there is none.
 std::array<float, 2> notNegative(float begin, float end) {
@@ -35,10 +31,12 @@ StrokeArea::StrokeArea(const BrushPath& path, Millimetres radius) : radius_(floa
 void StrokeArea::add(const BrushPoint& point) {
     const Eigen::Vector3f outward(float(point.outward[0]), float(point.outward[1]),
                                   float(point.outward[2]));
-    const Point added{vector(point.place), outward.stableNormalized()};
+    const Point added{modelPlace(point.place), outward.stableNormalized()};
     if (points_.empty()) { // a single point is a segment without length
         points_.push_back(added);
+        borderLength_ = 2 * float(pi) * radius_;
     }
+    borderLength_ += 2 * (added.place - points_.back().place).norm();
     points_.push_back(added);
     const std::size_t segment = points_.size() - 2;
     runs_.resize(segment / runLength + 1);

@@ -1,20 +1,13 @@
 #include "marks/StrokePatch.h"
 
 namespace dipwright {
-namespace {
-
-Eigen::Vector3f placeOf(const BrushPoint& point) {
-    return {float(point.place[0].value()), float(point.place[1].value()),
-            float(point.place[2].value())};
-}
-
-} // namespace
 
 StrokePatch::StrokePatch(const TriangleMesh& mesh, const SurfaceQuery& query, Millimetres radius)
     : mesh_(mesh), query_(query), stroke_({}, radius), isWhole_(mesh.triangles.size()) {}
 
 void StrokePatch::add(const BrushPoint& point) {
-    const Eigen::Vector3f to = placeOf(point), from = path_.empty() ? to : placeOf(path_.back());
+    const Eigen::Vector3f to = modelPlace(point.place),
+                          from = path_.empty() ? to : modelPlace(path_.back().place);
     path_.push_back(point);
     stroke_.add(point);
     const float radius = stroke_.radius();

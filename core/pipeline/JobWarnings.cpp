@@ -16,7 +16,8 @@ namespace {
 constexpr std::size_t mostOfAKind = 4; // of each dip
 constexpr double leastArea = 2;        // mm²
 
-// Adds the largest connected pieces of the triangles for which `belongs` is not 0.
+// Adds the largest connected pieces of the triangles that are not masked and for which `belongs` is
+// not 0.
 void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t dip,
                const JobResult& result, const std::vector<std::uint32_t>& opposite,
                std::vector<std::uint8_t> belongs) {
@@ -57,12 +58,10 @@ void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t 
     warnings.insert(warnings.end(), pieces.begin(), pieces.end());
 }
 
-// Triangles in trapped air, without masked ones. `mask` may be null.
-std::vector<std::uint8_t> dryTriangles(const PosedBody& body, const SurfaceMask* mask) {
+std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {
     std::vector<std::uint8_t> dry(body.mesh.triangles.size());
     parallelFor(std::size_t(0), dry.size(), [&](std::size_t triangle) {
-        const SurfacePoint middle = middleOf(std::uint32_t(triangle));
-        dry[triangle] = body.isDry(middle) && !(mask && mask->covers(middle));
+        dry[triangle] = body.isDry(middleOf(std::uint32_t(triangle)));
     });
     return dry;
 }
@@ -127,7 +126,7 @@ std::vector<JobWarning> jobWarnings(const JobResult& result) {
         const Coverage& coverage = *immersion.coverage;
         if (coverage.trappedAir.area >= leastArea) {
             addPieces(warnings, WarningKind::TrappedAir, dip, result, opposite,
-                      dryTriangles(*immersion.body, result.mask.get()));
+                      dryTriangles(*immersion.body));
         }
         for (const solver::PointMark mark : filmMarks) {
             if (coverage.marked.of(mark) >= leastArea) {

@@ -98,7 +98,8 @@ void FilmWatchController::showProject() {
     FilmOnWater known = film; // without the two fields that do not affect the measurement
     known.lot = measuredFilm_.lot;
     known.waterTemperature = measuredFilm_.waterTemperature;
-    if (known != measuredFilm_ || film.dipBegins.value_or(profileBegin()) != measuredBegin_) {
+    if (known != measuredFilm_ ||
+        film.dipBegins.value_or(Seconds(profileBegin())).value() != measuredBegin_) {
         measured_ = nullptr;
     }
     page_->setFilm(film, profileBegin());
@@ -148,7 +149,7 @@ void FilmWatchController::measure() {
 
 void FilmWatchController::measureTrusted() {
     const FilmOnWater film = session_.document()->project().filmOnWater;
-    const double begin = film.dipBegins.value_or(profileBegin());
+    const double begin = film.dipBegins.value_or(Seconds(profileBegin())).value();
     startJob(
         jobs_, messages_, tr("Measuring the film"), tr("Film on the water"),
         [film, begin](const Progress& progress) {

@@ -45,11 +45,6 @@ QColor colourOf(const MarkBrush& brush) {
     return mask && !mask->erases ? maskColour : QColor(235, 235, 235);
 }
 
-Eigen::Vector3f placeOf(const BrushPoint& point) {
-    return {float(point.place[0].value()), float(point.place[1].value()),
-            float(point.place[2].value())};
-}
-
 // A flat ring.
 std::vector<Triangle> circle(const Eigen::Vector3f& middle, const Eigen::Vector3f& outward,
                              float radius) {
@@ -132,7 +127,7 @@ void MarkTool::stroke(const ViewRay& ray) {
     int rays = 1;
     if (place && lastRay_ && !parts_.empty()) {
         const Eigen::Vector3f way =
-            position(scene_.model()->mesh, *place) - placeOf(parts_.back().path().back());
+            position(scene_.model()->mesh, *place) - modelPlace(parts_.back().path().back().place);
         const float apart = raysApart * float(radiusOf(drawn_).value());
         rays = int(std::clamp(std::ceil(way.norm() / apart), 1.0f, float(mostRays)));
     }
@@ -156,7 +151,9 @@ void MarkTool::addPoint(const SurfacePoint& place) {
     const BrushPoint point = pointAt(place);
     const auto radius = float(radiusOf(drawn_).value());
     const float way =
-        parts_.empty() ? 0 : (placeOf(point) - placeOf(parts_.back().path().back())).norm();
+        parts_.empty()
+            ? 0
+            : (modelPlace(point.place) - modelPlace(parts_.back().path().back().place)).norm();
     if (parts_.empty() || way > jump * radius || parts_.back().path().size() >= mostBrushPoints) {
         parts_.push_back(newPart());
     } else if (way < pointsApart * radius) {
