@@ -2,6 +2,7 @@
 
 #include "base/Png.h"
 #include "disk/AtomicFile.h"
+#include "marks/SurfaceMask.h"
 #include "pipeline/SheetNumericalError.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
@@ -119,13 +120,17 @@ void validateTheSheet(const QCommandLineParser& parser, Console& console) {
 }
 
 void validateTheJob(const QCommandLineParser& parser, Console& console) {
-    const QStringList warnings = validateJob(projectArgument(parser), SolverRegistry());
+    const Project project = projectArgument(parser);
+    const QStringList warnings = validateJob(project, SolverRegistry());
     if (parser.isSet(jsonOption)) {
         const QJsonObject json{{"version", 1}, {"warnings", QJsonArray::fromStringList(warnings)}};
         console.out() << QJsonDocument(json).toJson();
         return;
     }
     printWarnings(warnings, console.out());
+    if (const auto mask = surfaceMask(project.model, project.masks)) {
+        console.out() << maskText(maskedAreas(*mask)) << '\n';
+    }
     console.out() << "The project can be run\n";
 }
 

@@ -1,6 +1,7 @@
 #include "geometry/SurfaceQuery.h"
 
 #include "base/Error.h"
+#include "geometry/TriangleDistance.h"
 
 #include <QCoreApplication>
 
@@ -12,44 +13,6 @@
 namespace dipwright {
 
 namespace {
-
-// Returns the weights of the point of triangle abc nearest to p. Uses the Voronoi regions of the
-// triangle's corners and edges (Ericson, Real-Time Collision Detection, section 5.1.5).
-Eigen::Vector3d closestWeights(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                               const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-    const Eigen::Vector3d ab = b - a, ac = c - a;
-    const Eigen::Vector3d ap = p - a, bp = p - b, cp = p - c;
-    const double abAp = ab.dot(ap), acAp = ac.dot(ap);
-    if (abAp <= 0 && acAp <= 0) {
-        return {1, 0, 0};
-    }
-    const double abBp = ab.dot(bp), acBp = ac.dot(bp);
-    if (abBp >= 0 && acBp <= abBp) {
-        return {0, 1, 0};
-    }
-    const double abCp = ab.dot(cp), acCp = ac.dot(cp);
-    if (acCp >= 0 && abCp <= acCp) {
-        return {0, 0, 1};
-    }
-    const double areaC = abAp * acBp - abBp * acAp;
-    if (areaC <= 0 && abAp >= 0 && abBp <= 0) {
-        const double along = abAp / (abAp - abBp);
-        return {1 - along, along, 0};
-    }
-    const double areaB = abCp * acAp - abAp * acCp;
-    if (areaB <= 0 && acAp >= 0 && acCp <= 0) {
-        const double along = acAp / (acAp - acCp);
-        return {1 - along, 0, along};
-    }
-    const double areaA = abBp * acCp - abCp * acBp;
-    const double fromB = acBp - abBp, fromC = abCp - acCp;
-    if (areaA <= 0 && fromB >= 0 && fromC >= 0) {
-        const double along = fromB / (fromB + fromC);
-        return {0, 1 - along, along};
-    }
-    const double area = areaA + areaB + areaC;
-    return {areaA / area, areaB / area, areaC / area};
-}
 
 // State of a point query while it descends the hierarchy.
 struct ClosestSearch {

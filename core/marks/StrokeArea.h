@@ -15,12 +15,21 @@ namespace dipwright {
 // this: about 104°, so that a stroke goes round an edge, but not through a wall.
 inline constexpr float leastFacing = -0.25f;
 
-// Immutable; any thread may read. Model coordinates, mm.
+// Returns a place of a mark.
+inline Eigen::Vector3f modelPlace(const std::array<Millimetres, 3>& place) {
+    return {float(place[0].value()), float(place[1].value()), float(place[2].value())};
+}
+
+// Any number of threads may read. Model coordinates, mm.
 class StrokeArea {
 public:
     StrokeArea(const BrushPath& path, Millimetres radius);
 
+    void add(const BrushPoint& point); // to the end of the path
+
     float radius() const { return radius_; }
+    // Returns the length of the marked area's border on a plane, mm, or more.
+    float borderLength() const { return borderLength_; }
     // Contains the whole marked surface.
     const BoundingBox& box() const { return box_; }
     // Returns the distance from a place to the part of the path that a surface with the unit normal
@@ -39,7 +48,7 @@ private:
     std::vector<Point> points_;
     std::vector<BoundingBox> runs_; // boxes of `runLength` segments each
     BoundingBox box_;
-    float radius_;
+    float radius_, borderLength_ = 0;
 };
 
 // Returns the triangles whose middle a stroke marks, in ascending order. Uses all cores.

@@ -9,6 +9,7 @@
 #include "settings/MaskSettings.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace dipwright {
@@ -32,7 +33,8 @@ public:
     const std::vector<MaskMark>& marks() const { return marks_; }
     const std::shared_ptr<const TexturedMesh>& model() const { return model_; }
     bool covers(const SurfacePoint& place) const;
-    // Returns the masked surface, with the accuracy of sidePerRadius.
+    // Returns the masked surface, with the accuracy of sidePerRadius. Strokes longer than the brush
+    // draws are less accurate, so that the number of pieces is limited.
     std::vector<MarkedPiece> pieces() const;
 
 private:
@@ -42,18 +44,24 @@ private:
         bool isWhole = false; // it covers the whole triangle
     };
     void add(const std::vector<MaskMark>& marks);
-    void addWhole(std::uint32_t mark, const std::vector<std::uint32_t>& triangles);
-    void addStroke(std::uint32_t mark);
+    std::vector<std::uint32_t> lastWhole(std::uint32_t first) const;
+    void addConcerns(std::uint32_t triangle, std::uint32_t whole, std::uint32_t first,
+                     std::vector<Concern>& found) const;
+    std::span<const Concern> concerns(std::uint32_t triangle) const; // the oldest first
     // Distance of a place on a triangle from the border of the masked surface; positive inside.
     float inside(std::uint32_t triangle, const Eigen::Vector3f& place) const;
+    // Length of the sides into which the border of a stroke is divided.
+    float sideOf(const StrokeArea& stroke) const;
     // Length of the sides into which a triangle is divided at the border.
     float finest(std::uint32_t triangle) const;
 
     std::shared_ptr<const TexturedMesh> model_;
     std::vector<MaskMark> marks_;
-    std::vector<StrokeArea> strokes_;            // of each mark; empty without a path
-    std::vector<std::vector<Concern>> concerns_; // of each triangle, the oldest first
-    float leastSide_ = 0;                        // bounds the number of pieces
+    std::vector<StrokeArea> strokes_; // of each mark; empty without a path
+    std::vector<Concern> concerns_;   // of all triangles, one triangle after the other
+    std::vector<std::size_t> begins_; // of each triangle in concerns_, and the end of the last one
+    float leastSide_ = 0;             // of a piece at the border, mm
+    double sides_ = 0;                // along the borders of all strokes
 };
 
 // Returns the mask of a body; null without marks. Reuses an earlier mask, which may be null, as far

@@ -6,7 +6,6 @@
 #include "dip/FilmUnderBody.h"
 #include "dip/TankFit.h"
 #include "film/FilmGrid.h"
-#include "marks/SurfaceMask.h"
 #include "model/TextureNotes.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/ModelNotes.h"
@@ -158,9 +157,6 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
                         immersion.name);
         }
         checkImmersion(project, immersion, query, warnings);
-    }
-    if (const auto mask = surfaceMask(project.model, project.masks)) {
-        warnings.append(maskText(maskedAreas(*mask)));
     }
     if (const QString expiry = expiryWarning(project.profiles.film); !expiry.isEmpty()) {
         warnings.append(expiry);

@@ -1,11 +1,14 @@
 #include "search/JudgedPose.h"
 
+#include "base/Error.h"
 #include "dip/TrappedAir.h"
 #include "geometry/SurfaceSamples.h"
 #include "search/Objective.h"
 #include "search/PlaceWeights.h"
 #include "share/FadeOverlap.h"
 #include "texture/SurfaceColours.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +19,10 @@
 
 namespace dipwright {
 namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(PoseSearch)
+};
 
 constexpr double samplesOfBody = 6000;
 constexpr double stretchUnits = 4096;
@@ -61,6 +68,12 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
     if (subject.mask) {
         const auto all = double(samples_.size());
         std::erase_if(samples_, [&](const auto& place) { return subject.mask->covers(place); });
+        if (samples_.empty()) {
+            throw Error(
+                Text::tr("The whole part is masked; unmask the surface to be printed before "
+                         "you search for a pose"),
+                subject.name);
+        }
         openArea_ = area_ * double(samples_.size()) / all;
     }
     equator_ = std::sqrt(pi * area_);

@@ -33,7 +33,7 @@ struct JudgedPose {
 // The places of a body at which its dips are measured. Immutable; any thread may use it.
 class JudgedBody {
 public:
-    // `zoneWeights` holds the weight of each zone.
+    // `zoneWeights` holds the weight of each zone. Throws Error if the whole body is masked.
     JudgedBody(const SearchSubject& subject, const std::array<double, zoneCount>& zoneWeights);
 
     std::size_t places() const { return samples_.size(); }

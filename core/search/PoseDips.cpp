@@ -218,9 +218,10 @@ void PoseDips::addVerdicts(std::vector<JudgedPose>& poses,
     for (std::size_t dip = 0; dip < dips.size(); ++dip) {
         const LaidFilm& own = *laid[places[dip]];
         const NumericalErrorEstimate error = estimateNumericalError(own, coarser[dip]);
-        const Coverage covered = coverage(own);
+        const SurfaceMask* mask = subject_.mask.get();
+        const Coverage covered = coverage(own, mask);
         poses[places[dip]].verdict = afterRefinement(
-            verdict({own, covered, &error, 0, zones_.get(), poses[places[dip]].tankFaults},
+            verdict({own, covered, &error, 0, zones_.get(), poses[places[dip]].tankFaults, mask},
                     subject_.tolerance, subject_.verdict),
             own.film(), subject_.film);
     }

@@ -30,7 +30,7 @@ inline constexpr double leastFocal = 5, mostFocal = 2000; // mm, 35 mm equivalen
 
 struct FilmOnWater {
     std::vector<FloatingPhoto> photos;
-    std::optional<double> dipBegins; // s after the film was laid; none: as in the film profile
+    std::optional<Seconds> dipBegins; // after the film was laid; none: as in the film profile
     QString lot;
     std::optional<double> waterTemperature; // °C
     // Measured lengths of the two printed 100 mm rulers (across and down), on the card and on the

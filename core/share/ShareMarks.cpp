@@ -13,10 +13,7 @@ constexpr float avoidFactor = 20;    // factor on a seam's visibility where the 
 constexpr float allowFactor = 0.05f; // factor on a seam's visibility where the user allows a seam
 
 SurfacePoint placeOf(const ShareMark& mark, const SurfaceQuery& query) {
-    return query
-        .closest({float(mark.place[0].value()), float(mark.place[1].value()),
-                  float(mark.place[2].value())})
-        .point;
+    return query.closest(modelPlace(mark.place)).point;
 }
 
 std::vector<std::uint32_t> trianglesOf(const TriangleMesh& mesh, const SurfaceQuery& query,

@@ -266,7 +266,7 @@ void FilmPage::setFilm(const FilmOnWater& film, double profileBegin) {
     film_ = film;
     profileBegin_ = profileBegin;
     shows_ = true;
-    begin_->setValue(film.dipBegins.value_or(profileBegin));
+    begin_->setValue(film.dipBegins.value_or(Seconds(profileBegin)).value());
     if (lot_->text() != film.lot) { // keeps the cursor where the user types
         lot_->setText(film.lot);
     }
@@ -315,8 +315,8 @@ void FilmPage::change(const QString& what) {
         film.photos[std::size_t(row)].seconds =
             valueOf(*qobject_cast<NumberBox*>(table_->cellWidget(row, 1)));
     }
-    if (begin_->value() != film.dipBegins.value_or(profileBegin_)) {
-        film.dipBegins = begin_->value();
+    if (begin_->value() != film.dipBegins.value_or(Seconds(profileBegin_)).value()) {
+        film.dipBegins = Seconds(begin_->value());
     }
     film.lot = lot_->text();
     film.waterTemperature = valueOf(*water_);

@@ -80,9 +80,7 @@ void ZonedBody::obey(const ZoneMark& mark) {
         set(trianglesOf(fine_.mesh(), StrokeArea(mark.path, mark.radius)), mark.zone);
         return;
     }
-    const Eigen::Vector3f place(float(mark.place[0].value()), float(mark.place[1].value()),
-                                float(mark.place[2].value()));
-    const SurfacePoint middle = query_.closest(place).point;
+    const SurfacePoint middle = query_.closest(modelPlace(mark.place)).point;
     if (!middle.isValid()) {
         return;
     }

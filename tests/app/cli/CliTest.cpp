@@ -310,6 +310,8 @@ private slots:
                              document["model_info"].toObject()["area_mm2"].toDouble() -
                          1) < 0.001);
         QVERIFY(cli({"validate", path("ball.dipw"), "--set", all}).out.contains("Masked areas: 1"));
+        const Outcome warned = cli({"validate", path("ball.dipw"), "--json", "--set", all});
+        QVERIFY2(!warned.out.contains("Masked"), warned.out);
         for (const char* wrong : {"", "{", "[5]", R"([{"extent":"spot"}])",
                                   R"([{"radius_mm":1e300}])", R"([{"path":[[0,0,0,0,0,2]]}])"}) {
             const Outcome refused = cli({"info", path("ball.dipw"), "--set", withMasks(wrong)});

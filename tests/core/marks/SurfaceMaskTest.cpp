@@ -9,7 +9,6 @@ using namespace dipwright;
 
 namespace {
 
-
 std::shared_ptr<const TexturedMesh> modelOf(const TriangleMesh& mesh) {
     auto model = std::make_shared<TexturedMesh>();
     model->mesh = mesh;
@@ -114,6 +113,62 @@ private slots:
         const SurfaceMask joined(box_, {strokeOf({top(-20)}, 4), strokeOf({top(20)}, 4),
                                         strokeOf({top(-20), top(20)}, 1)});
         QCOMPARE(maskedAreas(joined).count, std::size_t(1));
+    }
+
+    // Two parallel faces at 45°, 5 mm apart: their boxes overlap, the faces are two areas.
+    void maskedAreas_bothSidesOfSlantedPlate_areTwo() {
+        TriangleMesh plate = boxMesh({60, 5, 60});
+        const Eigen::AngleAxisf turn(float(pi / 4), Eigen::Vector3f(1, 0, 1).normalized());
+        for (Eigen::Vector3f& place : plate.positions) {
+            place = turn * place;
+        }
+        std::vector<MaskMark> faces(2);
+        for (std::size_t side = 0; side < 2; ++side) {
+            const Eigen::Vector3f middle = turn * Eigen::Vector3f(1, side == 0 ? 2.5f : -2.5f, 2);
+            faces[side].extent = MarkExtent::Face;
+            faces[side].place = {Millimetres(double(middle.x())), Millimetres(double(middle.y())),
+                                 Millimetres(double(middle.z()))};
+        }
+        const MaskedAreas areas = maskedAreas(SurfaceMask(modelOf(plate), faces));
+        QCOMPARE(areas.count, std::size_t(2));
+        QVERIFY(isAbout(areas.area, 2 * 60 * 60));
+    }
+
+    void maskedAreas_bothSidesOfFoil_areOne() {
+        MaskMark face;
+        face.extent = MarkExtent::Face;
+        face.place[1] = Millimetres(1);
+        MaskMark back = face;
+        back.place[1] = Millimetres(-1);
+        QCOMPARE(maskedAreas(SurfaceMask(modelOf(boxMesh({60, 0.4, 60})), {face, back})).count,
+                 std::size_t(1));
+    }
+
+    void surfaceMask_laterFaceOrMaterial_replacesEarlierMarks() {
+        MaskMark upper;
+        upper.extent = MarkExtent::Face;
+        upper.place = {Millimetres(3), Millimetres(20), Millimetres(1)};
+        MaskMark open = upper;
+        open.erases = true;
+        MaskMark all = upper;
+        all.extent = MarkExtent::Material;
+        const auto areaAfter = [&](const std::vector<MaskMark>& marks) {
+            return maskedAreas(SurfaceMask(box_, marks)).area;
+        };
+        QCOMPARE(areaAfter({strokeOf({top(0)}, 10), open}), 0.0);
+        QVERIFY(isAbout(areaAfter({all, open}), surfaceArea(box_->mesh) - 100 * 60));
+        QVERIFY(isAbout(areaAfter({open, all}), surfaceArea(box_->mesh)));
+        QVERIFY(isAbout(areaAfter({upper, open, strokeOf({top(0)}, 10)}), pi * 100));
+    }
+
+    void pieces_strokesAcrossTheWholePart_areLimited() {
+        BrushPath path;
+        for (int point = 0; point < 2000; ++point) {
+            const double side = point % 2 == 0 ? -30 : 30;
+            path.push_back(pointAt({0.04 * point - 40, 20, side}, up));
+        }
+        const SurfaceMask mask(box_, std::vector<MaskMark>(5, strokeOf(path, 0.1)));
+        QVERIFY(mask.pieces().size() < 2'000'000);
     }
 
     void covers_places_agreeWithTheStroke() {

@@ -426,6 +426,34 @@ private slots:
         QCOMPARE(printQuality(1, 0.1), 0.0);
     }
 
+    void searchPoses_trappedAirUnderMask_isNotJudged() {
+        SearchSubject dome = subjectOf(test::bowl());
+        dome.immersions.resize(1); // rim down
+        SearchSettings settings = sidesOnly(1);
+        settings.finer = settings.confirmed = 1;
+        const auto tellsAir = [&] {
+            const std::vector<Verdict> verdicts = search(dome, settings).current.value().verdicts;
+            const auto& reasons = verdicts.at(0).reasons;
+            return std::any_of(reasons.begin(), reasons.end(), [](const VerdictReason& reason) {
+                return reason.kind == VerdictReason::Kind::Air;
+            });
+        };
+        QVERIFY(tellsAir());
+        MaskMark inside;
+        inside.radius = Millimetres(50);
+        inside.path = {{{Millimetres(0), Millimetres(29), Millimetres(0)}, {0, -1, 0}}};
+        dome.mask = surfaceMask(dome.model, {inside});
+        QVERIFY(!tellsAir());
+    }
+
+    void searchPoses_wholePartMasked_isRefused() {
+        SearchSubject masked = board_;
+        MaskMark all;
+        all.extent = MarkExtent::Material;
+        masked.mask = surfaceMask(masked.model, {all});
+        QVERIFY_EXCEPTION_THROWN(search(masked, sidesOnly(2)), Error);
+    }
+
 private:
     const solver::SolverModule& module() { return registry_->module("auto"); }
     SearchResult search(const SearchSubject& subject, const SearchSettings& settings) {
