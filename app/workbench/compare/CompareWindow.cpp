@@ -302,6 +302,7 @@ const DipDifference* CompareWindow::shownDifference() const {
 void CompareWindow::showDifference() {
     const bool isWanted = ComparedLook(look_->currentData().toInt()) == ComparedLook::Difference;
     const DipDifference* shown = shownDifference();
+    views_[0]->setMarker({});
     secondSide_->setCurrentIndex(shown ? 1 : 0);
     figures_->setVisible(!shown);
     differences_->setVisible(shown);
