@@ -1127,6 +1127,10 @@
         <source>Mask area</source>
         <translation>Fläche maskieren</translation>
     </message>
+    <message>
+        <source>The project holds as many marks of this kind as it can; remove some to mark more</source>
+        <translation>Das Projekt enthält so viele Markierungen dieser Art wie möglich; entfernen Sie einige, um mehr zu markieren</translation>
+    </message>
 </context>
 <context>
     <name>Mask</name>
@@ -1774,6 +1778,10 @@
     <message>
         <source>Dip %1: %2</source>
         <translation>Tauchvorgang %1: %2</translation>
+    </message>
+    <message>
+        <source>The whole part is masked; unmask the surface to be printed before you search for a pose</source>
+        <translation>Das ganze Teil ist maskiert; nehmen Sie die Maske von der zu druckenden Oberfläche, bevor Sie eine Lage suchen</translation>
     </message>
 </context>
 <context>
@@ -2602,6 +2610,10 @@
     <message>
         <source>Marks for masks</source>
         <translation>Markierungen für Masken</translation>
+    </message>
+    <message>
+        <source>%1 others</source>
+        <translation>%1 andere</translation>
     </message>
 </context>
 <context>
@@ -3807,6 +3819,10 @@
     <message>
         <source>At the tank</source>
         <translation>Am Becken</translation>
+    </message>
+    <message>
+        <source>Too pale: more ink than allowed</source>
+        <translation>Zu blass: mehr Tinte als erlaubt</translation>
     </message>
 </context>
 <context>
@@ -6366,6 +6382,14 @@
     <message>
         <source>Wrote film.pdf and card.pdf to %1. Print them at 100 %; the rulers must measure 100 mm.</source>
         <translation>film.pdf und card.pdf wurden in %1 gespeichert. Drucken Sie sie mit 100 %; die Lineale müssen 100 mm messen.</translation>
+    </message>
+    <message>
+        <source>%1 already contains %2.</source>
+        <translation>%1 enthält bereits %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
     </message>
 </context>
 <context>

@@ -1127,6 +1127,10 @@
         <source>Mask area</source>
         <translation>Mascarar área</translation>
     </message>
+    <message>
+        <source>The project holds as many marks of this kind as it can; remove some to mark more</source>
+        <translation>O projeto contém o máximo de marcações deste tipo; remova algumas para marcar mais</translation>
+    </message>
 </context>
 <context>
     <name>Mask</name>
@@ -1774,6 +1778,10 @@
     <message>
         <source>Dip %1: %2</source>
         <translation>Imersão %1: %2</translation>
+    </message>
+    <message>
+        <source>The whole part is masked; unmask the surface to be printed before you search for a pose</source>
+        <translation>A peça inteira está mascarada; retire a máscara da superfície a imprimir antes de procurar uma pose</translation>
     </message>
 </context>
 <context>
@@ -2602,6 +2610,10 @@
     <message>
         <source>Marks for masks</source>
         <translation>Marcas para máscaras</translation>
+    </message>
+    <message>
+        <source>%1 others</source>
+        <translation>%1 outras</translation>
     </message>
 </context>
 <context>
@@ -3807,6 +3819,10 @@
     <message>
         <source>At the tank</source>
         <translation>No tanque</translation>
+    </message>
+    <message>
+        <source>Too pale: more ink than allowed</source>
+        <translation>Pálido demais: mais tinta do que o permitido</translation>
     </message>
 </context>
 <context>
@@ -6366,6 +6382,14 @@
     <message>
         <source>Wrote film.pdf and card.pdf to %1. Print them at 100 %; the rulers must measure 100 mm.</source>
         <translation>film.pdf e card.pdf foram salvos em %1. Imprima-os a 100 %; as réguas devem medir 100 mm.</translation>
+    </message>
+    <message>
+        <source>%1 already contains %2.</source>
+        <translation>%1 já contém %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Substituir</translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,7 @@ struct DipView::State {
     QString dragText;
     QPointF pointer; // the place of the mouse during a drag
     std::vector<ViewPin> pins;
+    bool catchesPins = true;
     std::optional<SectionPlane> section;
     // During a drag: the place on the section's frame where the mouse was pressed.
     std::optional<Eigen::Vector3f> heldSection;
@@ -389,7 +390,14 @@ bool DipView::facesCamera(const ViewPin& pin) const {
     return shown.rayAt(shown.positionOf(pin.place)).direction.dot(pin.outward) < 0;
 }
 
+void DipView::setCatchPins(bool catches) {
+    state_->catchesPins = catches;
+}
+
 int DipView::pinAt(const QPointF& position) const {
+    if (!state_->catchesPins) {
+        return -1;
+    }
     for (int pin = int(state_->pins.size()) - 1; pin >= 0; --pin) { // the last is drawn on top
         const ViewPin& candidate = state_->pins[std::size_t(pin)];
         if (QLineF(position, positionOf(candidate.place)).length() <= pinRadius() + 1 &&
@@ -591,7 +599,7 @@ void DipView::dragRing(const QMouseEvent& event) {
     if (event.modifiers() & Qt::ShiftModifier) {
         turned = std::round(turned / ringStep) * ringStep;
     }
-    dragTo(turned);
+    dragTo(std::round(10 * turned) / 10);
 }
 
 void DipView::dragTo(double value) {
@@ -641,7 +649,7 @@ void DipView::dragArrow(const QMouseEvent& event) {
     if (event.modifiers() & Qt::ShiftModifier) {
         way = std::round(way / arrowStep) * arrowStep;
     }
-    dragTo(way);
+    dragTo(std::round(10 * way) / 10);
 }
 
 void DipView::lightHandles(const QPointF& position) {

@@ -141,6 +141,8 @@ public:
                     const std::vector<std::vector<Eigen::Vector3f>>& lines, const QString& label);
 
     void setPins(std::vector<ViewPin> pins);
+    // Whether pins take clicks and show their texts. If not, the body under them is clicked.
+    void setCatchPins(bool catches);
 
     // Shows a cradle, translucent; null: none. `cradleToWorld` maps its coordinates.
     void setCradle(std::shared_ptr<const TriangleMesh> cradle);
@@ -201,10 +203,10 @@ signals:
     void strokeFinished();
     // A ring (`turns`) or an arrow was pressed.
     void handleHeld(bool turns);
-    // Angle since the press, about the world's X, Y or Z.
+    // Angle since the press, about the world's X, Y or Z. The mouse moves in steps of 0.1°.
     void rotationDragged(int axis, double degrees);
     void rotationFinished();
-    // Distance since the press, along the world's X, Y or Z.
+    // Distance since the press, along the world's X, Y or Z. The mouse moves in steps of 0.1 mm.
     void moveDragged(int axis, double millimetres);
     void moveFinished();
     // A picture was drawn with a camera that the user moved in this view. Not emitted after

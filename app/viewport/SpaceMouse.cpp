@@ -4,6 +4,7 @@
 #include <QSocketNotifier>
 #include <algorithm>
 #include <spnav.h>
+#include <sys/socket.h>
 #endif
 
 namespace dipwright {
@@ -14,6 +15,16 @@ SpaceMouse& SpaceMouse::shared() {
 }
 
 #ifdef DIPWRIGHT_SPACEMOUSE
+
+namespace {
+
+// Returns whether the daemon has closed its socket. It is then always ready to be read.
+bool hasEnded(int socket) {
+    char next = 0;
+    return socket == -1 || recv(socket, &next, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+}
+
+} // namespace
 
 SpaceMouse::SpaceMouse() : isConnected_(spnav_open() != -1) {
     if (isConnected_) {
@@ -43,8 +54,10 @@ void SpaceMouse::read() {
     }
     if (!sum.push.isZero() || !sum.turn.isZero()) {
         emit moved(sum);
-    } else if (spnav_fd() == -1) { // the daemon has ended
+    } else if (hasEnded(spnav_fd())) {
         delete findChild<QSocketNotifier*>();
+        spnav_close();
+        isConnected_ = false;
     }
 }
 

@@ -27,8 +27,9 @@ struct Crossing {
 
 class Tracer {
 public:
-    Tracer(const TriangleMesh& mesh, const SurfacePoint& from)
-        : mesh_(mesh), from_(from), start_(position(mesh, from)), opposite_(oppositeEdges(mesh)) {
+    Tracer(const TriangleMesh& mesh, const SurfacePoint& from, const CancelToken& cancel)
+        : mesh_(mesh), cancel_(cancel), from_(from), start_(position(mesh, from)),
+          opposite_(oppositeEdges(mesh)) {
         std::vector<float> begin(mesh.positions.size(), std::numeric_limits<float>::infinity());
         for (const std::uint32_t corner : mesh.triangles[from.triangle]) {
             begin[corner] = (mesh.positions[corner] - start_).norm();
@@ -44,6 +45,7 @@ public:
         Eigen::Vector3f place = position(mesh_, to);
         std::uint32_t triangle = to.triangle;
         while (triangle != from_.triangle) {
+            cancel_.throwIfCancelled();
             visited[triangle] = 1;
             const Crossing next = nearest(triangle, place, visited);
             if (next.edge == noEdge) {
@@ -88,6 +90,7 @@ private:
         }
         line.push_back(start_);
         for (int round = 0; round < rounds; ++round) {
+            cancel_.throwIfCancelled();
             float moved = 0;
             for (std::size_t place = 1; place + 1 < line.size(); ++place) {
                 const Eigen::Vector3f before = line[place];
@@ -213,6 +216,7 @@ private:
     }
 
     const TriangleMesh& mesh_;
+    CancelToken cancel_;
     SurfacePoint from_;
     Eigen::Vector3f start_;
     std::vector<std::uint32_t> opposite_;
@@ -222,8 +226,8 @@ private:
 } // namespace
 
 std::vector<Eigen::Vector3f> surfacePath(const TriangleMesh& mesh, const SurfacePoint& from,
-                                         const SurfacePoint& to) {
-    const Tracer tracer(mesh, from);
+                                         const SurfacePoint& to, const CancelToken& cancel) {
+    const Tracer tracer(mesh, from, cancel);
     const auto crossed = tracer.crossings(to);
     return crossed ? tracer.shortened(*crossed, position(mesh, to))
                    : std::vector<Eigen::Vector3f>();

@@ -24,29 +24,27 @@ std::array<float, 2> notNegative(float begin, float end) {
 
 StrokeArea::StrokeArea(const BrushPath& path, Millimetres radius) : radius_(float(radius.value())) {
     for (const BrushPoint& point : path) {
-        const Eigen::Vector3f outward(float(point.outward[0]), float(point.outward[1]),
-                                      float(point.outward[2]));
-        points_.push_back({modelPlace(point.place), outward.stableNormalized()});
-        box_.extend(points_.back().place);
+        add(point);
     }
-    if (points_.size() == 1) {
-        points_.push_back(points_.front());
-    }
-    for (std::size_t first = 0; first + 1 < points_.size(); first += runLength) {
-        const std::size_t last = std::min(first + runLength, points_.size() - 1);
-        runs_.emplace_back();
-        for (std::size_t point = first; point <= last; ++point) {
-            runs_.back().extend(points_[point].place);
-        }
-    }
-    if (!points_.empty()) {
-        const Eigen::Vector3f around = Eigen::Vector3f::Constant(radius_);
-        box_ = BoundingBox(box_.min() - around, box_.max() + around);
+}
+
+void StrokeArea::add(const BrushPoint& point) {
+    const Eigen::Vector3f outward(float(point.outward[0]), float(point.outward[1]),
+                                  float(point.outward[2]));
+    const Point added{modelPlace(point.place), outward.stableNormalized()};
+    if (points_.empty()) { // a single point is a segment without length
+        points_.push_back(added);
         borderLength_ = 2 * float(pi) * radius_;
     }
-    for (std::size_t point = 1; point < points_.size(); ++point) {
-        borderLength_ += 2 * (points_[point].place - points_[point - 1].place).norm();
-    }
+    borderLength_ += 2 * (added.place - points_.back().place).norm();
+    points_.push_back(added);
+    const std::size_t segment = points_.size() - 2;
+    runs_.resize(segment / runLength + 1);
+    runs_.back().extend(points_[segment].place);
+    runs_.back().extend(added.place);
+    const Eigen::Vector3f around = Eigen::Vector3f::Constant(radius_);
+    box_.extend(added.place - around);
+    box_.extend(added.place + around);
 }
 
 float StrokeArea::distance(const Eigen::Vector3f& place, const Eigen::Vector3f& outward,

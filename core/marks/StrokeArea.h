@@ -20,10 +20,12 @@ inline Eigen::Vector3f modelPlace(const std::array<Millimetres, 3>& place) {
     return {float(place[0].value()), float(place[1].value()), float(place[2].value())};
 }
 
-// Immutable; any thread may read. Model coordinates, mm.
+// Any number of threads may read. Model coordinates, mm.
 class StrokeArea {
 public:
     StrokeArea(const BrushPath& path, Millimetres radius);
+
+    void add(const BrushPoint& point); // to the end of the path
 
     float radius() const { return radius_; }
     // Returns the length of the marked area's border on a plane, mm, or more.

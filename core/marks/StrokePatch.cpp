@@ -3,14 +3,14 @@
 namespace dipwright {
 
 StrokePatch::StrokePatch(const TriangleMesh& mesh, const SurfaceQuery& query, Millimetres radius)
-    : mesh_(mesh), query_(query), radius_(radius), isWhole_(mesh.triangles.size()) {}
+    : mesh_(mesh), query_(query), stroke_({}, radius), isWhole_(mesh.triangles.size()) {}
 
 void StrokePatch::add(const BrushPoint& point) {
     const Eigen::Vector3f to = modelPlace(point.place),
                           from = path_.empty() ? to : modelPlace(path_.back().place);
     path_.push_back(point);
-    const StrokeArea stroke(path_, radius_);
-    const float radius = stroke.radius();
+    stroke_.add(point);
+    const float radius = stroke_.radius();
     for (const std::uint32_t triangle :
          query_.trianglesNear((from + to) / 2, radius + (to - from).norm() / 2)) {
         if (isWhole_[triangle] != 0) {
@@ -21,7 +21,7 @@ void StrokePatch::add(const BrushPoint& point) {
         std::vector<MarkedPiece> pieces;
         addPieces(
             whole,
-            [&](const Eigen::Vector3f& place) { return radius - stroke.distance(place, normal); },
+            [&](const Eigen::Vector3f& place) { return radius - stroke_.distance(place, normal); },
             sidePerRadius * radius, pieces);
         if (pieces.size() == 1 && pieces.front().corners == whole.corners) {
             isWhole_[triangle] = 1;

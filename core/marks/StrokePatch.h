@@ -22,7 +22,7 @@ public:
 private:
     const TriangleMesh& mesh_;
     const SurfaceQuery& query_;
-    Millimetres radius_;
+    StrokeArea stroke_;
     BrushPath path_;
     std::vector<std::uint8_t> isWhole_; // per triangle: 1 if all of it is marked
     std::vector<MarkedPiece> whole_;    // these triangles

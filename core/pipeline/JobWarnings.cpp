@@ -3,6 +3,9 @@
 #include "dip/FilmMarks.h"
 #include "parallel/ParallelFor.h"
 #include "pipeline/JobVerdict.h"
+#include "texture/Ink.h"
+#include "texture/ReverseTexture.h"
+#include "texture/SurfaceColours.h"
 
 #include <algorithm>
 #include <utility>
@@ -63,6 +66,37 @@ std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {
     return dry;
 }
 
+// Returns J (docs/film-model.md, "Ink") of the film at a place.
+float areaStretchAt(const LaidFilm& laid, const FilmPlace& place) {
+    const Eigen::Vector3f weights = laid.weights(place);
+    const FilmTriangle& points = laid.triangles()[place.triangle];
+    float stretch = 0;
+    for (std::size_t corner = 0; corner < points.size(); ++corner) {
+        stretch += weights[Eigen::Index(corner)] * laid.pointAreas()[points[corner]];
+    }
+    return stretch;
+}
+
+// Triangles whose middle needs more ink than the ink limit allows.
+std::vector<std::uint8_t> paleTriangles(const ImmersionResult& dip, const TexturedMesh& painted,
+                                        const InkSettings& ink) {
+    std::vector<SurfacePoint> middles(painted.mesh.triangles.size());
+    for (std::uint32_t triangle = 0; triangle < middles.size(); ++triangle) {
+        middles[triangle] = middleOf(triangle);
+    }
+    const std::vector<LinearColour> colours = surfaceColours(painted, middles);
+    const InkCompensation compensation(ink);
+    dip.laid->pointAreas(); // computed before several threads read it
+    std::vector<std::uint8_t> pale(middles.size());
+    parallelFor(std::size_t(0), pale.size(), [&](std::size_t triangle) {
+        const std::optional<FilmPlace> place = dip.laid->place(middles[triangle]);
+        pale[triangle] =
+            place &&
+            compensation.print(colours[triangle], areaStretchAt(*dip.laid, *place)).fallsShort;
+    });
+    return pale;
+}
+
 void addNotReached(std::vector<JobWarning>& warnings, const JobResult& result) {
     const SurfaceQuery query(result.project.model->mesh);
     std::size_t count = 0;
@@ -102,6 +136,13 @@ std::vector<JobWarning> jobWarnings(const JobResult& result) {
                     [mark](std::uint8_t marks) { return std::uint8_t(has(marks, mark)); });
                 addPieces(warnings, kindOf(mark), dip, result, opposite, std::move(marked));
             }
+        }
+    }
+    for (std::size_t dip = 0; dip < result.immersions.size() && result.painted; ++dip) {
+        const ImmersionResult& immersion = result.immersions[dip];
+        if (immersion.texture && immersion.texture->shortfallArea >= leastArea) {
+            addPieces(warnings, WarningKind::TooPale, dip, result, opposite,
+                      paleTriangles(immersion, *result.painted, result.project.ink));
         }
     }
     if (result.share) {

@@ -1,12 +1,13 @@
 // Finds the places of a job's part that the user should look at: pieces of the surface in trapped
-// air, painted by marked film (dip/FilmMarks.h), or reached by neither of two dips.
+// air, painted by marked film (dip/FilmMarks.h), reached by neither of two dips, or too pale because
+// the ink limit does not allow enough ink.
 #pragma once
 
 #include "pipeline/JobResult.h"
 
 namespace dipwright {
 
-enum class WarningKind { TrappedAir, NotReached, Torn, Unbalanced, Released };
+enum class WarningKind { TrappedAir, NotReached, Torn, Unbalanced, Released, TooPale };
 
 // A connected piece of the surface. `place` is on it, near its middle, and `outward` is the
 // surface's normal there; model coordinates, mm.

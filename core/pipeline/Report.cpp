@@ -393,6 +393,8 @@ QString warningKey(WarningKind kind) {
         return QStringLiteral("torn");
     case WarningKind::Unbalanced:
         return QStringLiteral("not_converged");
+    case WarningKind::TooPale:
+        return QStringLiteral("too_pale");
     case WarningKind::Released:
         break;
     }

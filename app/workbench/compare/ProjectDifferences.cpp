@@ -38,6 +38,10 @@ QString valueText(const PropertySpec& spec, const QJsonValue& value, LengthUnit 
     return spec.absent.isEmpty() ? QStringLiteral("–") : spec.absent;
 }
 
+QString count(std::size_t number) {
+    return QLocale().toString(qulonglong(number));
+}
+
 class Differences {
 public:
     Differences(const Project& first, const Project& second, LengthUnit unit)
@@ -95,6 +99,12 @@ public:
             add(Text::tr("Artwork · layer %1").arg(number + 1), layerText(first), shown);
         }
     }
+    template <typename Mark>
+    void addMarks(const QString& setting, const std::vector<Mark>& before,
+                  const std::vector<Mark>& after) {
+        const QString had = count(before.size()), has = count(after.size());
+        add(setting, had, had == has && before != after ? Text::tr("%1 others").arg(has) : has);
+    }
     std::vector<ProjectDifference> found() && { return std::move(found_); }
 
 private:
@@ -122,7 +132,6 @@ private:
 std::vector<ProjectDifference> projectDifferences(const Project& first, const Project& second,
                                                   LengthUnit unit) {
     Differences differences(first, second, unit);
-    const auto count = [](std::size_t number) { return QLocale().toString(qulonglong(number)); };
     for (const ProjectPart part :
          {ProjectPart::Project, ProjectPart::Model, ProjectPart::Film, ProjectPart::Process}) {
         differences.addPart({part, 0});
@@ -137,12 +146,10 @@ std::vector<ProjectDifference> projectDifferences(const Project& first, const Pr
          {ProjectPart::Share, ProjectPart::Sheet, ProjectPart::Ink, ProjectPart::Tolerance}) {
         differences.addPart({part, 0});
     }
-    differences.add(Text::tr("Marks for the seam"), count(first.share.marks.size()),
-                    count(second.share.marks.size()));
-    differences.add(Text::tr("Marks for zones"), count(first.tolerance.marks.size()),
-                    count(second.tolerance.marks.size()));
-    differences.add(Text::tr("Marks for masks"), count(first.masks.size()),
-                    count(second.masks.size()));
+    differences.addMarks(Text::tr("Marks for the seam"), first.share.marks, second.share.marks);
+    differences.addMarks(Text::tr("Marks for zones"), first.tolerance.marks,
+                         second.tolerance.marks);
+    differences.addMarks(Text::tr("Marks for masks"), first.masks, second.masks);
     differences.addAims(first.poseAims, second.poseAims);
     const auto nameOfAny = [](const auto& profile) {
         return profile ? profile->name : QStringLiteral("–");

@@ -1,5 +1,7 @@
 #include "workbench/document/MarkEdits.h"
 
+#include "base/Error.h"
+
 #include <QCoreApplication>
 
 namespace dipwright {
@@ -60,9 +62,10 @@ void add(Document& document, const std::vector<Mark>& added) {
         for (const Mark& mark : marks) {
             points += mark.path.size();
         }
-        while (marks.size() > Marks<Mark>::most || points > mostBrushPointsOfAll) {
-            points -= marks.front().path.size();
-            marks.erase(marks.begin());
+        if (marks.size() > Marks<Mark>::most || points > mostBrushPointsOfAll) {
+            throw Error(Text::tr("The project holds as many marks of this kind as it can; remove "
+                                 "some to mark more"),
+                        {});
         }
     });
 }

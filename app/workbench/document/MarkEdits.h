@@ -15,10 +15,10 @@ using MarkBrush = std::variant<std::monostate, ShareMark, ZoneMark, MaskMark>;
 bool drawsStrokes(const MarkBrush& brush);
 // Returns the brush that takes its area out of marks of the same kind.
 MarkBrush eraserOf(const MarkBrush& brush);
-// Sets the paths of a brush as marks, in one undo step. Removes the oldest marks of the kind if the
-// project holds the maximum number. The brush must draw strokes.
+// Sets the paths of a brush as marks, in one undo step. The brush must draw strokes. Throws Error
+// if the project cannot hold more marks of the kind; it then stays unchanged.
 void addStrokes(Document& document, const MarkBrush& brush, const std::vector<BrushPath>& paths);
-// Sets the mark of a brush that draws no strokes, in one undo step.
+// Sets the mark of a brush that draws no strokes, in one undo step. Throws Error as addStrokes().
 void addMark(Document& document, const MarkBrush& brush, const std::array<Millimetres, 3>& place);
 
 // Each is one undo step. `Mark` is ShareMark, ZoneMark or MaskMark.

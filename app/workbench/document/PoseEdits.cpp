@@ -9,6 +9,9 @@
 namespace dipwright {
 
 Immersion turned(const Immersion& immersion, int axis, double degrees, const ShownPose& shown) {
+    if (degrees == 0) {
+        return immersion;
+    }
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(radians(Degrees(degrees)), Eigen::Vector3d::Unit(axis))
             .toRotationMatrix();
@@ -23,14 +26,18 @@ Immersion turned(const Immersion& immersion, int axis, double degrees, const Sho
     return result;
 }
 
+double moved(double from, double millimetres) {
+    constexpr double steps = 1e6; // per mm: finer than any number that is typed
+    return millimetres == 0 ? from : std::round(steps * (from + millimetres)) / steps;
+}
+
 Immersion moved(const Immersion& immersion, int axis, double millimetres, const ShownPose& shown) {
     constexpr double farthest = 5000; // as in the project file (core/project/Schema.cpp)
     Immersion result = immersion;
     std::array<Millimetres, 2>& place =
         shown.key ? result.path.keys[*shown.key].beside : result.offset;
     Millimetres& part = place[axis == 0 ? 0 : 1];
-    part = Millimetres(
-        std::clamp(std::round(10 * (part.value() + millimetres)) / 10, -farthest, farthest));
+    part = Millimetres(std::clamp(moved(part.value(), millimetres), -farthest, farthest));
     return result;
 }
 

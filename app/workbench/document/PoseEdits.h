@@ -17,11 +17,14 @@ struct ShownPose {
 };
 
 // Returns `immersion` with its body turned by `degrees` about the world's X, Y or Z axis, as seen
-// in the view. The angles are rounded to 0.1°.
+// in the view. The angles are rounded to 0.1°. A turn by 0 changes nothing.
 Immersion turned(const Immersion& immersion, int axis, double degrees, const ShownPose& shown = {});
 
+// Returns `from` moved by `millimetres`, rounded to 1 nm.
+double moved(double from, double millimetres);
+
 // Returns `immersion` with its body, or the shown pose of its path, moved along X (axis 0) or Z
-// (axis 2) by `millimetres`, rounded to 0.1 mm.
+// (axis 2) by `millimetres`, rounded to 1 nm.
 Immersion moved(const Immersion& immersion, int axis, double millimetres, const ShownPose& shown);
 
 // Returns `immersion` turned so that the face with the normal `outward` (model coordinates) points

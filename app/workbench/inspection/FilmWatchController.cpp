@@ -13,8 +13,12 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
 
 #include <algorithm>
+#include <array>
 
 namespace dipwright {
 
@@ -42,10 +46,12 @@ WatchedFilm watched(const FilmOnWater& film, double begin, const Progress& progr
     return result;
 }
 
+const std::array pageFiles{std::pair(BoardKind::Film, QStringLiteral("film.pdf")),
+                           std::pair(BoardKind::Card, QStringLiteral("card.pdf"))};
+
 // Writes the pages for the film and the card. `page` gives their lot and scale.
 void writePages(WatchPage page, const QString& folder) {
-    for (const auto& [kind, file] : {std::pair(BoardKind::Film, QStringLiteral("film.pdf")),
-                                     std::pair(BoardKind::Card, QStringLiteral("card.pdf"))}) {
+    for (const auto& [kind, file] : pageFiles) {
         page.kind = kind;
         page.paper = usualPaper(kind);
         writeAtomically(QDir(folder).filePath(file),
@@ -192,7 +198,7 @@ void FilmWatchController::save(const QString& name) {
 void FilmWatchController::savePages() {
     const QString folder = QFileDialog::getExistingDirectory(
         &window_, tr("Save the pages for the film and the card to a folder"));
-    if (folder.isEmpty()) {
+    if (folder.isEmpty() || !mayReplacePages(folder)) {
         return;
     }
     const Document* document = session_.document();
@@ -207,6 +213,28 @@ void FilmWatchController::savePages() {
                   "100 mm."),
                folder,
                [page](const QString& target, const Progress&) { writePages(page, target); });
+}
+
+bool FilmWatchController::mayReplacePages(const QString& folder) {
+    QStringList existing;
+    for (const auto& [kind, file] : pageFiles) {
+        if (QFileInfo::exists(QDir(folder).filePath(file))) {
+            existing << file;
+        }
+    }
+    if (existing.isEmpty()) {
+        return true;
+    }
+    QMessageBox question(
+        QMessageBox::Warning, tr("Save pages to print"),
+        tr("%1 already contains %2.")
+            .arg(QDir::toNativeSeparators(folder), QLocale().createSeparatedList(existing)),
+        QMessageBox::Cancel, &window_);
+    question.setObjectName(QStringLiteral("replaceQuestion"));
+    QPushButton* replace = question.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(QMessageBox::Cancel);
+    question.exec();
+    return question.clickedButton() == replace;
 }
 
 void FilmWatchController::exportFilm() {

@@ -28,6 +28,7 @@ private:
     void askProfile();
     void save(const QString& profile);
     void savePages();
+    bool mayReplacePages(const QString& folder); // asks if there are any
     void exportFilm();
     WatchNotes notes() const;
 

@@ -29,6 +29,8 @@ EditController::EditController(const WindowActions& actions, ProjectTree& tree,
                                Messages& messages, QWidget& window)
     : tree_(tree), session_(session), jobs_(jobs), messages_(messages), window_(window),
       bodyMenu_(view, scene, session, *actions.bodyTurns, *actions.bodyMoves) {
+    connect(&bodyMenu_, &BodyMenu::refused, &messages,
+            [&messages](const QString& sentence) { messages.say(sentence); });
     const auto on = [this](const QAction* action, auto what) {
         connect(action, &QAction::triggered, this, what);
     };

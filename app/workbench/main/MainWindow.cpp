@@ -178,6 +178,8 @@ void MainWindow::connectPanels() {
         scene_.setBrushed(!std::holds_alternative<std::monostate>(brush));
     });
     connect(&marks_, &MarkTool::begun, this, [this] { dip_.setHeld(true); });
+    connect(&marks_, &MarkTool::refused, &messages_,
+            [this](const QString& sentence) { messages_.say(sentence); });
     connect(&marks_, &MarkTool::ended, this, [this] { dip_.setHeld(false); });
     connect(parts_.properties, &PropertyPanel::failed, &messages_,
             [this](const QString& sentence) { messages_.say(sentence); });

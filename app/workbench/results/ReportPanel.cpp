@@ -353,9 +353,12 @@ void ReportPanel::show() {
     Table whole;
     whole.row(tr("Total coverage"), percent(result_->coverageTotal));
     if (result_->mask) {
-        const MaskedAreas masked = maskedAreas(*result_->mask);
+        if (result_->mask != mask_) {
+            mask_ = result_->mask;
+            masked_ = maskedAreas(*mask_);
+        }
         whole.row(tr("Masked areas"),
-                  QStringLiteral("%1 · %2").arg(masked.count).arg(shownArea(masked.area, unit_)));
+                  QStringLiteral("%1 · %2").arg(masked_.count).arg(shownArea(masked_.area, unit_)));
     }
     whole.row(tr("Film used"), percent(filmUsed(*result_)));
     whole.row(tr("Solver"), shownName(result_->solver.name));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cost/OrderCost.h"
+#include "marks/SurfaceMask.h"
 #include "pipeline/JobWarnings.h"
 #include "settings/AsBuilt.h"
 #include "workbench/widgets/Units.h"
@@ -48,6 +49,8 @@ private:
 
     std::shared_ptr<const JobResult> result_;
     LengthUnit unit_ = LengthUnit::Millimetre;
+    std::shared_ptr<const SurfaceMask> mask_; // `masked_` was computed for it
+    MaskedAreas masked_;
     std::vector<JobWarning> warnings_;
     QStringList tolerances_;
     std::vector<OrderCost> costs_;

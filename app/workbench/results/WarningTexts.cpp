@@ -19,13 +19,23 @@ solver::PointMark markOf(WarningKind kind) {
                                              : solver::PointMark::LetGo;
 }
 
+QString kindText(WarningKind kind) {
+    switch (kind) {
+    case WarningKind::TrappedAir:
+        return Text::tr("Trapped air");
+    case WarningKind::NotReached:
+        return Text::tr("Reached by neither dip");
+    case WarningKind::TooPale:
+        return Text::tr("Too pale: more ink than allowed");
+    default:
+        return markText(markOf(kind));
+    }
+}
+
 } // namespace
 
 QString warningText(const JobWarning& warning, const JobResult& result, LengthUnit unit) {
-    QStringList parts{warning.kind == WarningKind::TrappedAir   ? Text::tr("Trapped air")
-                      : warning.kind == WarningKind::NotReached ? Text::tr("Reached by neither dip")
-                                                                : markText(markOf(warning.kind)),
-                      shownArea(warning.area, unit)};
+    QStringList parts{kindText(warning.kind), shownArea(warning.area, unit)};
     if (warning.dip && result.immersions.size() > 1) {
         parts.append(result.immersions[*warning.dip].immersion.name);
     }
@@ -38,6 +48,8 @@ QColor warningColour(WarningKind kind) {
         return QColor(0x3a, 0x8f, 0xd0); // as on the timeline
     case WarningKind::NotReached:
         return QColor(0x5a, 0x60, 0x68);
+    case WarningKind::TooPale:
+        return QColor(0xe6, 0xd9, 0xa8);
     default:
         return markColour(markOf(kind));
     }

@@ -2,7 +2,6 @@
 
 #include <QLocale>
 #include <algorithm>
-#include <cmath>
 
 namespace dipwright {
 
@@ -10,10 +9,6 @@ namespace {
 
 // The limits of the project file (core/project/Schema.cpp).
 constexpr double leastDepth = 0.1, mostDepth = 5000;
-
-Millimetres placed(double millimetres, double least, double most) {
-    return Millimetres(std::clamp(std::round(10 * millimetres) / 10, least, most));
-}
 
 QString axisName(int axis) {
     return QString(QLatin1Char("XYZ"[axis]));
@@ -76,7 +71,7 @@ void BodyHandles::moveDown(double millimetres) {
     if (!from) {
         return;
     }
-    const Millimetres depth = placed(from->value() - millimetres, leastDepth, mostDepth);
+    const Millimetres depth(std::clamp(moved(from->value(), -millimetres), leastDepth, mostDepth));
     session_.document()->edit(tr("Change depth"), QStringLiteral("depth"), [&](Project& project) {
         if (isInnerKey) {
             project.immersions[session_.immersion()].path.keys[*shownBefore_.key].depth = depth;

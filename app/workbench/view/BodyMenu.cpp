@@ -1,5 +1,6 @@
 #include "workbench/view/BodyMenu.h"
 
+#include "base/Error.h"
 #include "workbench/document/MarkEdits.h"
 #include "workbench/view/BodyHandles.h"
 
@@ -88,7 +89,11 @@ void BodyMenu::markFace(const SurfacePoint& place, const MarkBrush& brush) {
     for (int axis = 0; axis < 3; ++axis) {
         at[std::size_t(axis)] = Millimetres(double(point[axis]));
     }
-    addMark(*session_.document(), brush, at);
+    try {
+        addMark(*session_.document(), brush, at);
+    } catch (const Error& error) {
+        emit refused(error.sentence());
+    }
 }
 
 } // namespace dipwright

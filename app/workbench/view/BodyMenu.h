@@ -21,6 +21,9 @@ public:
     BodyMenu(DipView& view, const DipScene& scene, const DipSession& session, QActionGroup& turns,
              QActionGroup& moves, QObject* parent = nullptr);
 
+signals:
+    void refused(const QString& sentence); // the project cannot hold the mark
+
 private:
     void show(const ViewRay& ray, const QPoint& place);
     void edit(const QString& text, const std::function<void(Immersion&)>& change);

@@ -155,8 +155,9 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     const bool otherBase = project.baseColour != project_.baseColour;
     const bool otherFilm = !(project.film == project_.film) || !project_.model;
     project_ = project;
-    if (std::exchange(immersion_, std::min(immersion, project.immersions.size() - 1)) !=
-        immersion_) {
+    const std::size_t before = immersion_;
+    immersion_ = std::min(immersion, project.immersions.size() - 1);
+    if (immersion_ != before) {
         setCradles(cradles_);
     }
     if (otherModel) {

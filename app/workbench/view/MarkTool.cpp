@@ -1,20 +1,25 @@
 #include "workbench/view/MarkTool.h"
 
+#include "base/Error.h"
 #include "marks/MaskColour.h"
 #include "workbench/accuracy/ZoneAppearance.h"
 
 #include <QGuiApplication>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dipwright {
 namespace {
 
+using Triangle = std::array<Eigen::Vector3f, 3>;
+
 // Distances along a stroke, relative to the brush's radius.
-constexpr float pointsApart = 0.2f; // between points of its path
-constexpr float raysApart = 0.5f;   // between rays, while the mouse moves fast
-constexpr float jump = 2;           // a longer way between two points interrupts the stroke
-constexpr int mostRays = 40;        // for one move of the mouse
+constexpr float pointsApart = 0.2f;       // between points of its path
+constexpr float raysApart = 0.5f;         // between rays, while the mouse moves fast
+constexpr float jump = 2;                 // a longer way between two points interrupts the stroke
+constexpr int mostRays = 40;              // for one move of the mouse
+constexpr std::size_t mostHovered = 5000; // triangles that are cut while the mouse hovers
 constexpr int strokeOpacity = 235, hoverOpacity = 120;
 
 Millimetres radiusOf(const MarkBrush& brush) {
@@ -40,6 +45,26 @@ QColor colourOf(const MarkBrush& brush) {
     return mask && !mask->erases ? maskColour : QColor(235, 235, 235);
 }
 
+// A flat ring.
+std::vector<Triangle> circle(const Eigen::Vector3f& middle, const Eigen::Vector3f& outward,
+                             float radius) {
+    constexpr int sides = 64;
+    constexpr float inner = 0.94f; // relative to the radius
+    const Eigen::Vector3f right = outward.unitOrthogonal(), up = outward.cross(right);
+    const auto at = [&](int side) -> Eigen::Vector3f {
+        const float angle = float(2 * pi) * float(side) / sides;
+        return radius * (std::cos(angle) * right + std::sin(angle) * up);
+    };
+    std::vector<Triangle> ring;
+    for (int side = 0; side < sides; ++side) {
+        const Eigen::Vector3f a = middle + at(side), b = middle + at(side + 1);
+        const Eigen::Vector3f c = middle + inner * at(side), d = middle + inner * at(side + 1);
+        ring.push_back({a, b, c});
+        ring.push_back({c, b, d});
+    }
+    return ring;
+}
+
 double rounded(float value, double steps) {
     return std::round(double(value) * steps) / steps;
 }
@@ -54,7 +79,7 @@ MarkTool::MarkTool(DipView& view, DipScene& scene, const DipSession& session, QO
     connect(&view, &DipView::hovered, this, &MarkTool::hover);
     connect(&view, &DipView::hoverLeft, this, [this] {
         hovered_.reset();
-        show({}, 0);
+        scene_.setStroke({});
     });
 }
 
@@ -79,18 +104,22 @@ bool MarkTool::begins(const ViewRay& ray) {
     }
     forget();
     drawn_ = brushNow();
+    drawnOn_ = scene_.model();
     emit begun();
     return true;
 }
 
 void MarkTool::stroke(const ViewRay& ray) {
-    const auto place = scene_.modelSurface(ray);
+    if (drawnOn_ && drawnOn_ != scene_.model()) { // for example undone while the button is held
+        forget();
+    }
     if (std::holds_alternative<std::monostate>(drawn_) || !session_.document()) {
         return;
     }
+    const auto place = scene_.modelSurface(ray);
     if (!drawsStrokes(drawn_)) { // marks only the face where the drag begins
         if (place && !lastRay_) {
-            addMark(*session_.document(), drawn_, pointAt(*place).place);
+            add([&] { addMark(*session_.document(), drawn_, pointAt(*place).place); });
         }
         lastRay_ = ray;
         return;
@@ -134,17 +163,24 @@ void MarkTool::addPoint(const SurfacePoint& place) {
 }
 
 void MarkTool::finish() {
-    const bool isDrawn = !std::holds_alternative<std::monostate>(drawn_);
-    if (session_.document() && !parts_.empty()) {
+    if (session_.document() && !parts_.empty() && drawnOn_ == scene_.model()) {
         std::vector<BrushPath> paths;
         for (const StrokePatch& part : parts_) {
             paths.push_back(part.path());
         }
-        addStrokes(*session_.document(), drawn_, paths);
+        add([&] { addStrokes(*session_.document(), drawn_, paths); });
     }
     forget();
-    if (isDrawn) {
+    if (std::exchange(drawnOn_, nullptr)) {
         emit ended();
+    }
+}
+
+void MarkTool::add(const std::function<void()>& marks) {
+    try {
+        marks();
+    } catch (const Error& error) {
+        emit refused(error.sentence());
     }
 }
 
@@ -153,31 +189,49 @@ void MarkTool::hover(const ViewRay& ray) {
     if (!drawsStrokes(brush_)) {
         return;
     }
-    std::vector<StrokePatch> dab;
     drawn_ = brushNow();
     if (const auto place = scene_.modelSurface(ray)) {
-        dab.push_back(newPart());
-        dab.back().add(pointAt(*place));
+        showDab(*place);
+    } else {
+        scene_.setStroke({});
     }
-    show(dab, hoverOpacity);
     drawn_ = {};
+}
+
+// A brush over very many triangles is shown as a circle.
+void MarkTool::showDab(const SurfacePoint& place) {
+    const TriangleMesh& mesh = scene_.model()->mesh;
+    const Eigen::Vector3f middle = position(mesh, place);
+    const auto radius = float(radiusOf(drawn_).value());
+    if (scene_.query()->trianglesNear(middle, radius).size() > mostHovered) {
+        show(circle(middle, triangleNormal(mesh, place.triangle), radius), hoverOpacity);
+        return;
+    }
+    StrokePatch dab = newPart();
+    dab.add(pointAt(place));
+    show({dab}, hoverOpacity);
 }
 
 void MarkTool::forget() {
     parts_.clear();
     lastRay_.reset();
     drawn_ = {};
-    show({}, 0);
+    scene_.setStroke({});
 }
 
 void MarkTool::show(const std::vector<StrokePatch>& parts, int opacity) {
-    ViewPatch patch{{}, colourOf(drawn_)};
-    patch.colour.setAlpha(opacity);
+    std::vector<Triangle> triangles;
     for (const StrokePatch& part : parts) {
         for (const MarkedPiece& piece : part.pieces()) {
-            patch.triangles.push_back(piece.corners);
+            triangles.push_back(piece.corners);
         }
     }
+    show(std::move(triangles), opacity);
+}
+
+void MarkTool::show(std::vector<Triangle> triangles, int opacity) {
+    ViewPatch patch{std::move(triangles), colourOf(drawn_)};
+    patch.colour.setAlpha(opacity);
     scene_.setStroke(std::move(patch));
 }
 

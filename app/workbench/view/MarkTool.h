@@ -22,15 +22,19 @@ public:
 signals:
     void begun(); // a stroke; it is one undo step
     void ended();
+    void refused(const QString& sentence); // the project cannot hold the mark
 
 private:
     bool begins(const ViewRay& ray);
     void stroke(const ViewRay& ray);
     void addPoint(const SurfacePoint& place);
     void finish();
+    void add(const std::function<void()>& marks); // says why if it throws Error
     void hover(const ViewRay& ray);
-    void forget(); // drops the stroke
+    void showDab(const SurfacePoint& place); // of the brush, before it is pressed
+    void forget();                           // drops the stroke
     void show(const std::vector<StrokePatch>& parts, int opacity);
+    void show(std::vector<std::array<Eigen::Vector3f, 3>> triangles, int opacity);
     MarkBrush brushNow() const; // an eraser while Shift is held
     BrushPoint pointAt(const SurfacePoint& place) const;
     StrokePatch newPart() const;
@@ -39,6 +43,9 @@ private:
     const DipSession& session_;
     MarkBrush brush_;
     MarkBrush drawn_; // the brush of the stroke
+    // The model that the stroke began on; null: no stroke. The parts refer to it, so that they go
+    // when another model is shown.
+    std::shared_ptr<const TexturedMesh> drawnOn_;
     // The parts of the stroke. It is interrupted where it jumps, for example past an edge.
     std::vector<StrokePatch> parts_;
     std::optional<ViewRay> lastRay_;

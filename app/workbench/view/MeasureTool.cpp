@@ -15,6 +15,7 @@ void MeasureTool::setActive(bool active) {
     if (std::exchange(active_, active) && !active) {
         messages_.say({}); // what it asked for
     }
+    view_.setCatchPins(!active);
     clear();
     show();
 }
@@ -52,8 +53,8 @@ void MeasureTool::click(const ViewRay& ray) {
 void MeasureTool::findLine() {
     search_ = jobs_.start(std::make_unique<ValueJob<Line>>(
         QString(),
-        [model = model_, from = places_[0], to = places_[1]](const Progress&) {
-            return surfacePath(model->mesh, from, to);
+        [model = model_, from = places_[0], to = places_[1]](const Progress& progress) {
+            return surfacePath(model->mesh, from, to, progress.cancelToken);
         },
         [this](const Line& line) { takeLine(line); }, [](const std::exception_ptr&) {}));
 }

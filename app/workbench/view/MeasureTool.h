@@ -1,5 +1,5 @@
 // Measures between two places of the body that the user clicks: the straight distance, and the
-// length of the shortest line along the surface.
+// length of a short line along the surface (geometry/SurfacePath.h).
 #pragma once
 
 #include "workbench/jobs/JobRunner.h"

@@ -6,6 +6,7 @@
 #include "project/ProjectStore.h"
 #include "project/Schema.h"
 #include "workbench/document/ImmersionEdits.h"
+#include "workbench/document/MarkEdits.h"
 #include "workbench/document/ModelEdits.h"
 #include "workbench/document/ProjectValue.h"
 #include "workbench/document/RecentProjects.h"
@@ -65,6 +66,19 @@ class DocumentTest : public QObject {
 
 private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+
+    void addMark_fullProject_isRefused() {
+        Project project = boxProject();
+        project.masks.resize(mostMaskMarks);
+        Document document(project);
+        QVERIFY_EXCEPTION_THROWN(addMark(document, MaskMark(), {}), Error);
+        QVERIFY_EXCEPTION_THROWN(addStrokes(document, MaskMark(), {BrushPath(3)}), Error);
+        QCOMPARE(document.project().masks.size(), mostMaskMarks);
+        QCOMPARE(document.undoStack().count(), 0);
+        removeLastMark<MaskMark>(document);
+        addMark(document, MaskMark(), {});
+        QCOMPARE(document.project().masks.size(), mostMaskMarks);
+    }
 
     void undoRedo_edit_restoresValues() {
         Document document(boxProject());

@@ -53,6 +53,27 @@ private slots:
         }
     }
 
+    void filmPage_pagesExist_asksBeforeReplacing() {
+        const QString film = home_.filePath(QStringLiteral("film.pdf"));
+        QFile file(film);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
+        file.close();
+        answerWithFile(home_.path());
+        QTimer question;
+        bool isAsked = false;
+        connect(&question, &QTimer::timeout, this, [&] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                isAsked = true;
+                box->reject();
+            }
+        });
+        question.start(50);
+        window_->page<FilmPage>()->findChild<QPushButton*>(QStringLiteral("filmPages"))->click();
+        QVERIFY(isAsked);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("mine"));
+    }
+
     void filmPage_droppedPhotos_areAdded() {
         drop(files_);
         QTRY_COMPARE_WITH_TIMEOUT(film().photos.size(), files_.size(), patience());

@@ -5,10 +5,13 @@
 #include "TestFolders.h"
 #include "WindowDriver.h"
 #include "artwork/EditArtwork.h"
+#include "geometry/Shapes.h"
 #include "printing/PrintHistory.h"
 #include "project/ProjectStore.h"
 #include "project/Snapshots.h"
 #include "workbench/accuracy/NumericalErrorDialog.h"
+#include "workbench/appearance/BodyAppearance.h"
+#include "workbench/document/ModelEdits.h"
 #include "workbench/help/GuideWindow.h"
 #include "workbench/preferences/PreferencesDialog.h"
 #include "workbench/project/NewProjectDialog.h"
@@ -291,6 +294,45 @@ private slots:
         driver.trigger("undo");
         driver.trigger("undo");
         QVERIFY(masks.empty());
+    }
+
+    // The step that is undone is that of another size, so that the body is another one.
+    void maskBrush_undoDuringStroke_dropsIt() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        Document& document = *window_->document();
+        resizeModel(document, Millimetres(70));
+        driver.trigger("fitPart");
+        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Model, 0});
+        auto* brush = driver.find<QComboBox>("maskBrush");
+        brush->setCurrentIndex(brush->findData(int(MarkExtent::Stroke)));
+        window_->view().picture();
+        const auto undo =
+            connect(&window_->view(), &DipView::stroked, this, [&, number = 0]() mutable {
+                if (++number == 5) {
+                    document.undoStack().undo();
+                }
+            });
+        WindowDriver::drag(window_->view(), {0.45, 0.5}, {0.55, 0.5});
+        disconnect(undo);
+        QVERIFY(document.project().masks.empty());
+        WindowDriver::drag(window_->view(), {0.45, 0.5}, {0.55, 0.5});
+        QCOMPARE(document.project().masks.size(), std::size_t(1));
+    }
+
+    void maskBrush_largeBrushOverManyTriangles_isShownAsCircle() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        driver.trigger("fitPart");
+        window_->document()->edit(
+            {}, {}, [](Project& project) { project.model = plainBody(sphereMesh(30, 96, 192)); });
+        driver.find<ProjectTree>("projectTree")->select({ProjectPart::Model, 0});
+        auto* brush = driver.find<QComboBox>("maskBrush");
+        brush->setCurrentIndex(brush->findData(int(MarkExtent::Stroke)));
+        driver.find<QDoubleSpinBox>("maskBrushRadius")->setValue(25);
+        const QImage before = window_->view().picture();
+        QTest::mouseMove(&window_->view(), window_->view().rect().center());
+        QTRY_VERIFY_WITH_TIMEOUT(window_->view().picture() != before, patience());
     }
 
     void maskBrush_hover_showsWhatItWouldMask() {
@@ -671,6 +713,30 @@ private slots:
         emit view.rotationFinished();
         QVERIFY(view.picture() != turning); // own appearance again, in the same pose
         QCOMPARE(window_->document()->project().immersions[0].rotation[0].value(), 30.0);
+    }
+
+    void view_bodyTurnedBack_leavesNoUndoStep() {
+        WindowDriver driver(*window_);
+        QVERIFY(makeProject());
+        Document& document = *window_->document();
+        document.edit({}, {}, [](Project& project) {
+            project.immersions[0].rotation[1] = Degrees(12.34567);
+            project.immersions[0].offset[0] = Millimetres(2.54321);
+            project.process.depth = Millimetres(50.12345);
+        });
+        const Project before = document.project();
+        const int steps = document.undoStack().count();
+        DipView& view = window_->view();
+        emit view.rotationDragged(0, 30);
+        emit view.rotationDragged(0, 0); // as Escape does
+        emit view.rotationFinished();
+        for (int axis = 0; axis < 3; ++axis) {
+            emit view.moveDragged(axis, 10);
+            emit view.moveDragged(axis, 0);
+            emit view.moveFinished();
+        }
+        QVERIFY(document.project() == before);
+        QCOMPARE(document.undoStack().count(), steps);
     }
 
     void newProjectDialog_chosenFilm_isUsed() {

@@ -6,6 +6,7 @@
 #include "WindowDriver.h"
 #include "project/ProjectStore.h"
 #include "workbench/compare/CompareWindow.h"
+#include "workbench/compare/ProjectDifferences.h"
 #include "workbench/compare/SnapshotsDialog.h"
 #include "workbench/document/PoseEdits.h"
 #include "workbench/help/GuideWindow.h"
@@ -65,6 +66,18 @@ private slots:
     void cleanup() {
         window_.reset();
         workbench_.reset();
+    }
+
+    void projectDifferences_otherMarks_areNamed() {
+        Project first;
+        first.masks.resize(1);
+        Project second = first;
+        QVERIFY(projectDifferences(first, second, LengthUnit::Millimetre).empty());
+        second.masks[0].erases = true;
+        const auto found = projectDifferences(first, second, LengthUnit::Millimetre);
+        QCOMPARE(found.size(), std::size_t(1));
+        QCOMPARE(found[0].first, QStringLiteral("1"));
+        QCOMPARE(found[0].second, QStringLiteral("1 others"));
     }
 
     void openProject_keptResults_areShown() {

@@ -388,6 +388,15 @@ private slots:
         QCOMPARE(turned(turned(immersion, 2, -170), 2, -170).rotation[2].value(), -10);
     }
 
+    void dragOfTheBody_by0_changesNothing() {
+        Immersion immersion;
+        immersion.rotation = {Degrees(12.34567), Degrees(1), Degrees(2)};
+        immersion.offset = {Millimetres(2.54), Millimetres(0.123456789)};
+        QCOMPARE(turned(immersion, 1, 0), immersion);
+        QCOMPARE(moved(immersion, 0, 0, {}), immersion);
+        QCOMPARE(moved(immersion, 0, 3.175, {}).offset[0].value(), 5.715); // 1/8 inch
+    }
+
     void rotationRing_drag_turnsBody() {
         view_->look(ViewDirection::Top);
         view_->setRotationRings(true, {0, 30, 0}, 60);
@@ -483,6 +492,11 @@ private slots:
         QTest::mouseClick(view_.get(), Qt::LeftButton, {}, pin + QPoint(40, 0));
         QCOMPARE(pins.count(), 1);
         QCOMPARE(clicked.count(), 1);
+        view_->setCatchPins(false); // as while the user measures
+        QTest::mouseClick(view_.get(), Qt::LeftButton, {}, pin);
+        QCOMPARE(pins.count(), 1);
+        QCOMPARE(clicked.count(), 2);
+        view_->setCatchPins(true);
     }
 
     void cradle_shown_coversTheBodyTranslucently() {

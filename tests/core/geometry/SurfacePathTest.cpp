@@ -46,6 +46,14 @@ private slots:
         QVERIFY((path.back() - position(sphere, to)).norm() < 1e-4f);
     }
 
+    void path_cancelled_throws() {
+        const TriangleMesh sphere = sphereMesh(30, 8, 16);
+        CancelToken cancel;
+        cancel.cancel();
+        QVERIFY_EXCEPTION_THROWN(surfacePath(sphere, middleOf(20), middleOf(90), cancel),
+                                 Cancelled);
+    }
+
     void path_toSeparatePiece_isNone() {
         TriangleMesh two = sphereMesh(10, 8, 16);
         const auto count = std::uint32_t(two.positions.size());

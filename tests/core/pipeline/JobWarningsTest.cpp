@@ -1,6 +1,8 @@
 // Tests where a job's warnings lie on the part.
 #include "pipeline/JobWarnings.h"
+#include "DippedByHand.h"
 #include "geometry/Shapes.h"
+#include "texture/ReverseTexture.h"
 
 #include <QTest>
 #include <cmath>
@@ -45,6 +47,29 @@ private slots:
     void warnings_nothingMarked_areNone() {
         mark(solver::PointMark::Torn, [](const Eigen::Vector3f&) { return false; });
         QVERIFY(jobWarnings(result_).empty());
+    }
+
+    // The film has grown J = 1.96 sin θ/θ times at the angle θ from the pole. The grey has the
+    // density 1.18. Ink of the density 2 shows visibly less (by 0.05) where J is above 1.77: within
+    // θ = 0.775.
+    void warnings_inkLimitReached_areTooPale() {
+        const auto model = std::make_shared<TexturedMesh>(
+            test::plainModel(sphereMesh(30, 24, 48), QColor(72, 72, 72)));
+        result_.project.model = result_.painted = model;
+        result_.project.ink.limit = 2;
+        result_.immersions[0].laid =
+            test::laid(model->mesh, test::onSphere(test::a4Grid(), 30, 1.5,
+                                                   [](double rest) { return 1.4 * rest / 30; }));
+        auto texture = std::make_shared<ReverseTexture>();
+        texture->shortfallArea = 1900;
+        result_.immersions[0].texture = texture;
+        mark(solver::PointMark::Torn, [](const Eigen::Vector3f&) { return false; });
+        const std::vector<JobWarning> warnings = jobWarnings(result_);
+        QCOMPARE(warnings.size(), std::size_t(1));
+        QCOMPARE(warnings[0].kind, WarningKind::TooPale);
+        QVERIFY2(std::abs(warnings[0].area - 1616) < 80,
+                 qPrintable(QString::number(warnings[0].area)));
+        QVERIFY((warnings[0].place - Eigen::Vector3f(0, -30, 0)).norm() < 5);
     }
 
 private:
