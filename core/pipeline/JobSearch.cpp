@@ -3,6 +3,7 @@
 #include "artwork/PaintArtwork.h"
 #include "base/Error.h"
 #include "base/Sha256.h"
+#include "marks/SurfaceMask.h"
 #include "project/Project.h"
 #include "settings/SheetSettings.h"
 

@@ -1,6 +1,6 @@
 // Finds the places of a job's part that the user should look at: pieces of the surface in trapped
-// air, painted by marked film (dip/FilmMarks.h), reached by neither of two dips, or too pale because
-// the ink limit does not allow enough ink.
+// air, painted by marked film (dip/FilmMarks.h), reached by neither of two dips, or too pale
+// because the ink limit does not allow enough ink.
 #pragma once
 
 #include "pipeline/JobResult.h"

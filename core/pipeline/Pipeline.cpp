@@ -7,6 +7,7 @@
 #include "base/Error.h"
 #include "base/WideGamut.h"
 #include "film/FilmGrid.h"
+#include "marks/SurfaceMask.h"
 #include "model/TextureNotes.h"
 #include "parallel/Tasks.h"
 #include "pipeline/FilmRefinement.h"

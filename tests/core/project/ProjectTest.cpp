@@ -294,8 +294,8 @@ private slots:
         QCOMPARE(project.immersions[0].rotation[1], Degrees(45));
         setByPath(project, "inspection.film.ruler_error_mm", "0.1mm");
         QCOMPARE(project.filmOnWater.rulerError, Millimetres(0.1));
-        setByPath(project, "inspection.film.card_rulers_mm", "10 cm x 8 in");
-        QCOMPARE(project.filmOnWater.cardRulers[1], Millimetres(203.2));
+        setByPath(project, "inspection.film.card_rulers_mm", "10 cm x 4 in");
+        QCOMPARE(project.filmOnWater.cardRulers[1], Millimetres(101.6));
         setByPath(project, "inspection.film.dip_begins_s", "1 min");
         QCOMPARE(project.filmOnWater.dipBegins.value(), Seconds(60));
         for (const char* refused : {"2 s x 100", "1,5 x 100", "2 furlongs x 100"}) {

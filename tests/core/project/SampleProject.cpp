@@ -87,7 +87,7 @@ Project sampleProject() {
     project.inspection.chessboard = project.inspection.keepsCamera = true;
     project.filmOnWater = {{{QStringLiteral("tank.jpg"), QStringLiteral("def"), 40.0},
                             {QStringLiteral("later.jpg"), {}, {}}},
-                           75.0,
+                           Seconds(75),
                            QStringLiteral("L7"),
                            28.5,
                            {Millimetres(100.2), Millimetres(99.9)},
