@@ -4029,6 +4029,41 @@
     </message>
 </context>
 <context>
+    <name>StateDifference</name>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Painted in only one state</source>
+        <translation>Nur in einem Stand bemalt</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Nicht bemalt</translation>
+    </message>
+    <message>
+        <source>The difference needs the dips of both states.</source>
+        <translation>Der Unterschied braucht die Tauchvorgänge beider Stände.</translation>
+    </message>
+    <message>
+        <source>These states have different models, so their sheets cannot be compared.</source>
+        <translation>Diese Stände haben verschiedene Modelle; ihre Blätter lassen sich daher nicht vergleichen.</translation>
+    </message>
+    <message>
+        <source>These states have different numbers of dips, so their sheets cannot be compared.</source>
+        <translation>Diese Stände haben verschieden viele Tauchvorgänge; ihre Blätter lassen sich daher nicht vergleichen.</translation>
+    </message>
+    <message>
+        <source>Comparing the sheets</source>
+        <translation>Blätter werden verglichen</translation>
+    </message>
+    <message>
+        <source>Drawing the difference</source>
+        <translation>Unterschied wird gezeichnet</translation>
+    </message>
+</context>
+<context>
     <name>StateFigures</name>
     <message>
         <source>no result</source>
@@ -5518,10 +5553,6 @@
         <translation>Nebeneinander</translation>
     </message>
     <message>
-        <source>What both views show: the lines of the film, its stretch, or the painted area</source>
-        <translation>Was beide Ansichten zeigen: die Linien des Films, seine Dehnung oder die bemalte Fläche</translation>
-    </message>
-    <message>
         <source>Film on the part</source>
         <translation>Film auf dem Teil</translation>
     </message>
@@ -5552,6 +5583,62 @@
     <message>
         <source>Quantity</source>
         <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Difference on the sheet</source>
+        <translation>Unterschied auf dem Blatt</translation>
+    </message>
+    <message>
+        <source>What both views show: the lines of the film, its stretch, the painted area, or how far the image differs between the two states, on the part and on the second sheet</source>
+        <translation>Was beide Ansichten zeigen: die Linien des Films, seine Dehnung, die bemalte Fläche, oder wie weit sich das Bild zwischen beiden Ständen unterscheidet, auf dem Teil und auf dem zweiten Blatt</translation>
+    </message>
+    <message>
+        <source>Difference of the sheets</source>
+        <translation>Unterschied der Blätter</translation>
+    </message>
+    <message>
+        <source>Difference of each dip</source>
+        <translation>Unterschied jedes Tauchvorgangs</translation>
+    </message>
+    <message>
+        <source>Choose a dip to see the place where its sheets differ most</source>
+        <translation>Wählen Sie einen Tauchvorgang, um die Stelle zu sehen, an der sich seine Blätter am meisten unterscheiden</translation>
+    </message>
+    <message>
+        <source>95 % of the surface</source>
+        <translation>95 % der Fläche</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Painted in both</source>
+        <translation>In beiden bemalt</translation>
+    </message>
+    <message>
+        <source>Painted in one</source>
+        <translation>In einem bemalt</translation>
+    </message>
+    <message>
+        <source>Comparing the sheets</source>
+        <translation>Blätter werden verglichen</translation>
+    </message>
+    <message>
+        <source>Difference on the part</source>
+        <translation>Unterschied auf dem Teil</translation>
+    </message>
+    <message>
+        <source>Difference on the sheet of “%1”</source>
+        <translation>Unterschied auf dem Blatt von „%1“</translation>
+    </message>
+    <message>
+        <source>Distance between the places of the flat film that colour a place of the part. Choose a dip in the table to see the place where it is largest.</source>
+        <translation>Abstand der Stellen des flachen Films, die eine Stelle des Teils bemalen. Wählen Sie in der Tabelle einen Tauchvorgang, um die Stelle zu sehen, an der er am größten ist.</translation>
     </message>
 </context>
 <context>
@@ -9926,6 +10013,24 @@ mm je mm</translation>
     <message>
         <source>Limit: %1 · black: painted by only one of the compared dips</source>
         <translation>Grenze: %1 · schwarz: nur von einem der verglichenen Tauchvorgänge bedeckt</translation>
+    </message>
+    <message>
+        <source>Difference of two sheets</source>
+        <translation>Unterschied zweier Blätter</translation>
+    </message>
+    <message>
+        <source>How far the image is from its place on the other sheet; ink side up</source>
+        <translation>Wie weit das Bild von seiner Stelle auf dem anderen Blatt entfernt ist; Farbseite oben</translation>
+    </message>
+    <message>
+        <source>distance
+%1</source>
+        <translation>Abstand
+%1</translation>
+    </message>
+    <message>
+        <source>Black: painted in only one of the two states</source>
+        <translation>Schwarz: nur in einem der beiden Stände bemalt</translation>
     </message>
 </context>
 <context>

@@ -4029,6 +4029,41 @@
     </message>
 </context>
 <context>
+    <name>StateDifference</name>
+    <message>
+        <source>More</source>
+        <translation>Mais</translation>
+    </message>
+    <message>
+        <source>Painted in only one state</source>
+        <translation>Pintado em só um estado</translation>
+    </message>
+    <message>
+        <source>Not painted</source>
+        <translation>Não pintado</translation>
+    </message>
+    <message>
+        <source>The difference needs the dips of both states.</source>
+        <translation>A diferença precisa das imersões dos dois estados.</translation>
+    </message>
+    <message>
+        <source>These states have different models, so their sheets cannot be compared.</source>
+        <translation>Estes estados têm modelos diferentes; por isso suas folhas não podem ser comparadas.</translation>
+    </message>
+    <message>
+        <source>These states have different numbers of dips, so their sheets cannot be compared.</source>
+        <translation>Estes estados têm números diferentes de imersões; por isso suas folhas não podem ser comparadas.</translation>
+    </message>
+    <message>
+        <source>Comparing the sheets</source>
+        <translation>Comparando as folhas</translation>
+    </message>
+    <message>
+        <source>Drawing the difference</source>
+        <translation>Desenhando a diferença</translation>
+    </message>
+</context>
+<context>
     <name>StateFigures</name>
     <message>
         <source>no result</source>
@@ -5518,10 +5553,6 @@
         <translation>Lado a lado</translation>
     </message>
     <message>
-        <source>What both views show: the lines of the film, its stretch, or the painted area</source>
-        <translation>O que as duas vistas mostram: as linhas da película, seu estiramento ou a área pintada</translation>
-    </message>
-    <message>
         <source>Film on the part</source>
         <translation>Película na peça</translation>
     </message>
@@ -5552,6 +5583,62 @@
     <message>
         <source>Quantity</source>
         <translation>Grandeza</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Difference on the sheet</source>
+        <translation>Diferença na folha</translation>
+    </message>
+    <message>
+        <source>What both views show: the lines of the film, its stretch, the painted area, or how far the image differs between the two states, on the part and on the second sheet</source>
+        <translation>O que as duas vistas mostram: as linhas da película, seu estiramento, a área pintada, ou quanto a imagem difere entre os dois estados, na peça e na segunda folha</translation>
+    </message>
+    <message>
+        <source>Difference of the sheets</source>
+        <translation>Diferença das folhas</translation>
+    </message>
+    <message>
+        <source>Difference of each dip</source>
+        <translation>Diferença de cada imersão</translation>
+    </message>
+    <message>
+        <source>Choose a dip to see the place where its sheets differ most</source>
+        <translation>Escolha uma imersão para ver o lugar em que suas folhas mais diferem</translation>
+    </message>
+    <message>
+        <source>95 % of the surface</source>
+        <translation>95 % da superfície</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maior</translation>
+    </message>
+    <message>
+        <source>Painted in both</source>
+        <translation>Pintado em ambos</translation>
+    </message>
+    <message>
+        <source>Painted in one</source>
+        <translation>Pintado em só um</translation>
+    </message>
+    <message>
+        <source>Comparing the sheets</source>
+        <translation>Comparando as folhas</translation>
+    </message>
+    <message>
+        <source>Difference on the part</source>
+        <translation>Diferença na peça</translation>
+    </message>
+    <message>
+        <source>Difference on the sheet of “%1”</source>
+        <translation>Diferença na folha de “%1”</translation>
+    </message>
+    <message>
+        <source>Distance between the places of the flat film that colour a place of the part. Choose a dip in the table to see the place where it is largest.</source>
+        <translation>Distância entre os lugares da película plana que pintam um lugar da peça. Escolha uma imersão na tabela para ver o lugar em que ela é maior.</translation>
     </message>
 </context>
 <context>
@@ -9926,6 +10013,24 @@ mm por mm</translation>
     <message>
         <source>Limit: %1 · black: painted by only one of the compared dips</source>
         <translation>Limite: %1 · preto: pintado por só uma das imersões comparadas</translation>
+    </message>
+    <message>
+        <source>Difference of two sheets</source>
+        <translation>Diferença de duas folhas</translation>
+    </message>
+    <message>
+        <source>How far the image is from its place on the other sheet; ink side up</source>
+        <translation>Quanto a imagem está longe do seu lugar na outra folha; lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>distance
+%1</source>
+        <translation>distância
+%1</translation>
+    </message>
+    <message>
+        <source>Black: painted in only one of the two states</source>
+        <translation>Preto: pintado em só um dos dois estados</translation>
     </message>
 </context>
 <context>
