@@ -243,7 +243,8 @@ void InstallTest::bashCompletion_typedWords_offersMatches_data() {
     QTest::addColumn<QStringList>("typed");
     QTest::addColumn<QStringList>("offered");
     QTest::newRow("a command") << QStringList{"ru"} << QStringList{"run"};
-    QTest::newRow("an option") << QStringList{"run", "job.dipw", "--ou"} << QStringList{"--out"};
+    QTest::newRow("an option") << QStringList{"run", "job.dipw", "--ou"}
+                               << QStringList{"--out", "--outputs"};
     QTest::newRow("a project") << QStringList{"info", "jo"} << QStringList{"job.dipw"};
     QTest::newRow("a folder, not a file")
         << QStringList{"run", "job.dipw", "--out", "r"} << QStringList{"results"};

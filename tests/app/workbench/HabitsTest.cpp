@@ -111,10 +111,10 @@ private slots:
         save->setKeySequence(QKeySequence(QStringLiteral("Ctrl+R")));
         QVERIFY(clash->text().contains(QStringLiteral("Run")));
         QVERIFY(!ok->isEnabled());
-        save->setKeySequence(QKeySequence(QStringLiteral("Ctrl+Shift+K")));
+        save->setKeySequence(QKeySequence(QStringLiteral("Ctrl+Alt+K")));
         QVERIFY(ok->isEnabled());
         QCOMPARE(dialog.preferences().shortcuts.value(QStringLiteral("save")),
-                 QKeySequence(QStringLiteral("Ctrl+Shift+K")));
+                 QKeySequence(QStringLiteral("Ctrl+Alt+K")));
     }
 
     void copyReport_text_namesProgramMachineAndSolvers() {

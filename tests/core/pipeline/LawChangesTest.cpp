@@ -91,9 +91,13 @@ private slots:
 
     void report_lawChangesAskedFor_containsThem() {
         JobResult asked;
+        asked.project = ball();
         asked.immersions = {whole_};
         const auto laws = [&] {
-            return report(ball(), asked)["immersions"].toArray()[0].toObject()["laws"].toArray();
+            return report(asked.project, asked)["immersions"]
+                .toArray()[0]
+                .toObject()["laws"]
+                .toArray();
         };
         QCOMPARE(laws().size(), qsizetype(4));
         const QJsonObject overhang = laws()[0].toObject();
