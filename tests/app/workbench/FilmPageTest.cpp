@@ -51,6 +51,9 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(file.exists(), patience());
             QVERIFY(file.open(QIODevice::ReadOnly) && file.read(5) == "%PDF-");
         }
+        auto* pages =
+            window_->page<FilmPage>()->findChild<QPushButton*>(QStringLiteral("filmPages"));
+        QTRY_VERIFY_WITH_TIMEOUT(pages->isEnabled(), patience());
     }
 
     void filmPage_pagesExist_asksBeforeReplacing() {
