@@ -24,12 +24,6 @@ QString nameOf(HotState state) {
                                        : QStringLiteral("held");
 }
 
-constexpr qint64 mostTicketBytes = 1 << 20;
-
-bool isTicket(const QString& path) {
-    return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
-}
-
 bool canBeRead(const QString& path) {
     try {
         if (isTicket(path)) {
@@ -67,6 +61,10 @@ QString moved(const QString& path, const QString& folder) {
 }
 
 } // namespace
+
+bool isTicket(const QString& path) {
+    return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
+}
 
 HotFolder::HotFolder(const QString& path) : path_(QDir(path).absolutePath()) {
     QDir().mkpath(path_);

@@ -20,6 +20,9 @@ struct HotJob {
     bool isReleased = false; // to be printed whatever the verdict is
 };
 
+inline constexpr qint64 mostTicketBytes = 1 << 20; // longest print ticket
+bool isTicket(const QString& path);                // else the job is a project
+
 enum class HotState { Done, Failed, Held };
 
 class HotFolder {

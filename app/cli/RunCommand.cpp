@@ -120,7 +120,7 @@ void printShare(const JobResult& result, QTextStream& out) {
                     result.immersions[1].immersion.name, part(areas.second), part(areas.both),
                     number(result.share->overlap.least, 1), number(result.share->overlap.most, 1),
                     part(areas.none));
-    const std::vector<UnpaintedPlace>& places = result.share->unpainted;
+    const std::vector<UnpaintedPlace> places = unreachedPlaces(result);
     const std::size_t listed = std::min(places.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(places).first(listed)) {
         out << QStringLiteral("  not reached: %1 mm² at x %2 mm, y %3 mm, z %4 mm on the model\n")

@@ -5,6 +5,7 @@
 
 #include "base/JsonText.h"
 #include "disk/SmallFile.h"
+#include "pipeline/DipCache.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/WriteResults.h"
 #include "project/Project.h"
@@ -21,7 +22,6 @@ namespace {
 
 const QString outOption = QStringLiteral("out");
 const QString onceOption = QStringLiteral("once");
-constexpr qint64 mostTicketBytes = 1 << 20;
 constexpr int mostCopies = 999;
 
 // What is to be done with a project: the contents of a print ticket, or the default.
@@ -175,16 +175,15 @@ private:
 
     // Runs and prints a job. Returns what was done. Changes `path` when the job is moved.
     QString run(const HotJob& job, QString& path, const Progress& progress) {
-        const Order order = path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)
-                                ? readTicket(path, folder_)
-                                : Order{path};
+        const Order order = isTicket(path) ? readTicket(path, folder_) : Order{path};
         Project project = readProject(order.project, parser_);
         applySettings(project, order.settings);
         const QString results = resultFolder(QFileInfo(path).completeBaseName());
         JobOptions options;
         options.estimatesNumericalError = options.refines = true;
+        const auto kept = usableDips(project, registry_, order.project, progress.silent());
         const JobResult result =
-            runAndWrite(project, registry_, options, nullptr, results, progress.part(0, 0.8));
+            runAndWrite(project, registry_, options, kept.get(), results, progress.part(0, 0.8));
         QString text;
         QTextStream lines(&text);
         printVerdict(result, lines);

@@ -159,8 +159,8 @@ std::vector<std::uint32_t> SurfaceMask::lastWhole(std::uint32_t first) const {
     return last;
 }
 
-// Adds the concerns of a triangle: those until now, and those of the marks from `first` on.
-// `whole`: lastWhole().
+// Adds all concerns of a triangle to `found`: the earlier ones, then the concerns with the marks
+// from number `first` on. `whole` is the result of lastWhole().
 void SurfaceMask::addConcerns(std::uint32_t triangle, std::uint32_t whole, std::uint32_t first,
                               std::vector<Concern>& found) const {
     const auto begin = std::ptrdiff_t(found.size());

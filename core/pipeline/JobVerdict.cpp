@@ -4,6 +4,7 @@
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
 #include "project/Profiles.h"
+#include "share/UnpaintedPlaces.h"
 #include "texture/ReverseTexture.h"
 
 #include <QCoreApplication>
@@ -147,16 +148,8 @@ std::vector<UnpaintedPlace> unreachedPlaces(const JobResult& result) {
     if (!result.share) {
         return {};
     }
-    std::vector<UnpaintedPlace> places = result.share->unpainted;
-    if (result.mask) {
-        const PosedBody& body = *result.immersions.front().body;
-        std::erase_if(places, [&](const UnpaintedPlace& place) {
-            const Eigen::Vector3f posed =
-                (body.modelToPose * place.place.cast<double>()).cast<float>();
-            return result.mask->covers(body.query.closest(posed).point);
-        });
-    }
-    return places;
+    return result.mask ? unpaintedPlaces(*result.share, result.mask.get())
+                       : result.share->unpainted;
 }
 
 Advice adviceOf(const JobResult& result) {

@@ -1,6 +1,7 @@
 #include "pipeline/JobWarnings.h"
 
 #include "dip/FilmMarks.h"
+#include "geometry/SurfacePieces.h"
 #include "parallel/ParallelFor.h"
 #include "pipeline/JobVerdict.h"
 #include "texture/Ink.h"
@@ -25,37 +26,13 @@ void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t 
     for (std::uint32_t triangle = 0; triangle < belongs.size() && result.mask; ++triangle) {
         belongs[triangle] = belongs[triangle] && !result.mask->covers(middleOf(triangle));
     }
-    std::vector<JobWarning> pieces;
-    std::vector<std::uint8_t> seen(belongs.size(), 0);
-    for (std::uint32_t first = 0; first < belongs.size(); ++first) {
-        if (!belongs[first] || seen[first]) {
-            continue;
-        }
-        const auto piece = connectedTriangles(
-            opposite, first, [&](std::uint32_t triangle) { return belongs[triangle] != 0; }, seen);
-        double area = 0;
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-        for (const std::uint32_t triangle : piece) {
-            const double own = triangleArea(mesh, triangle);
-            area += own;
-            sum += own * position(mesh, middleOf(triangle)).cast<double>();
-        }
-        if (area < leastArea) {
-            continue;
-        }
-        const Eigen::Vector3f middle = (sum / area).cast<float>();
-        const std::uint32_t nearest =
-            *std::min_element(piece.begin(), piece.end(), [&](std::uint32_t a, std::uint32_t b) {
-                return (position(mesh, middleOf(a)) - middle).squaredNorm() <
-                       (position(mesh, middleOf(b)) - middle).squaredNorm();
-            });
-        pieces.push_back(
-            {kind, dip, position(mesh, middleOf(nearest)), triangleNormal(mesh, nearest), area});
-    }
-    std::stable_sort(pieces.begin(), pieces.end(),
-                     [](const JobWarning& a, const JobWarning& b) { return a.area > b.area; });
+    std::vector<SurfacePiece> pieces = surfacePieces(
+        mesh, opposite, [&](std::uint32_t triangle) { return belongs[triangle] != 0; }, leastArea);
     pieces.resize(std::min(pieces.size(), mostOfAKind));
-    warnings.insert(warnings.end(), pieces.begin(), pieces.end());
+    for (const SurfacePiece& piece : pieces) {
+        warnings.push_back({kind, dip, position(mesh, middleOf(piece.middle)),
+                            triangleNormal(mesh, piece.middle), piece.area});
+    }
 }
 
 std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {

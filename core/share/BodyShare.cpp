@@ -7,6 +7,7 @@
 #include "share/ShareMarks.h"
 #include "share/SmoothSeam.h"
 #include "share/Suitability.h"
+#include "share/UnpaintedPlaces.h"
 
 #include <QCoreApplication>
 
@@ -31,8 +32,7 @@ constexpr double smoothing = 3;          // width of the smoothing, mm; at least
 constexpr double stretchQuantile = 0.75; // quantile of the stretches along the seam
 // Ratio of the two films' stretches from which a dip order is recommended.
 constexpr double leastSwapRatio = 1.1;
-constexpr float farthest = 1e4f;      // in overlap widths: limit of distances from the seam
-constexpr double leastListedArea = 1; // mm²; smaller places are not listed
+constexpr float farthest = 1e4f; // in overlap widths: limit of distances from the seam
 
 using Films = std::array<std::shared_ptr<const LaidFilm>, 2>;
 using Suitabilities = std::array<Suitability, 2>;
@@ -197,42 +197,6 @@ std::vector<LinePiece> seamPieces(std::vector<LinePiece> line, const Suitabiliti
     return line;
 }
 
-std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share) {
-    const TriangleMesh& mesh = share.fade.mesh->mesh();
-    const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
-    const auto middle = [&](std::uint32_t triangle) { return position(mesh, middleOf(triangle)); };
-    const auto isUnpainted = [&](std::uint32_t triangle) {
-        return share.painters[triangle] == Painter::None;
-    };
-    std::vector<std::uint8_t> seen(mesh.triangles.size());
-    std::vector<UnpaintedPlace> places;
-    for (std::uint32_t start = 0; start < seen.size(); ++start) {
-        if (seen[start] != 0 || !isUnpainted(start)) {
-            continue;
-        }
-        const std::vector<std::uint32_t> triangles =
-            connectedTriangles(opposite, start, isUnpainted, seen);
-        double area = 0;
-        Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-        for (const std::uint32_t triangle : triangles) {
-            area += triangleArea(mesh, triangle);
-            mean += float(triangleArea(mesh, triangle)) * middle(triangle);
-        }
-        if (area < leastListedArea) {
-            continue;
-        }
-        mean /= float(area);
-        const std::uint32_t nearest = *std::min_element(
-            triangles.begin(), triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
-                return (middle(a) - mean).squaredNorm() < (middle(b) - mean).squaredNorm();
-            });
-        places.push_back({area, middle(nearest)});
-    }
-    std::stable_sort(places.begin(), places.end(),
-                     [](const auto& a, const auto& b) { return a.area > b.area; });
-    return places;
-}
-
 // Runs both functions at the same time.
 void inParallel(const std::function<void()>& first, const std::function<void()>& second) {
     Tasks tasks;
@@ -333,7 +297,7 @@ BodyShare shareBody(const ShareStage& stage, const Films& films, const ShareSett
     for (const LinePiece& piece : line) {
         share.join.push_back(piece.ends);
     }
-    share.unpainted = unpaintedPlaces(share);
+    share.unpainted = unpaintedPlaces(share, nullptr);
     reportProgress(1);
     return share;
 }

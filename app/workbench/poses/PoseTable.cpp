@@ -21,7 +21,7 @@ namespace {
 constexpr QSize pictureSize(56, 56);
 constexpr std::size_t shownDifferences = 4; // in the cell; the tool tip has all
 constexpr int htmlRole = Qt::UserRole;
-// Of signs, on light and dark windows.
+// Colours of the signs; both are readable on light and dark windows.
 const QString betterColour = QStringLiteral("#008a9a"), worseColour = QStringLiteral("#d2304f");
 enum Column { Picture, Objective, Painted, Reasons, Columns };
 

@@ -4,8 +4,10 @@
 #include "base/Units.h"
 #include "dip/Coverage.h"
 #include "geometry/Shapes.h"
+#include "marks/SurfaceMask.h"
 #include "share/FadeOverlap.h"
 #include "share/ShareMarks.h"
+#include "share/UnpaintedPlaces.h"
 #include "texture/Ink.h"
 #include "texture/LinearLight.h"
 #include "texture/ReverseTexture.h"
@@ -104,6 +106,7 @@ private Q_SLOTS:
     void shareBody_areaThatOneDipReaches_isThatDipsShare();
     void shareBody_areaOfOneDipAlone_doesNotFade();
     void shareBody_unreachedPlaces_areListed();
+    void unpaintedPlaces_maskInTheMiddle_leavesTheRest();
     void shareBody_marks_areObeyed();
     void recommendedLastDip_lessStretchedFilm_isLast();
     void markOutline_roundMark_isACircle();
@@ -368,6 +371,29 @@ void BodyShareTest::shareBody_unreachedPlaces_areListed() {
     QCOMPARE(share.unpainted.size(), std::size_t(1));
     QVERIFY(std::abs(share.unpainted[0].area - share.areas.none) < 0.01 * share.areas.none);
     QVERIFY((share.unpainted[0].place - Eigen::Vector3f(0, float(radius), 0)).norm() < 2);
+}
+
+// Tape on the middle of bare surface must not hide the bare surface around it.
+void BodyShareTest::unpaintedPlaces_maskInTheMiddle_leavesTheRest() {
+    const TexturedMesh model = ball(QColor(120, 120, 120));
+    const BodyShare share = shared(model, {laidFrom(model, 0), laidFrom(model, 0)});
+    BrushPoint top;
+    top.place[1] = Millimetres(radius);
+    top.outward = {0, 1, 0};
+    MaskMark mark;
+    mark.extent = MarkExtent::Stroke;
+    mark.radius = Millimetres(10);
+    mark.path = {top};
+    const auto mask = surfaceMask(std::make_shared<TexturedMesh>(model), {mark}, nullptr);
+    const std::vector<UnpaintedPlace> places = unpaintedPlaces(share, mask.get());
+    QCOMPARE(places.size(), std::size_t(1));
+    // Surface within the chord c of a sphere's point has the area πc².
+    const double rest = share.unpainted[0].area - pi * 10 * 10;
+    QVERIFY2(std::abs(places[0].area - rest) < 0.03 * rest,
+             qPrintable(QString::number(places[0].area)));
+    const auto closest = (places[0].place - Eigen::Vector3f(0, float(radius), 0)).norm();
+    QVERIFY2(closest > 9, qPrintable(QString::number(closest)));
+    QCOMPARE(unpaintedPlaces(share, nullptr).size(), std::size_t(1));
 }
 
 void BodyShareTest::shareBody_marks_areObeyed() {
