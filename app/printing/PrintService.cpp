@@ -123,7 +123,8 @@ QString sizeNames(const PrinterInfo& printer) {
 
 struct PaperChoice {
     PrinterMedia media;
-    bool turned = false; // the page is rotated on the paper
+    bool turned = false;   // the page is rotated on the paper
+    bool isCustom = false; // the paper has a size that the printer does not list
 };
 
 // Returns a paper for the page in a custom size, or nothing. It is loaded if the page fits on a
@@ -151,9 +152,9 @@ std::optional<PaperChoice> findPaper(const PrinterInfo& printer, QSizeF page) {
     for (const bool turned : {false, true}) {
         if (const auto media = customPaper(printer, turned ? page.transposed() : page)) {
             if (media->ready) {
-                return PaperChoice{*media, turned};
+                return PaperChoice{*media, turned, true};
             }
-            notLoaded = notLoaded ? notLoaded : PaperChoice{*media, turned};
+            notLoaded = notLoaded ? notLoaded : PaperChoice{*media, turned, true};
         }
     }
     return notLoaded;
@@ -444,9 +445,8 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& unnumbered, const PrintReq
     plan.printer = readyPrinter(system, request.printer);
     checkColour(plan.printer, original, request, plan.warnings);
     const std::optional<PaperChoice> whole = findPaper(plan.printer, pageSize(original));
-    const bool isCustom = whole && whole->media.name == QLatin1String("custom");
     const bool tiled = request.tile && (!request.tilePaper.isEmpty() || !whole ||
-                                        (isCustom && !whole->media.ready));
+                                        (whole->isCustom && !whole->media.ready));
     const PaperChoice paper = tiled ? PaperChoice{tilePaper(plan.printer, request.tilePaper), false}
                                     : paperFor(plan.printer, pageSize(original));
     checkLoaded(plan.printer, paper.media, request, plan.warnings);

@@ -7,9 +7,9 @@
 
 namespace dipwright {
 
-// Returns the cost of an order of `parts` parts. Sheets and motion are those of the job; prices and
-// times are those of `profiles`, which may be newer. `result` must not be a draft. If the sheets
-// are packed on other films, `packed` holds them for racksOf() racks.
+// Returns what an order costs; `parts` is the number of good parts. Sheets and motion come from the
+// job. Prices and times come from `profiles`, which may be newer. `result` must not be a draft. If
+// the sheets are packed on other films, `packed` holds them for racksOf() racks.
 OrderCost jobCost(const JobResult& result, const ProjectProfiles& profiles, int parts,
                   const std::optional<FilmAmount>& packed = {});
 

@@ -12,9 +12,9 @@ namespace dipwright {
 
 // The inks of a printer. 0: not given.
 struct InkCosts {
-    // Of cyan, magenta, yellow and black: ink on the film at full tint in ml/m², price of a litre.
+    // For cyan, magenta, yellow and black: ml of ink per m² of film at full tint; price of a litre.
     std::array<double, 4> laydown{}, price{};
-    // The same of white and of the other spot inks.
+    // The same for white and for the other spot inks.
     std::array<double, 2> spotLaydown{}, spotPrice{};
     bool operator==(const InkCosts&) const = default;
 };

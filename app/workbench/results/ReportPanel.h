@@ -24,7 +24,8 @@ class ReportPanel : public QWidget {
 public:
     explicit ReportPanel(QWidget* parent = nullptr);
 
-    // `result`: null: none yet. `warnings`: those of jobWarnings(); empty for a draft.
+    // Shows a result; null if there is none yet. `warnings` is the result of jobWarnings(), or
+    // empty for a draft.
     void setResult(std::shared_ptr<const JobResult> result, std::vector<JobWarning> warnings,
                    LengthUnit unit);
     void showWarning(std::size_t number); // scrolls to a warning and selects it
