@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFileInfo>
 #include <QStandardPaths>
 
 namespace dipwright {
@@ -34,6 +35,17 @@ QString shippedProgram(const QString& name) {
 
 QString readerProgram() {
     return shippedProgram(QStringLiteral("dipwright-reader"));
+}
+
+void useShippedFonts() {
+    // Qt knows the program's path only after the application object exists. Only the tarball has
+    // this folder (cmake/BundledLibraries.cmake).
+    const QDir program = QFileInfo(QStringLiteral("/proc/self/exe")).canonicalPath();
+    const QString shipped = QDir::cleanPath(
+        program.filePath(QStringLiteral("../lib/dipwright/system/fonts/fonts.conf")));
+    if (!QFile::exists(QStringLiteral("/etc/fonts/fonts.conf")) && QFile::exists(shipped)) {
+        qputenv("FONTCONFIG_FILE", QFile::encodeName(shipped));
+    }
 }
 
 QStringList shippedSampleFolders() {

@@ -17,6 +17,10 @@ QString shippedProgram(const QString& name);
 // Returns the path of the sandboxed reader for models and pictures from untrusted sources.
 QString readerProgram();
 
+// If the system has no fonts, lets fontconfig use the fonts that the tarball ships. Must be called
+// before the application object is created.
+void useShippedFonts();
+
 // Returns the folders with sample projects, *.dipw.
 QStringList shippedSampleFolders();
 
