@@ -36,6 +36,10 @@ QString readerProgram() {
     return shippedProgram(QStringLiteral("dipwright-reader"));
 }
 
+QString cadReaderProgram() {
+    return shippedProgram(QStringLiteral("dipwright-cad-reader"));
+}
+
 QStringList shippedSampleFolders() {
     return fromProgram(
         {QStringLiteral("../share/samples"), QStringLiteral(DIPWRIGHT_SAMPLES_FROM_PROGRAM)});
