@@ -137,7 +137,6 @@ private:
                 found ? colourOf(named[std::size_t(*found)]) : std::nullopt;
             return own ? own : otherwise;
         };
-        TopTools_MapOfShape inSolids;
         const auto add = [&](const TopoDS_Shape& shape, const std::optional<QColor>& otherwise) {
             const TopoDS_Face face = TopoDS::Face(shape);
             const int* found = places.Seek(face);

@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dipwright {
 
@@ -11,9 +12,9 @@ namespace dipwright {
 inline constexpr double finestTessellation = 0.001, coarsestTessellation = 10;
 
 // Returns the tolerance for a part whose longest edge is this long: fine enough that triangles are
-// not seen on the printed part, mm.
-constexpr double usualTessellation(double longestEdge) {
-    return std::clamp(longestEdge / 5000, 0.005, 0.1);
+// not seen on the printed part, mm. It is rounded as the window shows it.
+inline double usualTessellation(double longestEdge) {
+    return std::round(std::clamp(longestEdge / 5000, 0.005, 0.1) * 1000) / 1000;
 }
 
 // How the triangles of a CAD model are to be made, in the reader's job.

@@ -14,7 +14,7 @@ using namespace dipwright::test;
 namespace {
 
 const QStringList quickly{"--set", "film.size_mm=80x70", "--set", "film.points=41x36",
-                          "--set", "sheet.dpi=72",       "--set", "body.sdf_resolution=48"};
+                          "--set", "sheet.dpi=72",       "--set", "body.sdf_resolution=64"};
 
 } // namespace
 
@@ -31,7 +31,7 @@ private slots:
     }
 
     void new_bracket_saysUnitFacesAndTolerance() {
-        QVERIFY2(made_.out.contains("inch") && made_.out.contains("faces: 10") &&
+        QVERIFY2(made_.out.contains("inch") && made_.out.contains("faces: 12") &&
                      made_.out.contains("0.05 mm"),
                  made_.out);
     }
@@ -40,7 +40,7 @@ private slots:
         QVERIFY(cli({"info", path("job.dipw")}).out.contains("Logo"));
         const QJsonObject info =
             QJsonDocument::fromJson(cli({"info", path("job.dipw"), "--json"}).out).object();
-        QVERIFY(info["model"]["material_names"].toArray().contains(QStringLiteral("Logo")));
+        QVERIFY(info["model_info"]["material_names"].toArray().contains(QStringLiteral("Logo")));
     }
 
     void run_logoAsZoneA_isPaintedOnTheSheet() {
@@ -86,7 +86,7 @@ private slots:
             const Outcome info =
                 cli({"info", path("job.dipw"), "--json", "--set",
                      QStringLiteral("model.tessellation_mm=") + QString::fromLatin1(tolerance)});
-            return QJsonDocument::fromJson(info.out)["model"]["triangles"].toInt();
+            return QJsonDocument::fromJson(info.out)["model_info"]["triangles"].toInt();
         };
         QVERIFY(triangles("0.001") > triangles("0.5"));
     }
