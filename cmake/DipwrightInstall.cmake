@@ -24,17 +24,17 @@ file(RELATIVE_PATH DIPWRIGHT_SAMPLES_FROM_PROGRAM
 # were during the build.
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
-# dipwright_install_package(TARGET HEADER)
+# dipwright_install_package(TARGET HEADER …)
 #   Installs what a separate solver needs: find_package(Dipwright) provides Dipwright::SolverInterface, from
 #   an installed tree or from the build folder.
-function(dipwright_install_package target header)
+function(dipwright_install_package target)
     set(package ${PROJECT_BINARY_DIR}/lib/cmake/Dipwright)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/DipwrightConfig.cmake ${package}/DipwrightConfig.cmake
         COPYONLY)
     write_basic_package_version_file(${package}/DipwrightConfigVersion.cmake
         COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
     install(TARGETS ${target} EXPORT DipwrightTargets)
-    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dipwright)
+    install(FILES ${ARGN} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dipwright)
     install(EXPORT DipwrightTargets NAMESPACE Dipwright:: DESTINATION ${DIPWRIGHT_PACKAGE_DESTINATION})
     install(FILES ${package}/DipwrightConfig.cmake ${package}/DipwrightConfigVersion.cmake
         DESTINATION ${DIPWRIGHT_PACKAGE_DESTINATION})

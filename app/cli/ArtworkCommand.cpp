@@ -16,6 +16,7 @@ namespace dipwright::cli {
 namespace {
 
 const QString setOption = QStringLiteral("set");
+const QString onOption = QStringLiteral("on");
 const QString jsonOption = QStringLiteral("json");
 
 const std::map<QString, LayerKind> kinds{{QStringLiteral("picture"), LayerKind::Picture},
@@ -105,7 +106,11 @@ void add(Project& project, Words& words, const QCommandLineParser& parser, QText
         layer.name = layer.text.simplified().left(longestLayerName);
     }
     words.finish();
-    addLayer(project.artwork, placedOn(*project.model, layer), *project.model);
+    const QString face = parser.value(onOption);
+    addLayer(project.artwork,
+             face.isEmpty() ? placedOn(*project.model, layer)
+                            : movedOnto(*project.model, placedOn(*project.model, layer), face),
+             *project.model);
     applyToLayer(project, project.artwork.layers.size() - 1, parser);
     out << QStringLiteral("Added %1 as layer %2\n")
                .arg(project.artwork.layers.back().name)
@@ -166,6 +171,12 @@ public:
                  "place_mm=0;10;25, turn_deg=15, placement=cylinder or repeat_mm=8. spot=Varnish "
                  "prints the layer as a spot colour on its own plate. May be repeated."),
              QStringLiteral("KEY=VALUE")});
+        syntax.addOption(
+            {onOption,
+             QStringLiteral(
+                 "For `add`: the name of a face of a CAD model, or of a material. The "
+                 "layer lies in its middle and shows only there. `info` lists the names."),
+             QStringLiteral("NAME")});
         syntax.addOption({jsonOption, QStringLiteral("For `list`: prints JSON.")});
     }
 

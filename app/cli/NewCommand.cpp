@@ -1,4 +1,5 @@
 #include "cli/Arguments.h"
+#include "project/CadModel.h"
 #include "project/Project.h"
 #include "settings/FilmSettings.h"
 
@@ -96,12 +97,14 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
     if (parser.isSet(sizeOption)) {
         options.longestEdge = Millimetres(numberOption(parser, sizeOption, 0.1, 10'000));
     }
-    const ImportedModel imported = importModel(path, options, console.progress());
+    options.tessellation = project.modelOrigin.tessellation;
+    ImportedModel imported = importModel(path, options, console.progress());
     print(imported.report, {}, console);
-    project.model = std::make_shared<const TexturedMesh>(imported.model);
-    project.modelOrigin.source = path;
+    takeModel(project, std::move(imported), path);
     project.modelOrigin.texture = options.texture;
-    project.modelOrigin.remarks = imported.report.remarks();
+    if (const QString cad = cadText(project); !cad.isEmpty()) {
+        console.out() << cad << '\n';
+    }
 }
 
 struct JigSpec {

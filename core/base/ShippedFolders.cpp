@@ -48,6 +48,10 @@ void useShippedFonts() {
     }
 }
 
+QString cadReaderProgram() {
+    return shippedProgram(QStringLiteral("dipwright-cad-reader"));
+}
+
 QStringList shippedSampleFolders() {
     return fromProgram(
         {QStringLiteral("../share/samples"), QStringLiteral(DIPWRIGHT_SAMPLES_FROM_PROGRAM)});

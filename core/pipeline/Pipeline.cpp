@@ -667,6 +667,7 @@ QStringList notesOf(const JobResult& result) {
     if (result.coverageTotal < negligibleShare && isInsideOut(*result.project.model)) {
         notes.append(insideOutNote());
     }
+    notes += missingMaterialNotes(result.project);
     notes += fontWarnings(result.project.artwork);
     notes += colourNotes(*result.project.model) + colourNotes(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {

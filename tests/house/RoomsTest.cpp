@@ -259,6 +259,11 @@ bool isBuiltHere(const QString& folder) {
         return false;
     }
 #endif
+#ifndef DIPWRIGHT_HAS_CAD
+    if (folder == QLatin1String("core/import/cad") || folder == QLatin1String("app/reader/cad")) {
+        return false;
+    }
+#endif
     return !folder.startsWith(QLatin1String("core/solver/interface"));
 }
 

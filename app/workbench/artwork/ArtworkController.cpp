@@ -2,6 +2,7 @@
 
 #include "artwork/EditArtwork.h"
 #include "import/trusted/ReadPictures.h"
+#include "model/NamedMaterials.h"
 #include "workbench/jobs/StartJob.h"
 #include "workbench/project/NewProjectDialog.h"
 
@@ -62,8 +63,13 @@ void ArtworkController::connectPage() {
     connect(page_, &ArtworkPage::selected, this, &ArtworkController::select);
     connect(page_, &ArtworkPage::layerChanged, this,
             [this](int layer, const ArtworkLayer& changed, const QString& what) {
+                const bool isMoved =
+                    what == QLatin1String("layerMaterial") && !changed.material.isEmpty();
+                const ArtworkLayer placed =
+                    isMoved ? movedOnto(*document()->project().model, changed, changed.material)
+                            : changed;
                 edit(tr("Change layer"), QStringLiteral("artwork %1 %2").arg(layer).arg(what),
-                     [&](Artwork& artwork) { artwork.layers[std::size_t(layer)] = changed; });
+                     [&](Artwork& artwork) { artwork.layers[std::size_t(layer)] = placed; });
             });
     connect(page_, &ArtworkPage::baseChanged, this, [this](const std::optional<QColor>& base) {
         edit(tr("Change base colour"), {}, [&](Artwork& artwork) { artwork.base = base; });
@@ -114,6 +120,7 @@ void ArtworkController::showArtwork() {
     page_->setEnabled(document());
     const Artwork artwork = document() ? document()->project().artwork : Artwork();
     selected_ = std::min(selected_, int(artwork.layers.size()) - 1);
+    page_->setMaterials(document() ? materialNames(*document()->project().model) : QStringList());
     page_->show(artwork, selected_);
     const auto shown = frame();
     scene_.setFrame(shown ? shown->lines(view_.palette().color(QPalette::Highlight))

@@ -1,5 +1,6 @@
 #include "workbench/document/ModelImport.h"
 
+#include "project/CadModel.h"
 #include "workbench/jobs/StartJob.h"
 
 #include <QCoreApplication>
@@ -13,11 +14,8 @@ enum class Pose { Kept, Reset };
 
 void exchangeModel(Project& project, const ImportedModel& imported, const QString& source,
                    const QString& texture) {
-    project.model = std::make_shared<const TexturedMesh>(imported.model);
-    project.modelOrigin.source = source;
+    takeModel(project, imported, source);
     project.modelOrigin.texture = texture;
-    project.modelOrigin.remarks = imported.report.remarks();
-    project.modelOrigin.sha256.clear();
 }
 
 // Pose::Kept also keeps the size of the present model, because the settings were made for it.
@@ -27,6 +25,7 @@ void importInto(Document& document, const QString& path, const QString& texture,
     options.texture = texture;
     options.unitMillimetres = document.project().modelOrigin.unitMillimetres;
     if (pose == Pose::Kept) {
+        options.tessellation = document.project().modelOrigin.tessellation;
         options.longestEdge = Millimetres(longestEdgeOf(document.project().model->mesh));
     }
     startImport(
@@ -51,11 +50,9 @@ Project newProject(const ImportedModel& imported, const QString& path,
     project.date = QDate::currentDate().toString(Qt::ISODate);
     project.film.resolution = FilmResolution::Automatic;
     project.immersions.front().name = QCoreApplication::translate("ModelImport", "Dip %1").arg(1);
-    project.model = std::make_shared<const TexturedMesh>(imported.model);
-    project.modelOrigin.source = path;
-    project.modelOrigin.texture = options.texture;
     project.modelOrigin.unitMillimetres = options.unitMillimetres;
-    project.modelOrigin.remarks = imported.report.remarks();
+    takeModel(project, imported, path);
+    project.modelOrigin.texture = options.texture;
     return project;
 }
 
@@ -120,6 +117,24 @@ void reloadModel(Document& document, JobRunner& jobs, Messages& messages) {
             QCoreApplication::translate("ModelImport", "The project file refers to these files:"),
             untrusted, reload);
     }
+}
+
+void retessellate(Document& document, Millimetres tolerance, JobRunner& jobs, Messages& messages) {
+    const QString undoText = QCoreApplication::translate("ModelImport", "Change tolerance");
+    startJob(
+        jobs, messages, QCoreApplication::translate("ModelImport", "Making the triangles again"),
+        undoText,
+        [project = document.project(), tolerance](const Progress& progress) {
+            return retessellated(project, tolerance, progress);
+        },
+        [&document, &messages, undoText](const ImportedModel& imported) {
+            logImport(imported, messages);
+            document.edit(undoText, {}, [&](Project& project) {
+                const CadFile cad = project.cad;
+                takeModel(project, imported, project.modelOrigin.source);
+                project.cad = cad;
+            });
+        });
 }
 
 void replaceModel(Document& document, const QString& path, JobRunner& jobs, Messages& messages) {
