@@ -6,6 +6,7 @@
 #include "disk/AtomicFile.h"
 #include "import/trusted/ImportModel.h"
 #include "model/ModelFormats.h"
+#include "pipeline/JobSheet.h"
 #include "project/ProjectFile.h"
 
 #include <QDate>
@@ -264,6 +265,7 @@ public:
         applyPresetOption(project, parser.value(presetOption));
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);
+        checkSpots(project);
         if (jig.empty()) {
             importInto(project, parser, console);
         } else {

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "pipeline/DeeperDip.h"
+#include "pipeline/JobSheet.h"
 #include "project/Profiles.h"
 #include "workbench/accuracy/ZoneFields.h"
 #include "workbench/document/ImmersionEdits.h"
@@ -220,9 +221,13 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
 void PropertyPanel::edit(const QString& text, const QString& mergeKey,
                          const std::function<void(Project&)>& change) {
     try {
-        document_->edit(text, mergeKey, change);
+        document_->edit(text, mergeKey, [&](Project& project) {
+            change(project);
+            checkEditedSpots(document_->project(), project);
+        });
     } catch (const Error& error) {
         emit failed(error.sentence());
+        refresh();
     }
 }
 
