@@ -7,6 +7,7 @@
 #include "disk/AtomicFile.h"
 #include "import/trusted/ImportModel.h"
 #include "model/ModelFormats.h"
+#include "pipeline/JobSheet.h"
 #include "project/ProjectFile.h"
 
 #include <QDate>
@@ -267,6 +268,7 @@ public:
         applyPresetOption(project, parser.value(presetOption));
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);
+        checkSpots(project);
         if (jig.empty()) {
             importInto(project, parser, console);
         } else {

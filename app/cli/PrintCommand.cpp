@@ -6,6 +6,7 @@
 #include "base/Png.h"
 #include "disk/AtomicFile.h"
 #include "pipeline/DipCache.h"
+#include "pipeline/JobPacking.h"
 #include "pipeline/Pipeline.h"
 #include "project/FilmSizes.h"
 
@@ -35,6 +36,7 @@ PrintRequest requestOf(const QCommandLineParser& parser, const PrintTarget& targ
     request.tile = parser.isSet(tileOption) || !request.tilePaper.isEmpty();
     request.acceptMonochrome = parser.isSet(greyOption);
     request.acceptClipping = parser.isSet(clippingOption);
+    request.turning = turningOnRoll(project);
     request.source = printSource(project, projectPath(parser));
     return request;
 }
@@ -85,8 +87,8 @@ void checkFileFirst(const QString& path, const Project& project, const PrintRequ
     fileRequest(request);
     const Sheet blank = blankSheet(project);
     const QSizeF page = pageSize(blank);
-    if (isTiff(path)) {
-        sheetPixels(Millimetres(page.width()), Millimetres(page.height()),
+    if (isTiff(path)) { // only the width is limited, so the height does not matter here
+        sheetPixels(Millimetres(page.width()), Millimetres(page.width()),
                     blank.settings.resolution);
     }
 }
@@ -99,7 +101,7 @@ void checkPrinterFirst(PrintSystem& system, const Project& project, const PrintR
     blank.image = QImage(sheetPixels(blank.filmWidth, blank.filmHeight, blank.settings.resolution),
                          QImage::Format_RGBA8888);
     blank.image.fill(Qt::transparent);
-    planPrint(system, blank, request);
+    planPrints(system, {blank}, request);
 }
 
 void printSheets(PrintSystem& system, const JobResult& result, const PrintRequest& request,

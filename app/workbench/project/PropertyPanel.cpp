@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "model/NamedMaterials.h"
 #include "pipeline/DeeperDip.h"
+#include "pipeline/JobSheet.h"
 #include "project/CadModel.h"
 #include "project/Profiles.h"
 #include "workbench/accuracy/ZoneFields.h"
@@ -228,9 +229,13 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
 void PropertyPanel::edit(const QString& text, const QString& mergeKey,
                          const std::function<void(Project&)>& change) {
     try {
-        document_->edit(text, mergeKey, change);
+        document_->edit(text, mergeKey, [&](Project& project) {
+            change(project);
+            checkEditedSpots(document_->project(), project);
+        });
     } catch (const Error& error) {
         emit failed(error.sentence());
+        refresh();
     }
 }
 
