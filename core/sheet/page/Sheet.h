@@ -66,6 +66,7 @@ struct Sheet {
     std::vector<SheetPlate> plates = {};  // in printing order
     std::optional<WantedInk> wanted = {}; // none: print the image as it is
     std::vector<SheetPiece> pieces = {};  // several jobs on the film; empty: a single job
+    int passes = 1; // how many times the sheet is to be printed onto the same film
 };
 
 // Returns the job number of several sheets together: twelve hex digits of a SHA-256. `jobs` holds

@@ -234,7 +234,7 @@ std::vector<InkArea> inkAreas(const Sheet& original, const PrintCorrection& corr
                                        QStringLiteral("Yellow"), QStringLiteral("Black")};
     const bool isSeparated = correction.colour && correction.colour->isCmyk();
     const Sheet sheet = isSeparated ? withCutBleed(original) : original;
-    const double unit = sheet.filmWidth.value() * sheet.filmHeight.value() /
+    const double unit = sheet.passes * sheet.filmWidth.value() * sheet.filmHeight.value() /
                         (255.0 * sheet.image.width() * sheet.image.height());
     const TintSums sums =
         isSeparated ? separatedTints(sheet, correction) : estimatedTints(sheet.image);
