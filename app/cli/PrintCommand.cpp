@@ -1,15 +1,18 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 #include "cli/VerdictOutput.h"
+#include "sheet/prepress/PlateProof.h"
 #include "sheet/prepress/PrinterColour.h"
 
 #include "base/Png.h"
 #include "disk/AtomicFile.h"
+#include "disk/FolderTransaction.h"
 #include "pipeline/DipCache.h"
 #include "pipeline/JobPacking.h"
 #include "pipeline/Pipeline.h"
 #include "project/FilmSizes.h"
 
+#include <QDir>
 #include <QRegularExpression>
 
 namespace dipwright::cli {
@@ -22,6 +25,7 @@ const QString tilePaperOption = QStringLiteral("tile-paper");
 const QString greyOption = QStringLiteral("accept-grey");
 const QString clippingOption = QStringLiteral("accept-clipping");
 const QString proofOption = QStringLiteral("proof");
+const QString platesOption = QStringLiteral("plates");
 const QString historyOption = QStringLiteral("history");
 const QString solverOption = QStringLiteral("solver");
 constexpr int mostCopies = 999;
@@ -136,6 +140,50 @@ void printGamutShare(const Sheet& sheet, const PrintRequest& request, QTextStrea
     }
 }
 
+// Returns the colours of the printer's plates. Throws Error if its profile is not in CMYK.
+std::unique_ptr<PrinterColour> plateColour(const PrintRequest& request, const QString& folder) {
+    std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
+    if (!colour || !colour->isCmyk()) {
+        throw Error(QStringLiteral("Plates need a printer profile with an ICC profile in CMYK; "
+                                   "choose one with --profile"),
+                    folder);
+    }
+    return colour;
+}
+
+// Writes the plates of all sheets, replaces those of an earlier call, and writes their figures.
+void writePlates(const JobResult& result, const PrintRequest& request, const QString& folder,
+                 const Progress& progress, QTextStream& out) {
+    const std::unique_ptr<PrinterColour> colour = plateColour(request, folder);
+    const PrintCorrection correction = printCorrection(request.profile, colour.get());
+    std::vector<ProofFile> files;
+    QStringList names;
+    for (std::size_t dip = 0; dip < result.immersions.size(); ++dip) {
+        const double done = double(dip) / double(result.immersions.size());
+        progress(done, QStringLiteral("Making the plates"));
+        const Sheet sheet = numberedFor(request.profile, result.immersions[dip].sheet);
+        const QString prefix =
+            result.immersions.size() > 1 ? QStringLiteral("immersion-%1/").arg(dip + 1) : QString();
+        for (const QString& old :
+             QDir(QDir(folder).filePath(prefix)).entryList({QStringLiteral("plate-*.png")})) {
+            names << prefix + old;
+        }
+        const SeparationProof proof = separationProof(sheet, correction);
+        out << QStringLiteral("%1\n").arg(sheet.job.immersion) << figuresTable(proof.figures);
+        for (const ProofFile& file : proof.files) {
+            names << prefix + file.name;
+            files.push_back({prefix + file.name, file.contents});
+        }
+    }
+    names.removeDuplicates();
+    FolderTransaction transaction(folder, names);
+    for (const ProofFile& file : files) {
+        transaction.write(file.name, file.contents);
+    }
+    transaction.commit();
+    out << QStringLiteral("Wrote %1\n").arg(folder);
+}
+
 // Keeps only the dip that --immersion names.
 void chooseImmersion(Project& project, const QCommandLineParser& parser) {
     if (parser.isSet(immersionOption)) {
@@ -210,6 +258,11 @@ public:
                           QStringLiteral("Also writes a soft proof of the film image as PNG. "
                                          "Colours out of the printer's gamut are magenta."),
                           QStringLiteral("FILE")});
+        syntax.addOption({platesOption,
+                          QStringLiteral("Writes a proof of the plates: one picture per ink, the "
+                                         "total ink, and their figures. Prints only if --printer "
+                                         "or --to is given, too."),
+                          QStringLiteral("DIR")});
         syntax.addOption({solverOption,
                           QStringLiteral("The solver plugin, instead of the project's choice."),
                           QStringLiteral("ID")});
@@ -231,14 +284,19 @@ public:
         const ThreadLimit threads = threadLimit(parser);
         Project project = projectArgument(parser);
         chooseImmersion(project, parser);
-        const PrintTarget target = printTarget(parser);
+        const QString plates = parser.value(platesOption);
+        const bool isProofOnly = !plates.isEmpty() && !namesTarget(parser);
+        const PrintTarget target = isProofOnly ? PrintTarget() : printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
         if (!target.file.isEmpty()) {
             checkFileFirst(target.file, project, request);
         }
         const QString proof = proofFile(parser, project, target, request);
+        if (!plates.isEmpty()) {
+            plateColour(request, plates);
+        }
         std::unique_ptr<PrintSystem> system;
-        if (target.file.isEmpty()) {
+        if (!target.printer.isEmpty()) {
             system = printSystem();
             checkPrinterFirst(*system, project, request);
         }
@@ -261,8 +319,14 @@ public:
             writeProof(result.immersions.front().sheet, request, proof);
             console.out() << QStringLiteral("Wrote %1\n").arg(proof);
         }
+        if (!plates.isEmpty()) {
+            writePlates(result, request, plates, progress.part(0.8, 0.9), console.out());
+        }
+        if (isProofOnly) {
+            return;
+        }
         if (system) {
-            printSheets(*system, result, request, progress.part(0.8, 1), console.out());
+            printSheets(*system, result, request, progress.part(0.9, 1), console.out());
             return;
         }
         const Sheet& sheet = result.immersions.front().sheet;

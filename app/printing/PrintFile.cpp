@@ -114,6 +114,11 @@ QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool 
         sentences << Text::tr("The cut contour is left out: it needs a PDF and a printer profile "
                               "with an ICC profile in CMYK");
     }
+    if (sheet.passes > 1) {
+        sentences << Text::tr("Each sheet must be printed %1 times onto the same film, without "
+                              "moving it: the project prints its ink in %1 passes")
+                         .arg(sheet.passes);
+    }
     const double area = inkShortfall(sheet, correction);
     if (area >= leastShortfall) {
         sentences

@@ -96,6 +96,7 @@ Traveller travellerText(const JobResult& result) {
         TravellerDip dip;
         dip.immersion = immersion.immersion;
         dip.job = immersion.sheet.job.hash;
+        dip.passes = immersion.sheet.passes;
         dip.motion = jobMotion(result, i);
         dip.waterAtEnd = dip.motion.depth.value();
         if (i < result.cradles.size()) {

@@ -6,6 +6,7 @@
 #include "printing/PrintFile.h"
 #include "project/Profiles.h"
 #include "sheet/page/SheetRows.h"
+#include "workbench/printing/PlatesDialog.h"
 #include "workbench/widgets/NoticeBar.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
@@ -208,7 +209,22 @@ QWidget* PrintDialog::makePreview() {
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(preview_, 1);
-    layout->addWidget(proof_);
+    auto* plates = new QPushButton(tr("P&lates…"));
+    plates->setObjectName(QStringLiteral("showPlates"));
+    plates->setAutoDefault(false);
+    plates->setEnabled(proof_->isEnabled());
+    plates->setToolTip(tr("Shows the plates of the sheets, the ink under the cursor, and where "
+                          "there is too much ink. Needs a printer profile with an ICC profile in "
+                          "CMYK."));
+    connect(plates, &QPushButton::clicked, this, [this] {
+        auto* dialog = new PlatesDialog(outcome_.result, shown_, LengthUnit::Millimetre, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
+    auto* below = new QHBoxLayout;
+    below->addWidget(proof_, 1);
+    below->addWidget(plates);
+    layout->addLayout(below);
     layout->addWidget(gamut_);
     return box;
 }

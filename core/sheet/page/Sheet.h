@@ -93,6 +93,7 @@ struct Sheet {
     // Set if the pictures are made on demand (SheetRows.h). `image`, the plates' tints and the
     // wanted colours are then null images.
     std::shared_ptr<const FilmRows> rows = {};
+    int passes = 1; // how many times the sheet is to be printed onto the same film
 };
 
 // Returns the job number of several sheets together: twelve hex digits of a SHA-256. `jobs` holds

@@ -275,7 +275,7 @@ std::vector<InkArea> inkAreas(const Sheet& original, const PrintCorrection& corr
     const bool isSeparated = correction.colour && correction.colour->isCmyk();
     const Sheet sheet = isSeparated ? withCutBleed(original) : original;
     const QSize pixels = filmPixels(sheet);
-    const double unit = sheet.filmWidth.value() * sheet.filmHeight.value() /
+    const double unit = sheet.passes * sheet.filmWidth.value() * sheet.filmHeight.value() /
                         (255.0 * pixels.width() * pixels.height());
     const TintSums sums = isSeparated ? separatedTints(sheet, correction) : estimatedTints(sheet);
     std::vector<InkArea> inks;

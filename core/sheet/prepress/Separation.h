@@ -48,10 +48,10 @@ struct InkArea {
     bool isWhite = false; // the white layer
     bool operator==(const InkArea&) const = default;
 };
-// Returns the inks of the sheet's picture in printing order; marks and lettering are not counted.
-// If `correction` has a CMYK colour, they are the inks of separate(). Otherwise the printer's
-// driver makes the plates, and the inks are estimated: cyan is 1 − red, magenta 1 − green and
-// yellow 1 − blue of the sRGB values, without black. Uses all cores; deterministic.
+// Returns the inks of the sheet's picture, of all passes, in printing order; marks and lettering
+// are not counted. If `correction` has a CMYK colour, they are the inks of separate(). Otherwise
+// the printer's driver makes the plates, and the inks are estimated: cyan is 1 − red, magenta 1 −
+// green and yellow 1 − blue of the sRGB values, without black. Uses all cores; deterministic.
 std::vector<InkArea> inkAreas(const Sheet& sheet, const PrintCorrection& correction);
 // Tells whether inkAreas() estimated these inks.
 bool areEstimated(const std::vector<InkArea>& inks);
