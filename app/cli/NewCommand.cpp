@@ -6,9 +6,9 @@
 #include "disk/AtomicFile.h"
 #include "import/trusted/ImportModel.h"
 #include "model/ModelFormats.h"
+#include "project/NewProject.h"
 #include "project/ProjectFile.h"
 
-#include <QDate>
 #include <QFileInfo>
 #include <QRegularExpression>
 
@@ -98,10 +98,7 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
     }
     const ImportedModel imported = importModel(path, options, console.progress());
     print(imported.report, {}, console);
-    project.model = std::make_shared<const TexturedMesh>(imported.model);
-    project.modelOrigin.source = path;
-    project.modelOrigin.texture = options.texture;
-    project.modelOrigin.remarks = imported.report.remarks();
+    setModel(project, imported, path, options);
 }
 
 struct JigSpec {
@@ -257,10 +254,7 @@ public:
         requireOther(path, parser.value(textureOption));
         ProjectFile file(path);
         checkWritable(path); // fails now instead of after the import
-        Project project;
-        project.name = projectName(path);
-        project.date = QDate::currentDate().toString(Qt::ISODate);
-        project.film.resolution = FilmResolution::Automatic;
+        Project project = newProject(path);
         applyPresetOption(project, parser.value(presetOption));
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);

@@ -1,6 +1,7 @@
 #include "base/ShippedFolders.h"
 
-#include <QCoreApplication>
+#include "base/ProgramFolder.h"
+
 #include <QDir>
 #include <QStandardPaths>
 
@@ -8,7 +9,7 @@ namespace dipwright {
 namespace {
 
 QStringList fromProgram(const QStringList& paths) {
-    const QDir program(QCoreApplication::applicationDirPath());
+    const QDir program(programFolder());
     QStringList folders;
     for (const QString& path : paths) {
         folders << QDir::cleanPath(program.filePath(path));
