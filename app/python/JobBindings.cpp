@@ -15,6 +15,8 @@
 namespace dipwright::python {
 namespace {
 
+constexpr int mostThreads = 1024;
+
 struct Field {
     ProjectValue value;
 };
@@ -79,6 +81,10 @@ void applyFilmImage(JobOptions& options, const std::optional<Path>& picture) {
 Run run(Job& job, const py::object& progress, const QString& solver, bool certainty, bool laws,
         bool tolerances, bool cradles, const std::optional<Path>& filmImage, int threads) {
     const SolverRegistry& registry = session();
+    if (threads < 0 || threads > mostThreads) {
+        throw Error(QStringLiteral("The number of threads must be 0 to %1").arg(mostThreads),
+                    QStringLiteral("threads"));
+    }
     JobOptions options;
     options.solver = solver;
     options.estimatesNumericalError = certainty;

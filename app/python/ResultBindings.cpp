@@ -16,7 +16,8 @@
 namespace dipwright::python {
 namespace {
 
-constexpr int mapEdge = 1600; // pixels, as in the result files
+constexpr int mapEdge = 1600;                           // pixels, as in the result files
+constexpr int leastMapEdge = 100, mostMapEdge = 20'000; // pixels
 
 struct Share : Run {
     const BodyShare& split() const { return *(**this).share; }
@@ -29,9 +30,15 @@ py::object pictureOrNone(const QImage& picture) {
     return picture.isNull() ? py::object(py::none()) : pixels(picture);
 }
 
-// Draws a map without the GIL.
+// Draws a map without the GIL. `longEdge` is its longer side in pixels.
 template <typename Draw>
-py::array drawn(const Draw& draw) {
+py::array drawn(int longEdge, const Draw& draw) {
+    if (longEdge < leastMapEdge || longEdge > mostMapEdge) {
+        throw Error(QStringLiteral("The longer side of a map must be %1 to %2 pixels")
+                        .arg(leastMapEdge)
+                        .arg(mostMapEdge),
+                    QStringLiteral("long_edge"));
+    }
     return pixels(computed(py::none(), [&](const Progress&) { return draw(); }));
 }
 
@@ -40,7 +47,7 @@ py::object certaintyMap(const Dip& dip, int longEdge) {
         return py::none();
     }
     const double limit = allowedError(Zone::C, dip.run->project.tolerance);
-    return drawn([&] {
+    return drawn(longEdge, [&] {
         return numericalErrorMap(*dip->laid, dip->numericalError->pointErrors, limit, longEdge);
     });
 }
@@ -211,14 +218,14 @@ void bindDip(py::module_& module) {
         .def(
             "stretch_map",
             [](const Dip& dip, int longEdge) {
-                return drawn([&] { return stretchMap(*dip->laid, longEdge); });
+                return drawn(longEdge, [&] { return stretchMap(*dip->laid, longEdge); });
             },
             py::arg("long_edge") = mapEdge,
             "Draws stretch.png: (height, width, 3 or 4) uint8. long_edge: longer side in pixels.")
         .def(
             "wrinkling_map",
             [](const Dip& dip, int longEdge) {
-                return drawn([&] { return wrinklingMap(*dip->laid, longEdge); });
+                return drawn(longEdge, [&] { return wrinklingMap(*dip->laid, longEdge); });
             },
             py::arg("long_edge") = mapEdge, "Draws wrinkling.png, like stretch_map().")
         .def("certainty_map", certaintyMap, py::arg("long_edge") = mapEdge,

@@ -1,6 +1,6 @@
 # Types of the Python module. Shapes and units are in the docstrings: help(dipwright.Film).
 import os
-from typing import Any, Callable, Iterator, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Iterator, Optional, Sequence, Union
 
 import numpy
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ __all__ = [
 
 _Path = Union[str, os.PathLike[str]]
 _Progress = Optional[Callable[[float, str], Optional[bool]]]
-_Values = Mapping[str, Any]
+_Values = dict[str, Any]
 _Floats = NDArray[numpy.float32]
 _Bytes = NDArray[numpy.uint8]
 _Indices = NDArray[numpy.uint32]
@@ -320,8 +320,8 @@ class Job:
         confirmed: int = ...,
         seed: int = ...,
         paths: bool = ...,
-        weights: Mapping[str, float] = ...,
-        limits: Mapping[str, Optional[float]] = ...,
+        weights: dict[str, float] = ...,
+        limits: dict[str, Optional[float]] = ...,
         solver: str = ...,
         progress: _Progress = ...,
     ) -> Search: ...

