@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/ProgramFolder.h"
 #include "base/ProgramName.h"
+#include "base/ShippedFolders.h"
 #include "disk/UnfinishedWrites.h"
 #include "python/ModuleFile.h"
 
@@ -31,6 +32,8 @@ std::unique_ptr<QGuiApplication> newApplication() {
     static int count = 3;
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.debug=false\n*.info=false\n*.warning=false"));
+    useShippedFonts();
+    useShippedQtPlugins();
     auto application = std::make_unique<QGuiApplication>(count, arguments);
     QLocale::setDefault(QLocale::c());
     nameProgram();
@@ -39,6 +42,7 @@ std::unique_ptr<QGuiApplication> newApplication() {
 
 struct Session {
     Session() {
+        setProgramFolder(folderOfPrograms());
         if (QCoreApplication::instance() == nullptr) {
             application = newApplication();
         } else if (qobject_cast<QGuiApplication*>(QCoreApplication::instance()) == nullptr) {
@@ -46,7 +50,6 @@ struct Session {
                                        "QCoreApplication; make a QGuiApplication instead, or none"),
                         QStringLiteral("dipwright"));
         }
-        setProgramFolder(folderOfPrograms());
         recoverUnfinishedWrites();
         registry = std::make_unique<SolverRegistry>();
     }

@@ -1,6 +1,7 @@
 #include "base/ProgramFolder.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace dipwright {
 namespace {
@@ -13,7 +14,13 @@ QString& namedFolder() {
 } // namespace
 
 QString programFolder() {
-    return namedFolder().isEmpty() ? QCoreApplication::applicationDirPath() : namedFolder();
+    if (!namedFolder().isEmpty()) {
+        return namedFolder();
+    }
+    // Qt knows the program's path only after the application object exists.
+    return QCoreApplication::instance() != nullptr
+               ? QCoreApplication::applicationDirPath()
+               : QFileInfo(QStringLiteral("/proc/self/exe")).canonicalPath();
 }
 
 void setProgramFolder(const QString& folder) {

@@ -2,7 +2,9 @@
 
 #include "base/ProgramFolder.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QStandardPaths>
 
 namespace dipwright {
@@ -15,6 +17,11 @@ QStringList fromProgram(const QStringList& paths) {
         folders << QDir::cleanPath(program.filePath(path));
     }
     return folders;
+}
+
+// Only the tarball has this folder (cmake/BundledLibraries.cmake).
+QString fromTarball(const QString& path) {
+    return fromProgram({QStringLiteral("../lib/dipwright/system/") + path}).front();
 }
 
 } // namespace
@@ -35,6 +42,19 @@ QString shippedProgram(const QString& name) {
 
 QString readerProgram() {
     return shippedProgram(QStringLiteral("dipwright-reader"));
+}
+
+void useShippedFonts() {
+    const QString shipped = fromTarball(QStringLiteral("fonts/fonts.conf"));
+    if (!QFile::exists(QStringLiteral("/etc/fonts/fonts.conf")) && QFile::exists(shipped)) {
+        qputenv("FONTCONFIG_FILE", QFile::encodeName(shipped));
+    }
+}
+
+void useShippedQtPlugins() {
+    if (const QString shipped = fromTarball(QStringLiteral("plugins")); QFile::exists(shipped)) {
+        QCoreApplication::setLibraryPaths({shipped});
+    }
 }
 
 QStringList shippedSampleFolders() {

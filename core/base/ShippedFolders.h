@@ -17,6 +17,15 @@ QString shippedProgram(const QString& name);
 // Returns the path of the sandboxed reader for models and pictures from untrusted sources.
 QString readerProgram();
 
+// If the system has no fonts, lets fontconfig use the fonts that the tarball ships. Must be called
+// before the application object is created.
+void useShippedFonts();
+
+// For a library that another program loads (ProgramFolder.h): lets Qt use the plugins that the
+// tarball ships. A program finds them by its qt.conf. Must be called before the application object
+// is created.
+void useShippedQtPlugins();
+
 // Returns the folders with sample projects, *.dipw.
 QStringList shippedSampleFolders();
 

@@ -142,6 +142,7 @@ void InstallTest::install_tree_holdsAllFiles() {
 #if defined DIPWRIGHT_HAS_WORKBENCH && defined Q_OS_LINUX
     parts += QStringList{INSTALLED_DATA "/applications/dipwright.desktop",
                          INSTALLED_DATA "/mime/packages/dipwright.xml",
+                         INSTALLED_DATA "/metainfo/org.dipwright.Dipwright.metainfo.xml",
                          INSTALLED_DATA "/icons/hicolor/scalable/apps/dipwright.svg",
                          INSTALLED_DATA "/man/man1/dipwright.1"};
 #endif
