@@ -32,8 +32,10 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
     set(CPACK_DEBIAN_PACKAGE_DEPENDS "qt6-image-formats-plugins, fonts-dejavu-core")
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
-        "shared-mime-info, desktop-file-utils, qt6-translations-l10n, cups, libgl1-mesa-dri")
+        "shared-mime-info, desktop-file-utils, qt6-translations-l10n, cups, libgl1-mesa-dri, python3-numpy")
     install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+    set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/resources/desktop/prerm)
+    set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
     set(CPACK_PRE_BUILD_SCRIPTS
         ${PROJECT_SOURCE_DIR}/cmake/DebianFiles.cmake ${PROJECT_SOURCE_DIR}/cmake/BundledLibraries.cmake)
     # BundledLibraries.cmake reads these.

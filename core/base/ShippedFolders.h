@@ -23,6 +23,11 @@ QString cadReaderProgram();
 // before the application object is created.
 void useShippedFonts();
 
+// For a library that another program loads (ProgramFolder.h): lets Qt use the plugins that the
+// tarball ships. A program finds them by its qt.conf. Must be called before the application object
+// is created.
+void useShippedQtPlugins();
+
 // Returns the folders with sample projects, *.dipw.
 QStringList shippedSampleFolders();
 
