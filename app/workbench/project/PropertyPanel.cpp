@@ -1,6 +1,7 @@
 #include "workbench/project/PropertyPanel.h"
 
 #include "base/Error.h"
+#include "import/trusted/CadFacts.h"
 #include "model/NamedMaterials.h"
 #include "pipeline/DeeperDip.h"
 #include "project/CadModel.h"
@@ -26,6 +27,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace dipwright {
 
