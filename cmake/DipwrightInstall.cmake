@@ -12,6 +12,8 @@ set(DIPWRIGHT_PLUGIN_DESTINATION ${CMAKE_INSTALL_LIBDIR}/dipwright/plugins)
 # Programs that only Dipwright's programs start.
 set(DIPWRIGHT_HELPER_DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/dipwright)
 set(DIPWRIGHT_SAMPLE_DESTINATION ${CMAKE_INSTALL_DATADIR}/dipwright/samples)
+# Where Debian's Python looks for modules, below /usr; elsewhere, name the folder in PYTHONPATH.
+set(DIPWRIGHT_PYTHON_DESTINATION lib/python3/dist-packages)
 set(DIPWRIGHT_PACKAGE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Dipwright)
 file(RELATIVE_PATH DIPWRIGHT_PLUGINS_FROM_PROGRAM
     ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/dipwright/plugins)

@@ -1,6 +1,7 @@
 #include "artwork/EditArtwork.h"
 #include "cli/Arguments.h"
 #include "import/trusted/ReadPictures.h"
+#include "pipeline/JobSheet.h"
 #include "project/Project.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
@@ -191,7 +192,8 @@ public:
             return;
         }
         ProjectFile file(path);
-        Project project = loadProject(path);
+        const Project before = loadProject(path);
+        Project project = before;
         if (action == QLatin1String("add")) {
             add(project, words, parser, out);
         } else if (action == QLatin1String("set")) {
@@ -208,6 +210,7 @@ public:
         } else {
             throw UsageError(QStringLiteral("There is no such action; see --help"), action);
         }
+        checkEditedSpots(before, project);
         file.save(project);
     }
 };

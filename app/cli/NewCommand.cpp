@@ -7,9 +7,10 @@
 #include "disk/AtomicFile.h"
 #include "import/trusted/ImportModel.h"
 #include "model/ModelFormats.h"
+#include "pipeline/JobSheet.h"
+#include "project/NewProject.h"
 #include "project/ProjectFile.h"
 
-#include <QDate>
 #include <QFileInfo>
 #include <QRegularExpression>
 
@@ -98,10 +99,9 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
         options.longestEdge = Millimetres(numberOption(parser, sizeOption, 0.1, 10'000));
     }
     options.tessellation = project.modelOrigin.tessellation;
-    ImportedModel imported = importModel(path, options, console.progress());
+    const ImportedModel imported = importModel(path, options, console.progress());
     print(imported.report, {}, console);
-    takeModel(project, std::move(imported), path);
-    project.modelOrigin.texture = options.texture;
+    setModel(project, imported, path, options);
     if (const QString cad = cadText(project); !cad.isEmpty()) {
         console.out() << cad << '\n';
     }
@@ -260,13 +260,11 @@ public:
         requireOther(path, parser.value(textureOption));
         ProjectFile file(path);
         checkWritable(path); // fails now instead of after the import
-        Project project;
-        project.name = projectName(path);
-        project.date = QDate::currentDate().toString(Qt::ISODate);
-        project.film.resolution = FilmResolution::Automatic;
+        Project project = newProject(path);
         applyPresetOption(project, parser.value(presetOption));
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);
+        checkSpots(project);
         if (jig.empty()) {
             importInto(project, parser, console);
         } else {

@@ -466,6 +466,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
         const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);
         run.user.throwIfCancelled();
         now.sheet = jobSheet(run.project, now.immersion, film, run.user);
+        now.sheet.passes = now.inputs.texture.printedInk().printedPasses();
         run.user.throwIfCancelled();
         measureInks(now, run.project.profiles.printer, isDraft);
     }

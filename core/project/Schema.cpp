@@ -249,6 +249,10 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
         "ink.compensate", [](auto& p) -> auto& { return p.ink.compensate; }));
     fields.push_back(number(
         "ink.limit", 0.1, 10, [](auto& p) -> auto& { return p.ink.limit; }));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(number(
+        "ink.densest", 0.2, leastLightening, [](auto& p) -> auto& { return p.ink.densest; }))));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(number(
+        "ink.passes", 1, mostInkPasses, [](auto& p) -> auto& { return p.ink.passes; }))));
     for (const auto& material : inkLawFields()) {
         fields.push_back(fieldOf(
             QStringLiteral("ink."), material.field, [](auto& p) -> auto& { return p.ink.law; }));

@@ -253,6 +253,11 @@ bool isBuiltHere(const QString& folder) {
         return false;
     }
 #endif
+#ifndef DIPWRIGHT_HAS_PYTHON
+    if (folder == QLatin1String("app/python")) {
+        return false;
+    }
+#endif
 #ifndef DIPWRIGHT_HAS_INSPECTION
     if (folder == QLatin1String("core/inspection") ||
         folder == QLatin1String("app/workbench/inspection")) {

@@ -3,6 +3,7 @@
 #include "artwork/EditArtwork.h"
 #include "import/trusted/ReadPictures.h"
 #include "model/NamedMaterials.h"
+#include "pipeline/JobSheet.h"
 #include "workbench/jobs/StartJob.h"
 #include "workbench/project/NewProjectDialog.h"
 
@@ -130,9 +131,13 @@ void ArtworkController::showArtwork() {
 void ArtworkController::edit(const QString& text, const QString& mergeKey,
                              const std::function<void(Artwork&)>& change) {
     try {
-        document()->edit(text, mergeKey, [&](Project& project) { change(project.artwork); });
+        document()->edit(text, mergeKey, [&](Project& project) {
+            change(project.artwork);
+            checkEditedSpots(document()->project(), project);
+        });
     } catch (const Error&) {
         messages_.fail(text, std::current_exception());
+        showArtwork();
     }
 }
 

@@ -1,22 +1,16 @@
 #include "workbench/document/ModelImport.h"
 
 #include "project/CadModel.h"
+#include "project/NewProject.h"
 #include "workbench/jobs/StartJob.h"
 
 #include <QCoreApplication>
-#include <QDate>
 
 namespace dipwright {
 
 namespace {
 
 enum class Pose { Kept, Reset };
-
-void exchangeModel(Project& project, const ImportedModel& imported, const QString& source,
-                   const QString& texture) {
-    takeModel(project, imported, source);
-    project.modelOrigin.texture = texture;
-}
 
 // Pose::Kept also keeps the size of the present model, because the settings were made for it.
 void importInto(Document& document, const QString& path, const QString& texture, Pose pose,
@@ -30,10 +24,10 @@ void importInto(Document& document, const QString& path, const QString& texture,
     }
     startImport(
         path, options, undoText, jobs, messages,
-        [&document, &messages, path, texture, pose, undoText](const ImportedModel& imported) {
+        [&document, &messages, path, options, pose, undoText](const ImportedModel& imported) {
             logImport(imported, messages);
             document.edit(undoText, {}, [&](Project& project) {
-                exchangeModel(project, imported, path, texture);
+                setModel(project, imported, path, options);
                 for (Immersion& immersion : project.immersions) {
                     immersion = pose == Pose::Kept ? immersion : Immersion{.name = immersion.name};
                 }
@@ -45,14 +39,9 @@ void importInto(Document& document, const QString& path, const QString& texture,
 
 Project newProject(const ImportedModel& imported, const QString& path,
                    const ImportOptions& options) {
-    Project project;
-    project.name = projectName(path);
-    project.date = QDate::currentDate().toString(Qt::ISODate);
-    project.film.resolution = FilmResolution::Automatic;
+    Project project = newProject(path);
     project.immersions.front().name = QCoreApplication::translate("ModelImport", "Dip %1").arg(1);
-    project.modelOrigin.unitMillimetres = options.unitMillimetres;
-    takeModel(project, imported, path);
-    project.modelOrigin.texture = options.texture;
+    setModel(project, imported, path, options);
     return project;
 }
 

@@ -4,6 +4,7 @@
 #include "import/trusted/CadFacts.h"
 #include "model/NamedMaterials.h"
 #include "pipeline/DeeperDip.h"
+#include "pipeline/JobSheet.h"
 #include "project/CadModel.h"
 #include "project/Profiles.h"
 #include "workbench/accuracy/ZoneFields.h"
@@ -230,9 +231,13 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
 void PropertyPanel::edit(const QString& text, const QString& mergeKey,
                          const std::function<void(Project&)>& change) {
     try {
-        document_->edit(text, mergeKey, change);
+        document_->edit(text, mergeKey, [&](Project& project) {
+            change(project);
+            checkEditedSpots(document_->project(), project);
+        });
     } catch (const Error& error) {
         emit failed(error.sentence());
+        refresh();
     }
 }
 
