@@ -28,7 +28,6 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
 namespace dipwright {
 
