@@ -251,6 +251,8 @@ void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int p
         small.wanted->image = scaled(sheet.wanted->image);
         // Unsmoothed, because the pixels are numbers.
         small.wanted->stretch = sheet.wanted->stretch.scaled(small.image.size());
+        small.wanted->inks = sheet.wanted->inks.each(
+            [&](const QImage& plane) { return plane.scaled(small.image.size()); });
     }
     jobs_.start(std::make_unique<ValueJob<PrintProof>>(
         tr("Computing the soft proof"),

@@ -57,8 +57,8 @@ void checkFile(const QString& path) {
 }
 
 // Returns the picture at a path; a null image if the path is empty.
-QImage replacementTexture(const QString& path) {
-    return path.isEmpty() ? QImage() : readPictureFile(path);
+ReadPicture replacementTexture(const QString& path) {
+    return path.isEmpty() ? ReadPicture() : readPictureAndInks(path);
 }
 
 void checkPositions(const TriangleMesh& mesh, const QString& path) {
@@ -184,6 +184,7 @@ void dropUselessTextures(TexturedMesh& model, QStringList& warnings) {
     warnings.push_back(Text::tr("The model has no texture coordinates, so its texture cannot be "
                                 "placed; the colours of its materials are used instead"));
     model.textures.clear();
+    model.inks.clear();
     for (Material& material : model.materials) {
         material.texture = -1;
     }
@@ -208,8 +209,9 @@ void dropUnusableCoordinates(TexturedMesh& model, QStringList& warnings) {
     }
 }
 
-void replaceTextures(TexturedMesh& model, const QImage& texture) {
-    model.textures = {texture};
+void replaceTextures(TexturedMesh& model, const ReadPicture& texture) {
+    model.textures = {texture.colours};
+    model.inks = texture.inks.isNull() ? std::vector<QImage>() : std::vector{texture.inks};
     for (Material& material : model.materials) {
         material.texture = 0;
     }
@@ -237,19 +239,20 @@ UntrustedModel readModelFile(const QString& path, ModelFolder& folder, bool with
 ImportedModel import(const QString& path, const ImportOptions& options, const Progress& progress) {
     checkOptions(options);
     checkFile(path);
-    const QImage texture = replacementTexture(options.texture);
+    const ReadPicture texture = replacementTexture(options.texture);
     ImportedModel result;
     TexturedMesh& model = result.model;
     ImportReport& report = result.report;
 
     ModelFolder folder(path, options.allowOutside, options.outsideFiles);
-    UntrustedModel foreign = readModelFile(path, folder, texture.isNull(), progress.part(0, 0.7));
+    UntrustedModel foreign =
+        readModelFile(path, folder, texture.colours.isNull(), progress.part(0, 0.7));
     model = std::move(foreign.mesh);
     report.warnings = foreign.warnings;
     if (model.mesh.triangles.empty()) {
         throw Error(Text::tr("The model has no triangles; save it with its surface"), path);
     }
-    if (!texture.isNull()) {
+    if (!texture.colours.isNull()) {
         replaceTextures(model, texture);
     }
     progress(0.7, Text::tr("Checking the model"));

@@ -95,6 +95,7 @@ public:
                 fail(readShort(length));
             case ReaderMessage::Photo:
             case ReaderMessage::Picture:
+            case ReaderMessage::Inks:
             case ReaderMessage::Model:
             case ReaderMessage::Mesh:
                 return {kind, length};
@@ -258,11 +259,14 @@ UntrustedModel readModelInProcess(const QString& path, bool withTextures, Untrus
     ReaderProcess reader(path, files, progress);
     reader.start({ReaderJob::Kind::Model, {path}, withTextures, language()});
     UntrustedModel model;
-    std::vector<QImage> pictures;
+    std::vector<QImage> pictures, inks;
     while (true) {
         const auto [kind, length] = reader.nextResult();
         if (kind == ReaderMessage::Picture) {
             pictures.push_back(reader.readPicture(length));
+        } else if (kind == ReaderMessage::Inks) {
+            inks.resize(pictures.size() + 1);
+            inks.back() = reader.readPicture(length);
         } else if (kind == ReaderMessage::Model) {
             const QByteArray warnings = reader.read(length);
             for (const QByteArray& warning : warnings.split('\n')) {
@@ -278,26 +282,34 @@ UntrustedModel readModelInProcess(const QString& path, bool withTextures, Untrus
                 reader.throwInvalidData();
             }
             model.mesh = std::move(stored.model);
+            if (!inks.empty()) {
+                inks.resize(pictures.size());
+            }
             model.mesh.textures = std::move(pictures);
+            model.mesh.inks = std::move(inks);
             return model;
         }
     }
 }
 
-std::vector<QImage> readPicturesInProcess(const QStringList& names, UntrustedFiles& files) {
+std::vector<ReadPicture> readPicturesInProcess(const QStringList& names, UntrustedFiles& files) {
     if (names.isEmpty()) {
         return {};
     }
     const Progress quiet;
     ReaderProcess reader(names.first(), files, quiet);
     reader.start({ReaderJob::Kind::Pictures, names, true, language()});
-    std::vector<QImage> pictures;
+    std::vector<ReadPicture> pictures;
+    QImage inks; // of the next picture
     while (qsizetype(pictures.size()) < names.size()) {
         const auto [kind, length] = reader.nextResult();
-        if (kind != ReaderMessage::Picture) {
+        if (kind == ReaderMessage::Inks) {
+            inks = reader.readPicture(length);
+        } else if (kind == ReaderMessage::Picture) {
+            pictures.push_back({reader.readPicture(length), std::exchange(inks, {})});
+        } else {
             reader.throwInvalidData();
         }
-        pictures.push_back(reader.readPicture(length));
     }
     return pictures;
 }

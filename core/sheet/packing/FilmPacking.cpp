@@ -1,6 +1,7 @@
 #include "sheet/packing/FilmPacking.h"
 
 #include "base/Error.h"
+#include "base/ImageRows.h"
 #include "base/WideGamut.h"
 #include "sheet/page/InkedPixels.h"
 #include "sheet/page/PieceInk.h"
@@ -291,12 +292,24 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
 
 namespace {
 
-// Returns the ink settings that all pieces share, for CMYK printers; none if the pieces differ.
+// Returns the first piece with amounts of ink (base/InkPicture.h); null if none has any.
+const WantedInk* firstInks(const std::vector<PieceToPack>& pieces) {
+    const auto found = std::find_if(pieces.begin(), pieces.end(), [](const PieceToPack& piece) {
+        return piece.sheet.wanted && !piece.sheet.wanted->inks.isNull();
+    });
+    return found == pieces.end() ? nullptr : &*found->sheet.wanted;
+}
+
+// Returns the ink settings that all pieces share, for CMYK printers; none if the pieces differ. If
+// a piece has amounts of ink, its settings count, and pieces without wanted colours fit to them.
 std::optional<InkSettings> commonInk(const std::vector<PieceToPack>& pieces) {
-    const std::optional<WantedInk>& first = pieces.front().sheet.wanted;
+    const std::optional<WantedInk>& front = pieces.front().sheet.wanted;
+    const WantedInk* const inks = firstInks(pieces);
+    const WantedInk* const first = inks ? inks : front ? &*front : nullptr;
     const bool isCommon =
         first && std::all_of(pieces.begin(), pieces.end(), [&](const PieceToPack& piece) {
-            return piece.sheet.wanted && piece.sheet.wanted->settings == first->settings;
+            return piece.sheet.wanted ? piece.sheet.wanted->settings == first->settings
+                                      : inks != nullptr;
         });
     return isCommon ? std::optional(first->settings) : std::nullopt;
 }
@@ -331,6 +344,10 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
     }
     if (const std::optional<InkSettings> ink = commonInk(pieces)) {
         sheet.wanted = WantedInk{sheet.image, unstretched(planned.pixels), *ink};
+        if (const WantedInk* const inks = firstInks(pieces)) {
+            const QImage plane = blankImage(planned.pixels, QImage::Format_RGBA8888);
+            sheet.wanted->inks = {plane, plane, inks->inks.space};
+        }
     }
     const QPointF pixel(planned.size.width() / planned.pixels.width(),
                         planned.size.height() / planned.pixels.height());
@@ -353,7 +370,14 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
                              [&](const SheetPlate& other) { return other.name == own.name; });
             lay(plate->tint, own.tint.copy(inked));
         }
-        if (sheet.wanted) {
+        if (sheet.wanted && !piece.sheet.wanted) { // compensated already, or not to be
+            layColours(sheet.wanted->image, piece.sheet.image);
+        } else if (sheet.wanted) {
+            const InkPlanes& inks = piece.sheet.wanted->inks;
+            if (!inks.isNull() && inks.space == sheet.wanted->inks.space) {
+                lay(sheet.wanted->inks.colours, inks.colours.copy(inked));
+                lay(sheet.wanted->inks.black, inks.black.copy(inked));
+            }
             layColours(sheet.wanted->image, piece.sheet.wanted->image);
             lay(sheet.wanted->stretch, piece.sheet.wanted->stretch.copy(inked));
         }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace dipwright {
 
@@ -125,6 +126,10 @@ Sheet withCutBleed(const Sheet& sheet) {
         continueColour(stretch, radius);
         wider.wanted->stretch = stretchOfPicture(stretch);
         continueColour(wider.wanted->image, radius);
+        wider.wanted->inks = wider.wanted->inks.each([&](QImage plane) {
+            continueColour(plane, radius);
+            return plane;
+        });
     }
     return wider;
 }
@@ -143,17 +148,47 @@ void forPixels(QByteArray& cmyk, const QImage& stretch, const Work& work) {
     });
 }
 
+// Replaces `wanted`, the separated colours, where the film has amounts of ink.
+void takeInks(const InkPlanes& inks, const PrinterColour& colour, const PlateCompensation& law,
+              QByteArray& wanted) {
+    auto* const bytes = reinterpret_cast<uchar*>(wanted.data());
+    const auto width = std::size_t(inks.colours.width());
+    parallelFor(0, inks.colours.height(), [&](int y) {
+        const uchar* const colours = inks.colours.constScanLine(y);
+        const uchar* const black = inks.black.constScanLine(y);
+        const std::span<uchar> row(bytes + 4 * width * std::size_t(y), 4 * width);
+        std::vector<uchar> amounts(row.begin(), row.end());
+        for (std::size_t at = 0; at < amounts.size(); at += 4) {
+            std::copy_n(colours + at, 3, &amounts[at]);
+            amounts[at + 3] = black[at];
+        }
+        colour.convertInks(amounts, inks.space, row);
+        for (std::size_t at = 0; at < amounts.size(); at += 4) {
+            const float share = float(black[at + 1]) / 255;
+            for (int ink = 0; ink < 4 && share > 0; ++ink) {
+                row[at + std::size_t(ink)] = law.faded(ink, amounts[at + std::size_t(ink)], share);
+            }
+        }
+    });
+}
+
 // The picture's inks, each compensated separately.
 struct PerInk {
     QByteArray wanted, printed; // four bytes per pixel
 
     PerInk(const WantedInk& film, const PrintCorrection& correction, const PlateCompensation& law)
-        : wanted(correction.colour->cmyk(onWhitePaper(film.image))), printed(wanted) {
-        forPixels(printed, film.stretch, [&](qsizetype, uchar* inks, float stretch) {
-            for (int ink = 0; ink < 4; ++ink) {
-                inks[ink] = law.printed(ink, inks[ink], stretch);
-            }
-        });
+        : wanted(correction.colour->cmyk(onWhitePaper(film.image))) {
+        if (!film.inks.isNull()) {
+            takeInks(film.inks, *correction.colour, law, wanted);
+        }
+        printed = wanted;
+        if (film.settings.compensate) {
+            forPixels(printed, film.stretch, [&](qsizetype, uchar* inks, float stretch) {
+                for (int ink = 0; ink < 4; ++ink) {
+                    inks[ink] = law.printed(ink, inks[ink], stretch);
+                }
+            });
+        }
         if (correction.totalInk) {
             limitInk(printed, *correction.totalInk);
         }
@@ -174,6 +209,12 @@ QByteArray inksOf(const QImage& picture, const std::optional<WantedInk>& wanted,
     return cmyk;
 }
 
+// Returns rows of a film's wanted inks. They share the film's pixels.
+WantedInk rowsOf(const WantedInk& film, int first, int end) {
+    const auto rows = [&](const QImage& image) { return imageRows(image, first, end); };
+    return {rows(film.image), rows(film.stretch), film.settings, film.inks.each(rows)};
+}
+
 std::optional<PlateCompensation> lawOf(const Sheet& sheet, const PrintCorrection& correction) {
     return sheet.wanted ? std::optional<PlateCompensation>(std::in_place, *correction.colour,
                                                            sheet.wanted->settings)
@@ -190,9 +231,7 @@ TintSums separatedTints(const Sheet& sheet, const PrintCorrection& correction) {
         const int end = first + rows.height();
         std::optional<WantedInk> wanted;
         if (sheet.wanted) {
-            wanted =
-                WantedInk{imageRows(sheet.wanted->image, first, end),
-                          imageRows(sheet.wanted->stretch, first, end), sheet.wanted->settings};
+            wanted = rowsOf(*sheet.wanted, first, end);
         }
         const QByteArray inks = inksOf(rows, wanted, correction, law ? &*law : nullptr);
         for (qsizetype byte = 0; byte < inks.size(); ++byte) {
@@ -283,8 +322,9 @@ double inkShortfall(const Sheet& sheet, const PrintCorrection& correction) {
     const QImage& stretch = sheet.wanted->stretch;
     std::vector<double> rows(std::size_t(stretch.height()), 0);
     forImageRows(sheet.wanted->image, [&](const QImage& image, int first) {
-        const QImage grownBy = imageRows(stretch, first, first + image.height());
-        PerInk inks({image, grownBy, sheet.wanted->settings}, correction, law);
+        const WantedInk film = rowsOf(*sheet.wanted, first, first + image.height());
+        const QImage& grownBy = film.stretch;
+        PerInk inks(film, correction, law);
         const auto* wanted = reinterpret_cast<const uchar*>(inks.wanted.constData());
         forPixels(inks.printed, grownBy, [&](qsizetype pixel, const uchar* printed, float grown) {
             for (int ink = 0; ink < 4; ++ink) {
