@@ -58,7 +58,8 @@ std::vector<std::uint8_t> paleTriangles(const ImmersionResult& dip, const Textur
         const std::optional<FilmPlace> place = dip.laid->place(middles[triangle]);
         pale[triangle] =
             place &&
-            compensation.print(colours[triangle], dip.laid->areaStretch(*place)).fallsShort;
+            compensation.print(compensation.toned(colours[triangle]), dip.laid->areaStretch(*place))
+                .fallsShort;
     });
     return pale;
 }

@@ -479,6 +479,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
         if (now.sheet.wanted) {
             now.sheet.wanted->settings = now.inputs.texture.printedInk();
         }
+        now.sheet.passes = now.inputs.texture.printedInk().printedPasses();
         run.user.throwIfCancelled();
         measureInks(now, run.project.profiles.printer, isDraft);
     }
@@ -680,6 +681,7 @@ QStringList notesOf(const JobResult& result) {
     if (result.coverageTotal < negligibleShare && isInsideOut(*result.project.model)) {
         notes.append(insideOutNote());
     }
+    notes += missingMaterialNotes(result.project);
     notes += fontWarnings(result.project.artwork);
     notes += colourNotes(*result.project.model) + colourNotes(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {

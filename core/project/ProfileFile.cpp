@@ -130,7 +130,17 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
                 "kept_inks",
                 {QStringLiteral("none"), QStringLiteral("black"), QStringLiteral("pure")},
                 [](auto& p) -> auto& { return p.keptInks; })),
-            omittedIfDefault(iccField("device_link", &P::deviceLink))};
+            omittedIfDefault(iccField("device_link", &P::deviceLink)),
+            omittedIfDefault(choice<P>(
+                "pdf_target",
+                {QStringLiteral("ghostscript"), QStringLiteral("adobe"), QStringLiteral("older")},
+                [](auto& p) -> auto& { return p.pdfTarget; })),
+            omittedIfDefault(flag<P>(
+                "square_pixels", [](auto& p) -> auto& { return p.squarePixels; })),
+            omittedIfDefault(numberOrNone<P>(
+                "roll_gap_mm", 0, 200, [](auto& p) -> auto& { return p.rollGap; })),
+            omittedIfDefault(numberOrNone<P>(
+                "roll_width_mm", 50, 5000, [](auto& p) -> auto& { return p.rollWidth; }))};
         addCosts(all, inkCostFields());
         return all;
     }();
