@@ -115,9 +115,9 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
         sheets.push_back(immersion.sheet);
     }
     const std::vector<PrintPlan> plans = planPrints(system, sheets, request);
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-        for (const QString& warning : plans[i].warnings) {
-            out << QStringLiteral("%1: %2\n").arg(sheets[i].job.immersion, warning);
+    for (const PrintPlan& plan : plans) {
+        for (const QString& warning : plan.warnings) {
+            out << QStringLiteral("%1: %2\n").arg(plan.record->immersion, warning);
         }
     }
     printAndReport(system, plans, progress, out);

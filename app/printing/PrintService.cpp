@@ -549,6 +549,10 @@ std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>&
         once.turning = Turning::Never; // the roll's own direction
         for (const Sheet& film : seriesOn(*roll, sheets, request)) {
             plans.push_back(planPrint(system, film, once));
+            plans.back().warnings.prepend(
+                Text::tr("Series on the roll, %1, with cut marks; sheets: %2")
+                    .arg(plain(plans.back().task.media.size))
+                    .arg(film.pieces.size()));
         }
         return plans;
     }

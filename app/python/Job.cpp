@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t mostImmersions = 2;
 
 void setIn(Project& project, const QString& path, const py::object& value) {
-    setByPath(project, path, settingText(valueByPath(project, path).rule, value));
+    setByPath(project, path, settingText(valueByPath(project, path), value));
 }
 
 void setAll(Project& project, const Values& values, const QString& prefix = {}) {

@@ -3,8 +3,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
-#include <algorithm>
-
 namespace dipwright::python {
 namespace {
 
@@ -46,17 +44,6 @@ QString itemText(const py::handle& value) {
     return isSequence(value) ? joined(value, u';', partText) : partText(value);
 }
 
-bool holdsMarks(const py::handle& value) {
-    const auto items = py::reinterpret_borrow<py::object>(value);
-    return std::any_of(items.begin(), items.end(),
-                       [](const py::handle& item) { return py::isinstance<py::dict>(item); });
-}
-
-// Whether setByPath() takes the value as JSON: the lists of marks, which have no rule.
-bool isMarks(const FieldRule& rule) {
-    return rule.minimum == rule.maximum && rule.kind == FieldKind::Number && rule.mostItems == 0;
-}
-
 py::object loaded(const QByteArray& json, bool wholeNumbers) {
     const auto loads = py::module_::import("json").attr("loads");
     const py::str text(json.constData(), std::size_t(json.size()));
@@ -91,14 +78,14 @@ py::object toPython(const QJsonObject& object) {
     return loaded(QJsonDocument(object).toJson(QJsonDocument::Compact), true);
 }
 
-QString settingText(const FieldRule& rule, const py::object& value) {
+QString settingText(const ProjectValue& old, const py::object& value) {
     if (!isSequence(value)) {
         return partText(value);
     }
-    if (isMarks(rule) || holdsMarks(value)) {
+    if (old.isMarks) {
         return py::module_::import("json").attr("dumps")(value).cast<QString>();
     }
-    return rule.mostItems > 0 ? joined(value, u'/', itemText) : itemText(value);
+    return old.rule.mostItems > 0 ? joined(value, u'/', itemText) : itemText(value);
 }
 
 } // namespace dipwright::python

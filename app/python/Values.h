@@ -49,9 +49,9 @@ std::vector<QString> listOf(const QStringList& texts);
 py::object toPython(const ProjectValue& value);
 // Returns the object as a dict, as the module json reads it.
 py::object toPython(const QJsonObject& object);
-// Returns the text from which setByPath() reads a value: a str itself, otherwise the parts of a
-// tuple, the items of a list, or the JSON of a list of marks. Throws py::type_error for other
-// objects.
-QString settingText(const FieldRule& rule, const py::object& value);
+// Returns the text from which setByPath() reads the new value of `old`: a str itself, otherwise the
+// parts of a tuple, the items of a list, or the JSON of a list of marks. Throws py::type_error for
+// other objects.
+QString settingText(const ProjectValue& old, const py::object& value);
 
 } // namespace dipwright::python

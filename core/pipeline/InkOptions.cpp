@@ -1,6 +1,10 @@
 #include "pipeline/InkOptions.h"
 
+#include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
+#include "sheet/prepress/PlateCompensation.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/Separation.h"
 #include "texture/Ink.h"
 #include "texture/ReverseTexture.h"
 #include "texture/StretchPlane.h"
@@ -10,8 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
 
 namespace dipwright {
 namespace {
@@ -23,6 +27,7 @@ struct Text {
 constexpr double mostSamples = 1e6;     // of each film
 constexpr float visibleDensity = 0.05f; // as in texture/Ink.cpp
 constexpr double leftShort = 0.05;      // of the short area that lightening may leave
+constexpr double leastContrast = 0.5;   // standard deviation of L* that counts as contrast
 constexpr double leastDensest = 0.5;    // darker colours would hardly show
 constexpr double densestStep = 0.05;
 constexpr double poseStretchWeight = 1;
@@ -86,55 +91,168 @@ void addSamples(Samples& samples, const JobResult& result, std::size_t dip,
 // What the body shows at a sample.
 struct Shown {
     float missing = 0;  // density
-    LinearColour light; // in the samples' primaries
+    LinearColour light; // in sRGB's primaries
 };
 
-// The part below the ink.
+// The part below the ink, in light of sRGB's primaries.
 struct Beneath {
     LinearColour base = LinearColour::Ones();
     float white = 0; // wanted tint of the white layer
+
+    LinearColour light(const InkCompensation& ink, float stretch) const {
+        const float hidden =
+            white > 0 ? ink.shownWhite(ink.printWhite(white, stretch), stretch) : 0;
+        return base * (1 - hidden) + hidden;
+    }
 };
 
-Beneath beneathOf(const Project& project, bool withWhite, bool isWide) {
+Beneath beneathOf(const Project& project, bool withWhite) {
     Beneath beneath;
     if (!project.baseColour.isEmpty()) {
-        const LinearColour base = linearColour(QColor(project.baseColour));
-        beneath.base = isWide ? wideLight(base) : base;
+        beneath.base = linearColour(QColor(project.baseColour));
     }
     beneath.white = withWhite ? float(project.sheet.whiteDensity) : 0;
     return beneath;
 }
 
+// How ink with some settings looks on the body.
 class InkOnBody {
 public:
-    InkOnBody(const InkSettings& settings, const Beneath& beneath)
+    virtual ~InkOnBody() = default;
+    virtual std::vector<Shown> shown(const Samples& samples) const = 0;
+    // Returns how the texture looks if no film stretches, in light of sRGB's primaries.
+    virtual std::vector<LinearColour> reference(const Samples& samples) const = 0;
+};
+
+// Ink compensated in the picture, before any separation.
+class PictureInk : public InkOnBody {
+public:
+    PictureInk(const InkSettings& settings, const Beneath& beneath)
         : ink_(settings), beneath_(beneath), darkest_(std::pow(10.0f, -float(settings.limit))) {}
 
-    Shown at(const Sample& sample) const {
-        const LinearColour wanted = ink_.toned(sample.texture);
-        // No pass can print more than the ink limit.
-        const LinearColour printed = ink_.print(wanted, sample.stretch).colour.max(darkest_);
-        const LinearColour through = ink_.shown(printed, sample.stretch);
-        Shown shown;
-        for (int channel = 0; channel < lightInks; ++channel) {
-            shown.missing = std::max(shown.missing, densityOf(std::max(wanted[channel], darkest_)) -
-                                                        densityOf(through[channel]));
+    std::vector<Shown> shown(const Samples& samples) const override {
+        std::vector<Shown> all(samples.places.size());
+        parallelFor(std::size_t(0), all.size(), [&](std::size_t i) {
+            const Sample& sample = samples.places[i];
+            const LinearColour wanted = ink_.toned(sample.texture);
+            // No pass can print more than the ink limit.
+            const LinearColour printed = ink_.print(wanted, sample.stretch).colour.max(darkest_);
+            const LinearColour through = ink_.shown(printed, sample.stretch);
+            for (int channel = 0; channel < lightInks; ++channel) {
+                all[i].missing =
+                    std::max(all[i].missing, densityOf(std::max(wanted[channel], darkest_)) -
+                                                 densityOf(through[channel]));
+            }
+            all[i].light = (samples.isWide ? srgbLight(through) : through) *
+                           beneath_.light(ink_, sample.stretch);
+        });
+        return all;
+    }
+    std::vector<LinearColour> reference(const Samples& samples) const override {
+        std::vector<LinearColour> all;
+        for (const Sample& sample : samples.places) {
+            all.push_back(samples.isWide ? srgbLight(sample.texture) : sample.texture);
         }
-        shown.light = through * ground(sample.stretch);
-        return shown;
+        return all;
     }
 
 private:
-    LinearColour ground(float stretch) const {
-        const float hidden =
-            beneath_.white > 0 ? ink_.shownWhite(ink_.printWhite(beneath_.white, stretch), stretch)
-                               : 0;
-        return beneath_.base * (1 - hidden) + hidden;
+    InkCompensation ink_;
+    Beneath beneath_;
+    float darkest_; // linear light at the ink limit
+};
+
+// Each ink of a printer compensated by itself, within its total area coverage.
+class PlateInk : public InkOnBody {
+public:
+    PlateInk(const InkSettings& settings, const Beneath& beneath, const PrintCorrection& printer)
+        : ink_(settings), beneath_(beneath), law_(*printer.colour, settings), printer_(printer) {
+        for (int ink = 0; ink < 4; ++ink) {
+            densities_[std::size_t(ink)] = printer.colour->inkDensities(ink);
+        }
+    }
+
+    std::vector<Shown> shown(const Samples& samples) const override {
+        const QByteArray wanted = inksOf(samples, true);
+        QByteArray inks = wanted;
+        auto* const bytes = reinterpret_cast<uchar*>(inks.data());
+        const auto* const asked = reinterpret_cast<const uchar*>(wanted.constData());
+        const auto forInks = [&](const auto& work) {
+            parallelFor(std::size_t(0), 4 * samples.places.size(),
+                        [&](std::size_t i) { work(i, int(i % 4), samples.places[i / 4].stretch); });
+        };
+        forInks([&](std::size_t i, int ink, float stretch) {
+            bytes[i] = law_.printed(ink, asked[i], stretch);
+        });
+        if (printer_.totalInk) {
+            limitInk(inks, *printer_.totalInk);
+        }
+        std::vector<float> missing(4 * samples.places.size());
+        forInks([&](std::size_t i, int ink, float stretch) {
+            const double left = law_.shown(ink, bytes[i], stretch);
+            missing[i] = density(ink, asked[i]) - density(ink, left);
+            bytes[i] = uchar(std::lround(left));
+        });
+        const std::vector<LinearColour> lights = lightsOf(inks, samples.places.size());
+        std::vector<Shown> all(samples.places.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i].missing = *std::max_element(missing.begin() + std::ptrdiff_t(4 * i),
+                                               missing.begin() + std::ptrdiff_t(4 * i + 4));
+            all[i].light = lights[i] * beneath_.light(ink_, samples.places[i].stretch);
+        }
+        return all;
+    }
+    std::vector<LinearColour> reference(const Samples& samples) const override {
+        return lightsOf(inksOf(samples, false), samples.places.size());
+    }
+
+private:
+    static constexpr int width = 1024; // of the pictures that hold the samples
+
+    static QSize sizeFor(std::size_t samples) {
+        return {width, int((samples + width - 1) / width)};
+    }
+    // Returns the inks of the texture, lightened by the tone curve or not.
+    QByteArray inksOf(const Samples& samples, bool isToned) const {
+        QImage picture(sizeFor(samples.places.size()),
+                       samples.isWide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
+        picture.fill(Qt::white);
+        if (samples.isWide) {
+            picture.setColorSpace(wideSpace());
+        }
+        const PixelCode code(picture);
+        uchar* const bits = picture.bits();
+        const qsizetype stride = picture.bytesPerLine();
+        parallelFor(std::size_t(0), samples.places.size(), [&](std::size_t i) {
+            const LinearColour& texture = samples.places[i].texture;
+            code.write(bits + qsizetype(i / width) * stride + qsizetype(i % width) * code.bytes(),
+                       isToned ? ink_.toned(texture) : texture, code.opaque());
+        });
+        return printer_.colour->cmyk(onWhitePaper(picture));
+    }
+    std::vector<LinearColour> lightsOf(const QByteArray& inks, std::size_t samples) const {
+        const QImage print = printer_.colour->screen(inks, sizeFor(samples));
+        std::vector<LinearColour> lights(samples);
+        for (std::size_t i = 0; i < samples; ++i) {
+            const uchar* pixel = print.constScanLine(int(i / width)) + 3 * (i % width);
+            for (int channel = 0; channel < 3; ++channel) {
+                lights[i][channel] = linearTable()[pixel[channel]];
+            }
+        }
+        return lights;
+    }
+    float density(int ink, double amount) const {
+        const std::array<float, 256>& own = densities_[std::size_t(ink)];
+        const int below = std::clamp(int(amount), 0, 254);
+        return own[std::size_t(below)] +
+               float(amount - below) * (own[std::size_t(below) + 1] - own[std::size_t(below)]);
     }
 
     InkCompensation ink_;
     Beneath beneath_;
-    float darkest_; // linear light at the ink limit
+    PlateCompensation law_;
+    PrintCorrection printer_;
+    std::array<std::array<float, 256>, 4> densities_;
 };
 
 // CIE L*a*b* of light in sRGB's primaries, relative to D65.
@@ -168,13 +286,17 @@ struct Spread {
 class Places {
 public:
     Places(Samples samples, const InkOnBody& now)
-        : samples_(std::move(samples)), short_(samples_.places.size()) {
-        parallelFor(std::size_t(0), short_.size(), [&](std::size_t i) {
-            short_[i] = now.at(samples_.places[i]).missing > visibleDensity;
-        });
-        for (std::size_t i = 0; i < short_.size(); ++i) {
-            area_ += double(samples_.places[i].area);
-            shortArea_ += short_[i] != 0 ? double(samples_.places[i].area) : 0;
+        : samples_(std::move(samples)), reference_(now.reference(samples_)) {
+        const std::vector<Shown> shown = now.shown(samples_);
+        short_.isWide = samples_.isWide;
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            const Sample& sample = samples_.places[i];
+            area_ += double(sample.area);
+            isShort_.push_back(shown[i].missing > visibleDensity);
+            if (isShort_.back()) {
+                short_.places.push_back(sample);
+                shortArea_ += double(sample.area);
+            }
         }
     }
 
@@ -182,77 +304,21 @@ public:
     double shortArea() const { return shortArea_; }
 
     InkReach reach(const InkOnBody& ink) const {
-        std::vector<float> missing(short_.size()), difference(short_.size());
-        std::vector<std::array<float, 2>> lightness(short_.size()); // of the texture, shown
-        parallelFor(std::size_t(0), short_.size(), [&](std::size_t i) {
-            const Sample& sample = samples_.places[i];
-            const Shown shown = ink.at(sample);
-            const Eigen::Array3f wanted = lab(sample.texture), got = lab(shown.light);
-            missing[i] = shown.missing;
-            difference[i] = (wanted - got).matrix().norm();
-            lightness[i] = {wanted[0], got[0]};
-        });
-        return summed(missing, difference, lightness);
-    }
-
-    // Returns the area that stays short, of the area that is short now.
-    double leftArea(const InkOnBody& ink) const {
-        std::vector<float> left(short_.size());
-        parallelFor(std::size_t(0), short_.size(), [&](std::size_t i) {
-            const Sample& sample = samples_.places[i];
-            left[i] =
-                short_[i] != 0 && ink.at(sample).missing > visibleDensity ? sample.area : 0.0f;
-        });
-        return std::accumulate(left.begin(), left.end(), 0.0);
-    }
-
-    // Returns the stretch up to which `ink` suffices on 95 % of the samples that are short now.
-    double usableStretch(const InkOnBody& ink) const {
-        std::vector<std::size_t> places;
-        for (std::size_t i = 0; i < short_.size(); ++i) {
-            if (short_[i] != 0) {
-                places.push_back(i);
-            }
-        }
-        const std::size_t stride = std::max<std::size_t>(1, places.size() / mostStretchSamples);
-        std::vector<float> stretches;
-        for (std::size_t i = 0; i < places.size(); i += stride) {
-            stretches.push_back(largestStretch(samples_.places[places[i]], ink));
-        }
-        const auto rank = stretches.begin() + std::ptrdiff_t(stretches.size() / 20);
-        std::nth_element(stretches.begin(), rank, stretches.end());
-        return double(*rank);
-    }
-
-private:
-    Eigen::Array3f lab(const LinearColour& light) const {
-        return labOf(samples_.isWide ? srgbLight(light) : light);
-    }
-
-    static float largestStretch(Sample sample, const InkOnBody& ink) {
-        float low = 1, high = std::max(sample.stretch, 1.0f);
-        for (int step = 0; step < 12; ++step) {
-            sample.stretch = (low + high) / 2;
-            (ink.at(sample).missing > visibleDensity ? high : low) = sample.stretch;
-        }
-        return low;
-    }
-
-    InkReach summed(const std::vector<float>& missing, const std::vector<float>& difference,
-                    const std::vector<std::array<float, 2>>& lightness) const {
+        const std::vector<Shown> shown = ink.shown(samples_);
         InkReach reach;
         std::vector<float> where;
-        Spread wanted, shown;
+        Spread wanted, got;
         double shortNow = 0, error = 0;
-        for (std::size_t i = 0; i < missing.size(); ++i) {
+        for (std::size_t i = 0; i < shown.size(); ++i) {
             const auto area = double(samples_.places[i].area);
-            shortNow += missing[i] > visibleDensity ? area : 0;
-            error += area * double(difference[i]);
-            reach.mostMissing = std::max(reach.mostMissing, double(missing[i]));
-            if (short_[i] != 0) {
-                where.push_back(missing[i]);
-                wanted.add(double(lightness[i][0]), area);
-                shown.add(double(lightness[i][1]), area);
+            const Eigen::Array3f asked = labOf(reference_[i]), lab = labOf(shown[i].light);
+            shortNow += shown[i].missing > visibleDensity ? area : 0;
+            error += area * double((asked - lab).matrix().norm());
+            reach.mostMissing = std::max(reach.mostMissing, double(shown[i].missing));
+            if (isShort_[i]) {
+                where.push_back(shown[i].missing);
+                wanted.add(double(asked[0]), area);
+                got.add(double(lab[0]), area);
             }
         }
         reach.shortShare = area_ > 0 ? shortNow / area_ : 0;
@@ -262,28 +328,69 @@ private:
             std::nth_element(where.begin(), rank, where.end());
             reach.missing95 = std::max(0.0, double(*rank));
         }
-        const double contrast = wanted.deviation();
-        reach.contrast = contrast > 0.5 ? shown.deviation() / contrast
-                                        : std::numeric_limits<double>::quiet_NaN();
+        reach.contrast = wanted.deviation() > leastContrast
+                             ? got.deviation() / wanted.deviation()
+                             : std::numeric_limits<double>::quiet_NaN();
         return reach;
     }
 
-    Samples samples_;
-    std::vector<std::uint8_t> short_;
+    // Returns the area that stays short, of the area that is short now.
+    double leftArea(const InkOnBody& ink) const {
+        const std::vector<Shown> shown = ink.shown(short_);
+        double left = 0;
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            left += shown[i].missing > visibleDensity ? double(short_.places[i].area) : 0;
+        }
+        return left;
+    }
+
+    // Returns the stretch up to which `ink` suffices on 95 % of the samples that are short now.
+    double usableStretch(const InkOnBody& ink) const {
+        Samples tried{{}, short_.isWide};
+        const std::size_t stride =
+            std::max<std::size_t>(1, short_.places.size() / mostStretchSamples);
+        std::vector<float> low, high;
+        for (std::size_t i = 0; i < short_.places.size(); i += stride) {
+            tried.places.push_back(short_.places[i]);
+            low.push_back(1);
+            high.push_back(std::max(short_.places[i].stretch, 1.0f));
+        }
+        for (int step = 0; step < 12; ++step) {
+            for (std::size_t i = 0; i < low.size(); ++i) {
+                tried.places[i].stretch = (low[i] + high[i]) / 2;
+            }
+            const std::vector<Shown> shown = ink.shown(tried);
+            for (std::size_t i = 0; i < low.size(); ++i) {
+                (shown[i].missing > visibleDensity ? high : low)[i] = tried.places[i].stretch;
+            }
+        }
+        const auto rank = low.begin() + std::ptrdiff_t(low.size() / 20);
+        std::nth_element(low.begin(), rank, low.end());
+        return double(*rank);
+    }
+
+private:
+    Samples samples_, short_; // all, and those where ink is short now
+    std::vector<LinearColour> reference_;
+    std::vector<bool> isShort_;
     double area_ = 0, shortArea_ = 0;
 };
 
+// Makes the ink of some settings, with white beneath or not.
+using InkMaker = std::function<std::unique_ptr<InkOnBody>(const InkSettings&, bool withWhite)>;
+
 // Returns the largest density to which the texture can be lightened so that hardly any area stays
 // short, at least leastDensest; none if the texture is lightened as far already.
-std::optional<double> densestFor(const Places& places, const InkSettings& ink,
-                                 const Beneath& beneath) {
+std::optional<double>
+densestFor(const Places& places, const InkSettings& ink,
+           const std::function<std::unique_ptr<InkOnBody>(const InkSettings&)>& inkOf) {
     const auto densestAt = [most = std::min(ink.densest, ink.limit)](int step) {
         return std::round(most / densestStep - step) * densestStep;
     };
     const auto suffices = [&](int step) {
         InkSettings lighter = ink;
         lighter.densest = densestAt(step);
-        return places.leftArea(InkOnBody(lighter, beneath)) <= leftShort * places.shortArea();
+        return places.leftArea(*inkOf(lighter)) <= leftShort * places.shortArea();
     };
     int least = 1; // the first step that may suffice
     int most = int((densestAt(0) - leastDensest) / densestStep);
@@ -299,6 +406,41 @@ std::optional<double> densestFor(const Places& places, const InkSettings& ink,
         }
     }
     return densestAt(most);
+}
+
+// Returns the options in the order of InkRemedy; none if ink suffices.
+std::optional<InkOptions> comparedOptions(const Project& project, Samples samples,
+                                          const InkMaker& inkOf, const Progress& progress) {
+    const QString text = Text::tr("Comparing the options for ink");
+    const bool hasWhite = project.sheet.white != WhiteLayer::None;
+    const auto sameWhite = [&](const InkSettings& settings) { return inkOf(settings, hasWhite); };
+    const auto now = sameWhite(project.ink);
+    const Places places(std::move(samples), *now);
+    if (places.shortArea() < leastShortArea) {
+        return std::nullopt;
+    }
+    InkOptions found{places.area(), places.reach(*now), {}};
+    progress(0.2, text);
+    if (const auto densest = densestFor(places, project.ink, sameWhite)) {
+        InkSettings lighter = project.ink;
+        lighter.densest = *densest;
+        found.options.push_back(
+            {InkRemedy::LighterTexture, *densest, places.reach(*sameWhite(lighter))});
+    }
+    progress(0.6, text);
+    if (!hasWhite) {
+        found.options.push_back(
+            {InkRemedy::WhiteBeneath, 1, places.reach(*inkOf(project.ink, true))});
+    }
+    if (project.ink.passes < mostInkPasses) {
+        InkSettings more = project.ink;
+        ++more.passes;
+        found.options.push_back(
+            {InkRemedy::SecondPass, double(more.passes), places.reach(*sameWhite(more))});
+    }
+    found.options.push_back({InkRemedy::OtherPose, places.usableStretch(*now), std::nullopt});
+    progress(1, text);
+    return found;
 }
 
 QString number(double value, int decimals) {
@@ -338,11 +480,13 @@ QString remedyField(InkRemedy remedy) {
 std::optional<InkOptions> inkOptions(const JobResult& result, const Progress& progress) {
     const Project& project = result.project;
     double reported = 0;
+    bool isPerInk = false;
     for (const ImmersionResult& dip : result.immersions) {
         if (!dip.inputs.texture.isReversed() || !dip.texture) {
             return std::nullopt;
         }
-        reported += dip.texture->shortfallArea;
+        reported += dip.inkShortfall.value_or(dip.texture->shortfallArea);
+        isPerInk = isPerInk || dip.inkShortfall;
     }
     if (reported < leastShortArea || !project.ink.compensate || !result.painted) {
         return std::nullopt;
@@ -355,37 +499,22 @@ std::optional<InkOptions> inkOptions(const JobResult& result, const Progress& pr
         addSamples(samples, result, dip, *colours, progress.silent());
     }
     progress(0.4, text);
-    const bool isWide = samples.isWide;
-    const bool hasWhite = project.sheet.white != WhiteLayer::None;
-    const Beneath beneath = beneathOf(project, hasWhite, isWide);
-    const InkOnBody now(project.ink, beneath);
-    const Places places(std::move(samples), now);
-    if (places.shortArea() < leastShortArea) {
-        return std::nullopt;
+    std::optional<PrinterColour> colour;
+    PrintCorrection correction;
+    if (const auto& printer = project.profiles.printer; isPerInk && printer) {
+        colour.emplace(printer->iccProfile, printer->intent, printer->blackPoint, printer->name);
+        correction.colour = &*colour;
+        correction.totalInk = printer->totalInk;
     }
-    InkOptions found{places.area(), places.reach(now), {}};
-    progress(0.5, text);
-    if (const auto densest = densestFor(places, project.ink, beneath)) {
-        InkSettings lighter = project.ink;
-        lighter.densest = *densest;
-        found.options.push_back(
-            {InkRemedy::LighterTexture, *densest, places.reach(InkOnBody(lighter, beneath))});
-    }
-    progress(0.8, text);
-    if (!hasWhite) {
-        found.options.push_back(
-            {InkRemedy::WhiteBeneath, 1,
-             places.reach(InkOnBody(project.ink, beneathOf(project, true, isWide)))});
-    }
-    if (project.ink.passes < mostInkPasses) {
-        InkSettings more = project.ink;
-        ++more.passes;
-        found.options.push_back(
-            {InkRemedy::SecondPass, double(more.passes), places.reach(InkOnBody(more, beneath))});
-    }
-    found.options.push_back({InkRemedy::OtherPose, places.usableStretch(now), std::nullopt});
-    progress(1, text);
-    return found;
+    const InkMaker inkOf = [&](const InkSettings& settings,
+                               bool withWhite) -> std::unique_ptr<InkOnBody> {
+        const Beneath beneath = beneathOf(project, withWhite);
+        if (correction.colour) {
+            return std::make_unique<PlateInk>(settings, beneath, correction);
+        }
+        return std::make_unique<PictureInk>(settings, beneath);
+    };
+    return comparedOptions(project, std::move(samples), inkOf, progress.part(0.4, 1));
 }
 
 void take(Project& project, const InkOption& option) {

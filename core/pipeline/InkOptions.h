@@ -11,7 +11,7 @@ namespace dipwright {
 inline constexpr double leastShortArea = 2;
 
 // How well the ink of all dips together shows the texture. Densities are optical densities of the
-// red, green or blue light in which most is missing; what exceeds the ink limit on unstretched
+// light or ink in which most is missing; what exceeds the ink limit on unstretched
 // film counts as the limit.
 struct InkReach {
     double shortShare = 0; // of the painted surface: visibly too pale, 0 … 1
@@ -44,9 +44,10 @@ struct InkOptions {
     std::vector<InkOption> options; // that apply to the project, in the order of InkRemedy
 };
 
-// Computes the options, from the texture and the stretch at about a million places of each film.
-// The inks are those of a printer without an ink wedge for single plates: cyan, magenta and yellow
-// compensated before the separation. Returns none if the sheets show no texture or are not
+// Computes the options, from the texture and the stretch at about a million places of each film. If
+// the printer's inks are compensated separately, the densities are those of its inks, within its
+// total area coverage, and colours are compared with the printer's own on unstretched film. Returns
+// none if the sheets show no texture or are not
 // compensated, or if ink is short on less than leastShortArea. Uses all cores; deterministic.
 // Throws Cancelled.
 std::optional<InkOptions> inkOptions(const JobResult& result, const Progress& progress);

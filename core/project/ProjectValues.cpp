@@ -31,7 +31,7 @@ void addMarks(std::vector<ProjectValue>& values, const Project& project) {
     const QJsonObject json = toJson(project);
     for (const char* list : {"masks", "tolerance.marks", "share.marks"}) {
         const QString path = QString::fromLatin1(list);
-        values.push_back({path, {}, valueAt(json, path, {}).toArray()});
+        values.push_back({path, {}, valueAt(json, path, {}).toArray(), true});
     }
 }
 

@@ -9,12 +9,14 @@ namespace dipwright {
 
 struct Project;
 
-// A value of a project. A list of marks (masks, tolerance.marks, share.marks) is one value: an
-// array of objects, whose rule is empty.
+// A value of a project.
 struct ProjectValue {
     QString path; // such as "film.swell" or "immersions[0].rotation_deg"
     FieldRule rule;
     QJsonValue value; // as in the project file
+    // Whether it is a list of marks: masks, tolerance.marks or share.marks. Such a list is one
+    // value, an array of objects without a rule; setByPath() takes it as JSON.
+    bool isMarks = false;
 };
 
 // Returns all values that setByPath() can set, in the order of the file's schema.

@@ -46,13 +46,15 @@ QTableWidgetItem* cell(const QString& text, Qt::Alignment alignment = Qt::AlignR
     return item;
 }
 
-QPixmap swatch(const ProofPlate& plate) {
+QIcon swatch(const ProofPlate& plate) {
     QPixmap pixmap(16, 16);
     pixmap.fill(plate.colour);
     QPainter painter(&pixmap);
     painter.setPen(QColor(0x70, 0x70, 0x70));
     painter.drawRect(0, 0, 15, 15);
-    return pixmap;
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // not tinted by the selection
+    return icon;
 }
 
 // Returns the name of a plate in the user's language; names of spot inks are the user's own.

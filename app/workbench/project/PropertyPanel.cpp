@@ -1,6 +1,7 @@
 #include "workbench/project/PropertyPanel.h"
 
 #include "base/Error.h"
+#include "import/trusted/CadFacts.h"
 #include "model/NamedMaterials.h"
 #include "pipeline/DeeperDip.h"
 #include "pipeline/JobSheet.h"

@@ -225,44 +225,56 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit, PlaceLinks
     return heading(result.immersion.name) + table.html();
 }
 
-QString inkRow(const QString& name, const QStringList& values) {
-    QString html = QStringLiteral("<tr><td style='padding:3px 12px 3px 0'>%1</td>").arg(name);
+constexpr int inkColumns = 5;
+
+QString inkRow(const QStringList& values) {
+    QString html = QStringLiteral("<tr>");
     for (const QString& value : values) {
-        html += QStringLiteral("<td style='padding:3px 0 3px 8px' align='right'>%1</td>")
+        html += QStringLiteral("<td style='padding:0 0 6px 8px' align='right'>%1</td>")
                     .arg(value.toHtmlEscaped());
     }
     return html + QStringLiteral("</tr>");
 }
 
-QStringList inkValues(const InkReach& reach) {
-    return {Text::tr("%1 %").arg(number(100 * reach.shortShare, 2)),
-            QStringLiteral("%1 · %2").arg(number(reach.missing95, 2), number(reach.mostMissing, 2)),
-            std::isnan(reach.contrast) ? QStringLiteral("–")
-                                       : Text::tr("%1 %").arg(number(100 * reach.contrast, 0)),
-            number(reach.colourError, 1)};
+// A row of its own, because names of options are long and the page is narrow.
+QString inkTitle(const QString& html) {
+    return QStringLiteral("<tr><td colspan='%1' style='padding:3px 0'>%2</td></tr>")
+        .arg(inkColumns)
+        .arg(html);
+}
+
+QString inkValues(const InkReach& reach) {
+    return inkRow({Text::tr("%1 %").arg(number(100 * reach.shortShare, 2)),
+                   number(reach.missing95, 2), number(reach.mostMissing, 2),
+                   std::isnan(reach.contrast)
+                       ? QStringLiteral("–")
+                       : Text::tr("%1 %").arg(number(100 * reach.contrast, 0)),
+                   number(reach.colourError, 1)});
 }
 
 QString inkOptionsHtml(const InkOptions& found) {
-    QString rows = inkRow({}, {Text::tr("Too pale"), Text::tr("Missing density: 95 % · most"),
-                               Text::tr("Contrast"), Text::tr("Colour error ΔE")}) +
-                   inkRow(Text::tr("Now").toHtmlEscaped(), inkValues(found.now));
+    QString rows =
+        inkRow({Text::tr("Too pale"), Text::tr("Missing, 95 %"), Text::tr("Missing, most"),
+                Text::tr("Contrast"), Text::tr("Colour error ΔE")}) +
+        inkTitle(Text::tr("Now").toHtmlEscaped()) + inkValues(found.now);
     for (std::size_t i = 0; i < found.options.size(); ++i) {
         const InkOption& option = found.options[i];
         const QString link =
             QStringLiteral("<a href='%1%2'>%3</a>")
                 .arg(inkScheme, QString::number(i), remedyText(option).toHtmlEscaped());
-        rows += option.reach
-                    ? inkRow(link, inkValues(*option.reach))
-                    : QStringLiteral("<tr><td colspan='5' style='padding:3px 0'>%1: %2</td></tr>")
-                          .arg(link, optionText(option).toHtmlEscaped());
+        rows +=
+            option.reach
+                ? inkTitle(link) + inkValues(*option.reach)
+                : inkTitle(QStringLiteral("%1: %2").arg(link, optionText(option).toHtmlEscaped()));
     }
     return heading(Text::tr("Where ink does not suffice")) +
            QStringLiteral("<p>%1</p><table width='100%' cellspacing='0'>%2</table>")
                .arg(
                    Text::tr("A click on an option changes the project; it can be undone. Too pale: "
-                            "share of the painted surface. Missing density and contrast: where "
-                            "ink is short now. Colour error: mean difference to the texture on "
-                            "the painted surface.")
+                            "share of the painted surface. Missing: optical density where ink is "
+                            "short now (95 %), and the most anywhere. Contrast: of the texture, "
+                            "where ink is short now. Colour error: mean difference to the texture "
+                            "on the painted surface.")
                        .toHtmlEscaped(),
                    rows);
 }

@@ -344,7 +344,7 @@ QColor totalInkColour(double ink, const std::optional<double>& limit) {
     if (std::lround(ink * fullTint) > mostWithin(limit)) {
         return {0xe0, 0x10, 0x30};
     }
-    const double share = std::clamp(ink / 4, 0.0, 1.0);
+    const double share = std::clamp(ink / limit.value_or(4), 0.0, 1.0);
     const auto mixed = [&](int dark) { return int(std::lround(255 + share * (dark - 255))); };
     return {mixed(0x08), mixed(0x1c), mixed(0x50)};
 }

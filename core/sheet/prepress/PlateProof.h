@@ -60,8 +60,8 @@ QImage greyPlate(const Plates& plates, int channel);
 // (RGB888). White covers the ground.
 QImage composite(const Plates& plates, const PrinterColour& colour,
                  const std::vector<bool>& isShown, const QColor& ground = Qt::white);
-// Returns a map of the sum of the four inks (RGB32): from white, no ink, to dark blue, 400 %.
-// Above the limit the map is red.
+// Returns a map of the sum of the four inks (RGB32): from white, no ink, to dark blue at the limit
+// or, without a limit, at 400 %. Above the limit the map is red.
 QImage totalInkMap(const Plates& plates, const std::optional<double>& limit);
 // The colours of this map.
 QColor totalInkColour(double ink, const std::optional<double>& limit);

@@ -41,7 +41,8 @@ def main(model, folder, *settings):
     compared = changed.run(progress=show)
     print(f"\ncoverage {result.coverage:.1%}, changed {compared.coverage:.1%}")
 
-    # 4. Search for the best pose of a single dip, and take it.
+    # 4. Search for the best pose of a single dip, and take it. The numbers are for a quick look;
+    #    without them, the search is as thorough as that of the command line.
     search = job.search(1, candidates=6, directions=60, refined=0, finer=1, confirmed=0,
                         progress=show)
     best = search.ranking[0]

@@ -1,7 +1,10 @@
 // Tests what is computed for a job whose ink does not suffice.
 #include "pipeline/InkOptions.h"
 #include "DippedByHand.h"
+#include "TestProfiles.h"
 #include "geometry/Shapes.h"
+#include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/Separation.h"
 #include "texture/Ink.h"
 #include "texture/ReverseTexture.h"
 #include "texture/ToneCurve.h"
@@ -106,6 +109,36 @@ private slots:
         const std::optional<InkOptions> found = inkOptions(result, {});
         const InkOption* white = option(*found, InkRemedy::WhiteBeneath);
         QVERIFY(white->reach->colourError < 0.7 * found->now.colourError);
+    }
+
+    void options_eachInkByItself_agreeWithThePlates() {
+        JobResult result = sphere(QColor(72, 72, 72));
+        Project& project = result.project;
+        project.ink.law.exponents = {0.9, 0.8, 0.9, 0.5, 1};
+        PrinterProfile& printer = project.profiles.printer.emplace();
+        printer.iccProfile = simpleCmykProfile(0.002);
+        ReverseTextureOptions options;
+        options.pixels = {840, 1188};
+        options.bleed = 0;
+        options.ink = project.ink;
+        options.returnsWanted = true;
+        ImmersionResult& dip = result.immersions[0];
+        const ReverseTexture texture = reverseTexture(*dip.laid, *result.painted, options, {});
+        dip.sheet.image = texture.image;
+        dip.sheet.wanted = WantedInk{texture.wanted, texture.stretch, project.ink};
+        const PrinterColour colour(printer.iccProfile, printer.intent, printer.blackPoint, "inks");
+        dip.inkShortfall = inkShortfall(dip.sheet, {.colour = &colour});
+        QVERIFY(*dip.inkShortfall > 100);
+
+        const std::optional<InkOptions> found = inkOptions(result, {});
+        QVERIFY(found);
+        const double area = found->now.shortShare * found->paintedArea;
+        QVERIFY2(std::abs(area - *dip.inkShortfall) < 0.03 * *dip.inkShortfall,
+                 qPrintable(QString("%1, plates %2").arg(area).arg(*dip.inkShortfall)));
+        QVERIFY(option(*found, InkRemedy::SecondPass)->reach->shortShare <
+                0.1 * found->now.shortShare);
+        QVERIFY(option(*found, InkRemedy::LighterTexture)->reach->shortShare <
+                0.1 * found->now.shortShare);
     }
 
     void take_option_removesTheShortfall() {
