@@ -6,6 +6,7 @@
 #include "disk/AtomicFile.h"
 #include "import/trusted/ImportModel.h"
 #include "model/ModelFormats.h"
+#include "project/FilmSizes.h"
 #include "project/ProjectFile.h"
 
 #include <QDate>
@@ -260,7 +261,7 @@ public:
         Project project;
         project.name = projectName(path);
         project.date = QDate::currentDate().toString(Qt::ISODate);
-        project.film.resolution = FilmResolution::Automatic;
+        setNewProjectFilm(project.film);
         applyPresetOption(project, parser.value(presetOption));
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);

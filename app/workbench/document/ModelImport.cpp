@@ -1,5 +1,6 @@
 #include "workbench/document/ModelImport.h"
 
+#include "project/FilmSizes.h"
 #include "workbench/jobs/StartJob.h"
 
 #include <QCoreApplication>
@@ -49,7 +50,7 @@ Project newProject(const ImportedModel& imported, const QString& path,
     Project project;
     project.name = projectName(path);
     project.date = QDate::currentDate().toString(Qt::ISODate);
-    project.film.resolution = FilmResolution::Automatic;
+    setNewProjectFilm(project.film);
     project.immersions.front().name = QCoreApplication::translate("ModelImport", "Dip %1").arg(1);
     project.model = std::make_shared<const TexturedMesh>(imported.model);
     project.modelOrigin.source = path;
