@@ -1,6 +1,6 @@
 #include "cli/Arguments.h"
 #include "cli/VerdictOutput.h"
-#include "project/FilmSizes.h"
+#include "project/NewProject.h"
 #include "project/Profiles.h"
 
 #include "base/Error.h"

@@ -83,9 +83,4 @@ void resizeFilm(FilmSettings& film, Millimetres width, Millimetres height) {
     film.preset = sizeName(w, h);
 }
 
-void setNewProjectFilm(FilmSettings& film) {
-    film.resolution = FilmResolution::Automatic;
-    film.work = newProjectFilmWork;
-}
-
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// Lists the named film sizes, resizes a film with its grid, and sets the film of a new project.
+// Lists the named film sizes and resizes a film with its grid.
 #pragma once
 
 #include "settings/FilmSettings.h"
@@ -22,12 +22,5 @@ QSizeF filmSize(const QString& name);
 // allow. The film's preset becomes the name of the size, or "custom". Does nothing if the film has
 // this size already.
 void resizeFilm(FilmSettings& film, Millimetres width, Millimetres height);
-
-// Sets what a new project's film has instead of the defaults of FilmSettings: automatic cells, and
-// the work limit newProjectFilmWork. The defaults stay as they were for older files, because they
-// stand for fields that a file does not have.
-void setNewProjectFilm(FilmSettings& film);
-// In million points × steps; about 20 s on two cores.
-inline constexpr double newProjectFilmWork = 100;
 
 } // namespace dipwright

@@ -2,6 +2,8 @@
 #include "SampleProject.h"
 
 #include "base/Error.h"
+#include "project/NewProject.h"
+#include "project/ProjectValues.h"
 #include "project/Schema.h"
 
 #include <QJsonArray>
@@ -343,6 +345,31 @@ private slots:
         }
     }
 
+    void projectValues_ofAProject_areThoseThatCanBeSet() {
+        Project project = sampleProject();
+        const std::vector<ProjectValue> values = projectValues(project);
+        QVERIFY(values.size() > projectFields().size());
+        for (const ProjectValue& value : values) {
+            QVERIFY2(!value.path.startsWith("model."), qPrintable(value.path));
+            QCOMPARE(valueByPath(project, value.path).value, value.value);
+        }
+        setByPath(project, "immersions[1].name", "Second");
+        QCOMPARE(valueByPath(project, "immersions[1].name").value, QJsonValue("Second"));
+        QCOMPARE(valueByPath(project, "film.size_mm").rule.unit, QStringLiteral("mm"));
+        QVERIFY(valueByPath(project, "masks").value.isArray());
+    }
+
+    void valueByPath_unknownPath_isRefusedAsBySetting() {
+        for (const QString path : {"film.nothing", "immersions[9].name", "model.unit_mm", ""}) {
+            try {
+                valueByPath(sampleProject(), path);
+                QFAIL(qPrintable(path));
+            } catch (const Error& error) {
+                QCOMPARE(error.sentence(), refusal(path, QStringLiteral("1")));
+            }
+        }
+    }
+
     void setByPath_posesOfAPath_areReadAndKept() {
         Project project = sampleProject();
         setByPath(project, "immersions[0].path.kind", "poses");
@@ -360,6 +387,15 @@ private slots:
             QVERIFY_EXCEPTION_THROWN(
                 setByPath(project, "immersions[0].path.keys", QString::fromLatin1(wrong)), Error);
         }
+    }
+
+    void newProject_workLimit_isInTheFileAndOlderFilesKeepTheirs() {
+        QJsonObject file = toJson(newProject(QStringLiteral("part.obj")));
+        QJsonObject film = file["film"].toObject();
+        QCOMPARE(film["work_million"].toDouble(), newProjectFilmWork);
+        film.remove("work_million");
+        file["film"] = film;
+        QCOMPARE(fromJson(file, "x").film.work, 60.0);
     }
 
     void setByPath_pointsOrCell_lastOneCounts() {
