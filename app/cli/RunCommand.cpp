@@ -1,5 +1,6 @@
 #include "cli/Arguments.h"
 #include "cli/VerdictOutput.h"
+#include "project/NewProject.h"
 #include "project/Profiles.h"
 
 #include "base/Error.h"
@@ -333,9 +334,9 @@ public:
              QStringLiteral("print")});
         syntax.addOption({workOption,
                           QStringLiteral("The limit for smaller cells: film points times steps of "
-                                         "one dip, in millions (film.work_million); default %1, "
-                                         "about 20 s on two cores. 0: the cells stay as they are.")
-                              .arg(int(defaultFilmWork)),
+                                         "one dip, in millions (film.work_million). %1 takes about "
+                                         "20 s on two cores. 0: the cells stay as they are.")
+                              .arg(int(newProjectFilmWork)),
                           QStringLiteral("N")});
         syntax.addOption(
             {motionOption,

@@ -13,6 +13,7 @@ Project newProject(const QString& path) {
     project.name = projectName(path);
     project.date = QDate::currentDate().toString(Qt::ISODate);
     project.film.resolution = FilmResolution::Automatic;
+    project.film.work = newProjectFilmWork;
     return project;
 }
 

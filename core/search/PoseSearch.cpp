@@ -55,6 +55,10 @@ bool exceedsTank(const Entry& entry) {
     return !entry.ranked.tankFaults.isEmpty();
 }
 
+bool canBePrinted(const Entry& entry) {
+    return entry.ranked.advice() == Advice::Print;
+}
+
 // A pose that the tank cannot carry out is never better than one that it can. Confirmed poses are
 // then compared by their verdicts: a pose whose sheet must not be printed is never better than one
 // whose sheet can be.
@@ -732,24 +736,55 @@ private:
         rank();
     }
 
-    // Confirms further poses while none of the confirmed ones may be printed.
+    // Confirms further poses while the sheets of none of the confirmed ones can be printed.
     void confirm() {
         std::vector<Entry> open = ranked(), confirmed;
-        const auto mayBePrinted = [](const Entry& each) {
-            return each.ranked.advice() != Advice::DoNotPrint;
-        };
         const auto count = std::ptrdiff_t(settings_.confirmed);
         for (int round = 0; round < confirmedRounds && count > 0 && !open.empty() &&
-                            std::none_of(confirmed.begin(), confirmed.end(), mayBePrinted);
+                            std::none_of(confirmed.begin(), confirmed.end(), canBePrinted);
              ++round) {
             const auto end = open.begin() + std::min(count, std::ptrdiff_t(open.size()));
             for (Entry& each : dippedAgain({open.begin(), end}, Own)) {
                 confirmed.push_back(std::move(each));
             }
             open.erase(open.begin(), end);
+            addCertainPair(confirmed);
             best_ = confirmed;
             best_.insert(best_.end(), open.begin(), open.end());
             rank();
+        }
+    }
+
+    // If no sheet of the confirmed pairs can be printed as a pair, adds the best pair of their dips
+    // whose sheets can be, provided that its objective is not below that of all confirmed pairs.
+    void addCertainPair(std::vector<Entry>& confirmed) const {
+        if (settings_.immersions == 1 || confirmed.empty() ||
+            std::any_of(confirmed.begin(), confirmed.end(), canBePrinted)) {
+            return;
+        }
+        std::vector<Judged> certain;
+        const Entry* worst = &confirmed.front();
+        for (const Entry& each : confirmed) {
+            worst = each.ranked.objective < worst->ranked.objective ? &each : worst;
+            for (const Judged& dip : each.dips) {
+                if (dip->verdict.advice == Advice::Print &&
+                    std::find(certain.begin(), certain.end(), dip) == certain.end()) {
+                    certain.push_back(dip);
+                }
+            }
+        }
+        std::optional<Entry> best;
+        for (const Judged& first : certain) {
+            for (const Judged& second : certain) {
+                Entry pair = first == second ? Entry() : entry({first, second}, true);
+                if (first != second && pair.ranked.objective >= worst->ranked.objective &&
+                    (!best || isBetter(pair, *best))) {
+                    best = std::move(pair);
+                }
+            }
+        }
+        if (best) {
+            confirmed.push_back(std::move(*best));
         }
     }
 

@@ -42,7 +42,7 @@ struct FilmBehaviour {
 };
 
 inline constexpr int maximumFilmGrid = 4'000'000; // most points of a film
-inline constexpr double defaultFilmWork = 60;     // FilmSettings::work; about 20 s on two cores
+inline constexpr double defaultFilmWork = 60;     // FilmSettings::work of a file that has none
 inline constexpr double mostFilmWork = 100'000;
 
 // How the number of a film's points is chosen.

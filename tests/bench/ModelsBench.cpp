@@ -1,15 +1,21 @@
 // Measures the film on users' models. Prints the table of docs/film-model.md, "Models", one line
 // per dip.
 //
-//   models_bench [points=COLUMNSxROWS | automatic] [unrefined] [found] [turned] [solver=ID]
-//   [against=ID] JOB.dipw …
+//   models_bench [points=COLUMNSxROWS | automatic] [unrefined | work=MILLIONS] [found | foundonly]
+//   [turned] [quarter] [unchecked] [set=PATH:VALUE,…] [keep=FOLDER] [solver=ID] [against=ID]
+//   JOB.dipw …
 //
-// unrefined: keeps the first cells; no dip is repeated with smaller ones.
+// unrefined: keeps the first cells; no dip is repeated with smaller ones. work: film.work_million.
 // turned: measures the first dip also turned by 35°, 20° and −15°, a pose that nobody chose.
-// found: measures the job's own poses and the two poses that a pose search finds.
+// found: measures the job's own poses and the two poses that a pose search finds; foundonly: only
+// those. keep: also writes them as projects into a folder.
+// quarter: also moves of the sheet with a quarter of the cell, for sheets with the verdict "print".
+// set: sets fields of the projects, as PATH:VALUE,PATH:VALUE.
+// unchecked: leaves out half the step and half the cell.
 // against: also dips with another solver, and prints how many pixels of the sheets differ.
-// Times are for the dip alone, in seconds and relative to the first line. A verdict is wrong if it
-// says "print", but the full check moves the sheet by more than the reported numerical error.
+// Times of dips are for the dip alone, in seconds and relative to the first line. A verdict is
+// wrong if it says "print", but the full check moves the sheet by more than the reported numerical
+// error.
 
 #include "Bench.h"
 #include "base/Error.h"
@@ -19,6 +25,7 @@
 #include "project/ProjectStore.h"
 #include "texture/ReverseTexture.h"
 
+#include <QDir>
 #include <QGuiApplication>
 
 #include <algorithm>
@@ -28,22 +35,31 @@ using namespace dipwright;
 namespace {
 
 struct Options {
-    QStringList jobs;
+    QStringList jobs, settings;
     int columns = 0, rows = 0; // 0: the job's own numbers
     bool isAutomatic = false, isUnrefined = false, areFound = false, isTurned = false;
-    QString solver, against; // names (ids) of solvers
+    bool areOnlyFound = false, withQuarter = false, isUnchecked = false;
+    QString solver, against, work, keep; // names (ids) of solvers
 };
 
 Options parsed(int argc, char** argv) {
     bench::Arguments arguments(argc, argv);
     Options options;
-    options.areFound = arguments.take("found");
+    options.areOnlyFound = arguments.take("foundonly");
+    options.areFound = arguments.take("found") || options.areOnlyFound;
+    options.withQuarter = arguments.take("quarter");
+    options.isUnchecked = arguments.take("unchecked");
+    options.work = QString::fromStdString(arguments.value("work"));
+    options.keep = QString::fromStdString(arguments.value("keep"));
     options.isTurned = arguments.take("turned");
     options.isAutomatic = arguments.take("automatic");
     options.isUnrefined = arguments.take("unrefined");
     options.solver = QString::fromStdString(arguments.value("solver"));
     options.against = QString::fromStdString(arguments.value("against"));
     std::sscanf(arguments.value("points").c_str(), "%dx%d", &options.columns, &options.rows);
+    if (const std::string set = arguments.value("set"); !set.empty()) {
+        options.settings = QString::fromStdString(set).split(QLatin1Char(','));
+    }
     for (const std::string& job : arguments.words()) {
         options.jobs.append(QString::fromStdString(job));
     }
@@ -60,6 +76,13 @@ Project withOptions(Project job, const Options& options) {
     if (options.isUnrefined) {
         job.film.work = 0;
     }
+    for (const QString& setting : options.settings) {
+        setByPath(job, setting.section(QLatin1Char(':'), 0, 0),
+                  setting.section(QLatin1Char(':'), 1));
+    }
+    if (!options.work.isEmpty()) {
+        job.film.work = options.work.toDouble();
+    }
     if (options.columns > 0) {
         job.film.resolution = FilmResolution::Points;
         job.film.columns = options.columns;
@@ -68,15 +91,22 @@ Project withOptions(Project job, const Options& options) {
     return job;
 }
 
-Project inFoundPoses(Project job, const SolverRegistry& registry) {
+Project inFoundPoses(Project job, const Options& options, const SolverRegistry& registry) {
     SearchSettings search;
     search.immersions = 2;
     const solver::SolverModule& module = registry.module(job.process.solver);
-    job.immersions = searchPoses(searchSubject(job, job.process.solver), search, module, {}, {}, {})
-                         .ranking.front()
-                         .immersions;
+    SearchResult result;
+    const bench::Elapsed time = bench::elapsed([&] {
+        result = searchPoses(searchSubject(job, job.process.solver), search, module, {}, {}, {});
+    });
+    std::printf("%s: search of %.1f s, %.1f s of all processors\n", qPrintable(job.name),
+                time.seconds, time.processors);
+    job.immersions = result.ranking.front().immersions;
     for (Immersion& immersion : job.immersions) {
         immersion.name = QStringLiteral("found");
+    }
+    if (!options.keep.isEmpty()) {
+        saveProject(job, QDir(options.keep).filePath(job.name + QStringLiteral(".dipw")));
     }
     return job;
 }
@@ -145,15 +175,56 @@ void print(const Project& job, const ImmersionResult& said, const DipNumericalEr
     std::fflush(stdout);
 }
 
+// Prints the verdict on one dip, and why it is not "print".
+void printVerdict(const Project& job, const ImmersionResult& said) {
+    const DippedFilm& film = said.laid->film();
+    std::printf("%s, %s: %s after refinement by %.2f, off by %.3f mm, %.1f million, %.2f s",
+                qPrintable(job.name), qPrintable(said.immersion.name),
+                qPrintable(adviceKey(said.verdict.advice)), said.refinement,
+                said.numericalError->offBy.percentile95,
+                double(film.grid.pointCount()) * double(film.steps) / 1e6, film.wallSeconds);
+    for (const VerdictReason& reason : said.verdict.reasons) {
+        if (reason.advice > Advice::Print) {
+            std::printf("; %s: %s", qPrintable(adviceKey(reason.advice)),
+                        qPrintable(reasonText(reason, millimetres)));
+        }
+    }
+    std::printf("\n");
+}
+
+// Returns how far the sheet moves with a quarter of the cell: the 95th percentile, mm.
+double quarterMove(Project job, const ImmersionResult& said, const SolverRegistry& registry) {
+    job.immersions = {said.immersion};
+    job.film.refinement = 4 * said.refinement;
+    JobOptions options;
+    options.refines = options.estimatesNumericalError = false;
+    options.draftPictures = 0.1;
+    const JobResult finer = runJob(job, registry, options, nullptr, {});
+    return sheetChange(sheetMoves(*said.laid, *finer.immersions.front().laid,
+                                  comparedPlaces(said.laid->body().mesh)))
+        .distance.percentile95;
+}
+
 void judge(const Project& job, const Options& options, const SolverRegistry& registry) {
     const JobResult said = runJob(job, registry, {}, nullptr, {});
+    for (const ImmersionResult& dip : said.immersions) {
+        printVerdict(job, dip);
+        if (options.withQuarter && dip.verdict.advice == Advice::Print) {
+            std::printf("%s, %s: a quarter of the cell moves it by %.3f mm\n", qPrintable(job.name),
+                        qPrintable(dip.immersion.name), quarterMove(job, dip, registry));
+        }
+    }
+    std::fflush(stdout);
+    if (options.isUnchecked) {
+        return;
+    }
     std::optional<JobResult> other;
     if (!options.against.isEmpty()) {
         JobOptions otherwise;
         otherwise.solver = options.against;
         other = runJob(job, registry, otherwise, nullptr, {});
     }
-    const std::vector<DipNumericalError> check = sheetNumericalError(job, registry, {});
+    const std::vector<DipNumericalError> check = sheetNumericalError(job, registry, {}, &said);
     for (std::size_t number = 0; number < check.size(); ++number) {
         print(job, said.immersions[number], check[number],
               other ? &other->immersions[number] : nullptr);
@@ -174,12 +245,14 @@ int main(int argc, char** argv) {
     for (const QString& file : options.jobs) {
         try {
             const Project job = withOptions(loadProject(file), options);
-            judge(job, options, registry);
+            if (!options.areOnlyFound) {
+                judge(job, options, registry);
+            }
             if (options.isTurned) {
                 judge(turned(job), options, registry);
             }
             if (options.areFound) {
-                judge(inFoundPoses(job, registry), options, registry);
+                judge(inFoundPoses(job, options, registry), options, registry);
             }
         } catch (const Error& error) {
             std::printf("%s: %s\n", qPrintable(file), qPrintable(error.sentence()));

@@ -86,7 +86,7 @@ PropertySection printedFilmProperties() {
          .help =
              Text::tr("If the numerical error is too large to print a sheet, its dip is repeated "
                       "with smaller cells. This limits the work of one dip: the number of film "
-                      "points times the number of steps, in millions. 60 takes about 20 s on two "
+                      "points times the number of steps, in millions. 100 takes about 20 s on two "
                       "cores. 0: the dip is not repeated."),
          .unit = Unit::Million,
          .relevant =

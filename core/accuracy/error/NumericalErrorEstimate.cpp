@@ -16,6 +16,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Certainty)
 };
 
+// Largest factor for the move from a film with slightly larger cells. Such a move is mostly noise:
+// the sheet depends on where the grid's points happen to lie (docs/film-validation.md, "The
+// verdict").
+constexpr double mostLeft = 2;
 constexpr int leastCells = 4; // per side; fewer cells give no meaningful comparison
 
 // Doubling the cells also doubles the steps, because the production film's steps are given in
@@ -148,7 +152,7 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
             return errors;
         }
         std::vector<float> moves = sheetMoves(own, before->laid, places);
-        const auto left = float(std::max(1.0, 1 / (before->ratio - 1)));
+        const auto left = float(std::clamp(1 / (before->ratio - 1), 1.0, mostLeft));
         for (float& move : moves) {
             move = move < 0 ? move : left * move;
         }

@@ -70,7 +70,8 @@ struct FilmBefore {
 // Estimates the numerical error of the film `own`. A film that was repeated until its error seemed
 // small enough is also compared with the previous film: otherwise a chance agreement with the
 // coarser dips would end the repetition. For an error of first order, the move from that film times
-// 1 / (ratio − 1) is the error that is left. Uses all cores; deterministic.
+// 1 / (ratio − 1) is the error that is left; the factor used is 1 to 2. Uses all cores;
+// deterministic.
 NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser,
                                               const std::optional<FilmBefore>& before = {});
 

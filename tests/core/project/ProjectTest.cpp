@@ -2,6 +2,7 @@
 #include "SampleProject.h"
 
 #include "base/Error.h"
+#include "project/NewProject.h"
 #include "project/ProjectValues.h"
 #include "project/Schema.h"
 
@@ -386,6 +387,15 @@ private slots:
             QVERIFY_EXCEPTION_THROWN(
                 setByPath(project, "immersions[0].path.keys", QString::fromLatin1(wrong)), Error);
         }
+    }
+
+    void newProject_workLimit_isInTheFileAndOlderFilesKeepTheirs() {
+        QJsonObject file = toJson(newProject(QStringLiteral("part.obj")));
+        QJsonObject film = file["film"].toObject();
+        QCOMPARE(film["work_million"].toDouble(), newProjectFilmWork);
+        film.remove("work_million");
+        file["film"] = film;
+        QCOMPARE(fromJson(file, "x").film.work, 60.0);
     }
 
     void setByPath_pointsOrCell_lastOneCounts() {
