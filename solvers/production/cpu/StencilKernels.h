@@ -49,10 +49,13 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse);
 
 // Computes the coarse operator by Galerkin interpolation, one axis after the other. The coarse grid
-// has every second point. This function works across rows. It adds the contribution of one fine row
-// to the stencil of a coarse row that lies `offset` (−1, 0, 1) rows below the fine row.
-void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
-                   const Lines<float>& coarse);
+// has every second point. This function works across rows. It computes the stencil of a coarse row
+// from the fine row that it lies on and from the rows below and above. A row that does not exist is
+// zero.
+struct FineRows {
+    Lines<const float> below, here, above;
+};
+void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>& coarse);
 // Does the same along a row with `fineColumns` points.
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse);
@@ -68,18 +71,13 @@ struct ChebyshevRow {
 void smoothFirst(std::size_t columns, const ChebyshevRow& row);
 void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
                const Lines<const float>& stencil, const RowOfVectors<const float>& now);
-// Computes residual = right − K·now.
-void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
-                 const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
-                 const RowOfVectors<float>& residual);
-
 // Applies the transpose of interpolateRow, from three fine rows to a coarse row. `sum` is scratch
 // memory: a fine row with one more number before it and two after it.
 void restrictRow(std::size_t fineColumns, std::size_t coarseColumns, std::size_t finePitch,
                  const float* fine, float* sum, float* coarse);
-// Adds the coarse grid's vector to a fine row, one half from each of two coarse rows. If the fine
-// row lies on a coarse row, pass that row for both. `factor` multiplies each point's value; may be
-// null.
+// Interpolates the coarse grid's vector to a fine row, one half from each of two coarse rows. If
+// the fine row lies on a coarse row, pass that row for both. `factor` multiplies each point's
+// value; may be null.
 void interpolateRow(std::size_t fineColumns, const float* lower, const float* upper,
                     const float* factor, float* fine);
 

@@ -1,6 +1,7 @@
 #include "production/cpu/StiffnessMultigrid.h"
 
 #include "common/cpu/RowParallel.h"
+#include "production/cpu/RowKernels.h"
 #include "production/formulas/GalerkinCycle.h"
 
 #include <utility>
@@ -99,17 +100,15 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
 
 void StiffnessMultigrid::coarsen(Level& fine, Level& coarse) {
     forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
-        std::vector<float> across(stencilLines * fine.pitch);
+        std::vector<float> across(stencilLines * fine.pitch), zeros(stencilLines * fine.pitch);
         const Lines<float> lines{across.data(), fine.pitch};
+        const auto rowOf = [&](int row) {
+            return row >= 0 && row < fine.rows ? constant(fine.stencil(row))
+                                               : Lines<const float>{zeros.data(), fine.pitch};
+        };
         for (int row = begin; row < end; ++row) {
-            std::fill(across.begin(), across.end(), 0.f);
-            for (int offset = -1; offset <= 1; ++offset) {
-                const int from = 2 * row + offset;
-                if (from >= 0 && from < fine.rows) {
-                    coarsenAcross(std::size_t(fine.columns), offset, constant(fine.stencil(from)),
-                                  lines);
-                }
-            }
+            coarsenAcross(std::size_t(fine.columns),
+                          {rowOf(2 * row - 1), rowOf(2 * row), rowOf(2 * row + 1)}, lines);
             coarsenAlong(std::size_t(fine.columns), constant(lines), coarse.stencil(row));
         }
     });
@@ -162,23 +161,7 @@ void StiffnessMultigrid::solveCoarsest(Level& level) {
     }
 }
 
-// Smooths from zero into `now`, and writes the residual that is left into `next`.
-void StiffnessMultigrid::smoothFromZero(Level& level) {
-    forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
-        if (stage == 0) {
-            smoothRowOf(level, row, smoothingSteps[0], nullptr, level.next);
-        } else if (stage == 1) {
-            smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
-        } else {
-            residualRow(std::size_t(level.columns), level.pitch, constant(level.stencil(row)),
-                        level.row(std::as_const(level.right), row),
-                        level.row(std::as_const(level.now), row), level.row(level.next, row));
-        }
-    });
-}
-
-// Writes the fine grid's residual, which is in its `next`, into the right side of the coarse grid.
-void StiffnessMultigrid::restrictResidual(const Level& fine, Level& coarse) {
+void StiffnessMultigrid::restrictRight(const Level& fine, Level& coarse) {
     forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
         std::vector<float> sum(std::size_t(fine.columns) + 3);
         const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to,
@@ -187,15 +170,15 @@ void StiffnessMultigrid::restrictResidual(const Level& fine, Level& coarse) {
                         from.data() + fine.at(2 * row), sum.data(), to.data() + coarse.at(row));
         };
         for (int row = begin; row < end; ++row) {
-            restricted(fine.next.x, coarse.right.x, row);
-            restricted(fine.next.z, coarse.right.z, row);
+            restricted(fine.right.x, coarse.right.x, row);
+            restricted(fine.right.z, coarse.right.z, row);
         }
     });
 }
 
-// Adds the coarse grid's correction to a row of `now`.
-void StiffnessMultigrid::addCorrection(const Level& coarse, Level& fine, bool isFinest,
-                                       int row) const {
+// Interpolates the coarse grid's result to a row of `now`.
+void StiffnessMultigrid::interpolate(const Level& coarse, Level& fine, bool isFinest,
+                                     int row) const {
     const RowOfVectors<const float> lower = coarse.row(coarse.now, row / 2),
                                     upper = coarse.row(coarse.now, (row + 1) / 2);
     const RowOfVectors<float> to = fine.row(fine.now, row);
@@ -206,42 +189,55 @@ void StiffnessMultigrid::addCorrection(const Level& coarse, Level& fine, bool is
     interpolateRow(columns, lower.z, upper.z, free, to.z);
 }
 
-void StiffnessMultigrid::cycle(std::size_t index) {
-    static_assert(smoothingSteps.size() == 2);
+// Computes the grid's result from the coarser grid's, into `now`.
+void StiffnessMultigrid::ascend(std::size_t index) {
     Level& level = levels_[index];
-    if (index + 1 == levels_.size()) {
-        solveCoarsest(level);
-        return;
-    }
-    Level& coarse = levels_[index + 1];
-    smoothFromZero(level);
-    restrictResidual(level, coarse);
-    cycle(index + 1);
-    forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
+    const Level& coarse = levels_[index + 1];
+    constexpr int stages = smoothingDegree + 1;
+    forRowStages<stages>(level.rows, level.columns, [&](int stage, int row) {
         if (stage == 0) {
-            addCorrection(coarse, level, index == 0, row);
-        } else if (stage == 1) {
-            smoothRowOf(level, row, smoothingSteps[0], &level.now, level.next);
-        } else {
-            smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
+            interpolate(coarse, level, index == 0, row);
+            return;
         }
+        const bool isOdd = stage % 2 != 0;
+        smoothRowOf(level, row, smoothingSteps[std::size_t(stage - 1)],
+                    isOdd ? &level.now : &level.next, isOdd ? level.next : level.now);
     });
+    if constexpr (smoothingDegree % 2 != 0) {
+        std::swap(level.now, level.next);
+    }
 }
 
-void StiffnessMultigrid::apply(const PlaneVector& right, PlaneVector& result) {
+void StiffnessMultigrid::apply(const PlaneVector& right, float factor, PlaneVector& result) {
     Level& finest = levels_.front();
     const std::size_t width = std::size_t(finest.columns);
-    for (int row = 0; row < finest.rows; ++row) {
-        const std::size_t from = std::size_t(row) * width, to = finest.at(row);
-        std::copy_n(right.x.data() + from, width, finest.right.x.data() + to);
-        std::copy_n(right.z.data() + from, width, finest.right.z.data() + to);
+    // Calls work(place, place on the finest grid) for each row.
+    const auto forRows = [&](const auto& work) {
+        forRowBands(finest.rows, finest.columns, [&](int begin, int end) {
+            for (int row = begin; row < end; ++row) {
+                work(std::size_t(row) * width, finest.at(row));
+            }
+        });
+    };
+    forRows([&](std::size_t from, std::size_t to) {
+        const auto take = [&](const std::vector<float>& values, std::vector<float>& out) {
+            std::copy_n(values.data() + from, width, out.data() + to);
+            scaleRow(width, factor, out.data() + to);
+        };
+        take(right.x, finest.right.x);
+        take(right.z, finest.right.z);
+    });
+    for (std::size_t index = 0; index + 1 < levels_.size(); ++index) {
+        restrictRight(levels_[index], levels_[index + 1]);
     }
-    cycle(0);
-    for (int row = 0; row < finest.rows; ++row) {
-        const std::size_t from = finest.at(row), to = std::size_t(row) * width;
+    solveCoarsest(levels_.back());
+    for (std::size_t index = levels_.size() - 1; index-- > 0;) {
+        ascend(index);
+    }
+    forRows([&](std::size_t to, std::size_t from) {
         std::copy_n(finest.now.x.data() + from, width, result.x.data() + to);
         std::copy_n(finest.now.z.data() + from, width, result.z.data() + to);
-    }
+    });
 }
 
 } // namespace dipwright::cpu

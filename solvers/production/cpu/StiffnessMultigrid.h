@@ -19,8 +19,8 @@ public:
     void prepare(const PlaneFilm& film, const std::vector<float>& free,
                  const std::vector<float>& area, float drag);
 
-    // Computes result ≈ K⁻¹·right with one cycle; zero at held points.
-    void apply(const PlaneVector& right, PlaneVector& result);
+    // Computes result ≈ K⁻¹·factor·right with one cycle; zero at held points.
+    void apply(const PlaneVector& right, float factor, PlaneVector& result);
 
 private:
     // One grid. In all its arrays, a row has `pitch` numbers, and its first point is `margin`
@@ -49,10 +49,9 @@ private:
     static void smoothRowOf(Level& level, int row, const numerics::galerkin::ChebyshevStep& step,
                             const Level::Vectors* now, Level::Vectors& result);
     static void solveCoarsest(Level& level);
-    static void smoothFromZero(Level& level);
-    static void restrictResidual(const Level& fine, Level& coarse);
-    void addCorrection(const Level& coarse, Level& fine, bool isFinest, int row) const;
-    void cycle(std::size_t index);
+    static void restrictRight(const Level& fine, Level& coarse);
+    void interpolate(const Level& coarse, Level& fine, bool isFinest, int row) const;
+    void ascend(std::size_t index);
 
     std::vector<Level> levels_;
     std::vector<float> free_; // finest grid, with one extra number at both ends of each row
