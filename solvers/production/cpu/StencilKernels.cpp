@@ -253,6 +253,16 @@ void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
     }
 }
 
+void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
+                 const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
+                 const RowOfVectors<float>& residual) {
+    for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
+        const Pair left = residualAt(stencil, pitch, right, now, i);
+        hn::StoreU(left.x, lanes, residual.x + i);
+        hn::StoreU(left.z, lanes, residual.z + i);
+    }
+}
+
 void restrictRow(std::size_t fineColumns, std::size_t coarseColumns, std::size_t finePitch,
                  const float* fine, float* sum, float* coarse) {
     const float *below = fine - finePitch, *above = fine + finePitch;
@@ -275,11 +285,11 @@ void interpolateRow(std::size_t fineColumns, const float* lower, const float* up
     DIPWRIGHT_INDEPENDENT_LOOP
     for (std::size_t c = 0; c < pairs; ++c) {
         const float here = lower[c] + upper[c], next = lower[c + 1] + upper[c + 1];
-        fine[2 * c] = weight(2 * c) * (0.5f * here);
-        fine[2 * c + 1] = weight(2 * c + 1) * (0.25f * (here + next));
+        fine[2 * c] += weight(2 * c) * (0.5f * here);
+        fine[2 * c + 1] += weight(2 * c + 1) * (0.25f * (here + next));
     }
     if (fineColumns % 2 != 0) {
-        fine[2 * pairs] = weight(2 * pairs) * (0.5f * (lower[pairs] + upper[pairs]));
+        fine[2 * pairs] += weight(2 * pairs) * (0.5f * (lower[pairs] + upper[pairs]));
     }
 }
 
@@ -300,6 +310,7 @@ HWY_EXPORT(coarsenAcross);
 HWY_EXPORT(coarsenAlong);
 HWY_EXPORT(smoothFirst);
 HWY_EXPORT(smoothRow);
+HWY_EXPORT(residualRow);
 HWY_EXPORT(restrictRow);
 HWY_EXPORT(interpolateRow);
 
@@ -330,6 +341,11 @@ void smoothFirst(std::size_t columns, const ChebyshevRow& row) {
 void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
                const Lines<const float>& stencil, const RowOfVectors<const float>& now) {
     HWY_DYNAMIC_DISPATCH(smoothRow)(columns, pitch, row, stencil, now);
+}
+void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
+                 const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
+                 const RowOfVectors<float>& residual) {
+    HWY_DYNAMIC_DISPATCH(residualRow)(columns, pitch, stencil, right, now, residual);
 }
 void restrictRow(std::size_t fineColumns, std::size_t coarseColumns, std::size_t finePitch,
                  const float* fine, float* sum, float* coarse) {

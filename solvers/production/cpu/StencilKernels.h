@@ -71,13 +71,18 @@ struct ChebyshevRow {
 void smoothFirst(std::size_t columns, const ChebyshevRow& row);
 void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
                const Lines<const float>& stencil, const RowOfVectors<const float>& now);
+// Computes residual = right − K·now.
+void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
+                 const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
+                 const RowOfVectors<float>& residual);
+
 // Applies the transpose of interpolateRow, from three fine rows to a coarse row. `sum` is scratch
 // memory: a fine row with one more number before it and two after it.
 void restrictRow(std::size_t fineColumns, std::size_t coarseColumns, std::size_t finePitch,
                  const float* fine, float* sum, float* coarse);
-// Interpolates the coarse grid's vector to a fine row, one half from each of two coarse rows. If
-// the fine row lies on a coarse row, pass that row for both. `factor` multiplies each point's
-// value; may be null.
+// Adds the coarse grid's vector to a fine row, one half from each of two coarse rows. If the fine
+// row lies on a coarse row, pass that row for both. `factor` multiplies each point's value; may be
+// null.
 void interpolateRow(std::size_t fineColumns, const float* lower, const float* upper,
                     const float* factor, float* fine);
 

@@ -161,7 +161,23 @@ void StiffnessMultigrid::solveCoarsest(Level& level) {
     }
 }
 
-void StiffnessMultigrid::restrictRight(const Level& fine, Level& coarse) {
+// Smooths from zero into `now`, and writes the residual that is left into `next`.
+void StiffnessMultigrid::smoothFromZero(Level& level) {
+    forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
+        if (stage == 0) {
+            smoothRowOf(level, row, smoothingSteps[0], nullptr, level.next);
+        } else if (stage == 1) {
+            smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
+        } else {
+            residualRow(std::size_t(level.columns), level.pitch, constant(level.stencil(row)),
+                        level.row(std::as_const(level.right), row),
+                        level.row(std::as_const(level.now), row), level.row(level.next, row));
+        }
+    });
+}
+
+// Writes the fine grid's residual, which is in its `next`, into the right side of the coarse grid.
+void StiffnessMultigrid::restrictResidual(const Level& fine, Level& coarse) {
     forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
         std::vector<float> sum(std::size_t(fine.columns) + 3);
         const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to,
@@ -170,15 +186,15 @@ void StiffnessMultigrid::restrictRight(const Level& fine, Level& coarse) {
                         from.data() + fine.at(2 * row), sum.data(), to.data() + coarse.at(row));
         };
         for (int row = begin; row < end; ++row) {
-            restricted(fine.right.x, coarse.right.x, row);
-            restricted(fine.right.z, coarse.right.z, row);
+            restricted(fine.next.x, coarse.right.x, row);
+            restricted(fine.next.z, coarse.right.z, row);
         }
     });
 }
 
-// Interpolates the coarse grid's result to a row of `now`.
-void StiffnessMultigrid::interpolate(const Level& coarse, Level& fine, bool isFinest,
-                                     int row) const {
+// Adds the coarse grid's correction to a row of `now`.
+void StiffnessMultigrid::addCorrection(const Level& coarse, Level& fine, bool isFinest,
+                                       int row) const {
     const RowOfVectors<const float> lower = coarse.row(coarse.now, row / 2),
                                     upper = coarse.row(coarse.now, (row + 1) / 2);
     const RowOfVectors<float> to = fine.row(fine.now, row);
@@ -189,23 +205,26 @@ void StiffnessMultigrid::interpolate(const Level& coarse, Level& fine, bool isFi
     interpolateRow(columns, lower.z, upper.z, free, to.z);
 }
 
-// Computes the grid's result from the coarser grid's, into `now`.
-void StiffnessMultigrid::ascend(std::size_t index) {
+void StiffnessMultigrid::cycle(std::size_t index) {
+    static_assert(smoothingSteps.size() == 2);
     Level& level = levels_[index];
-    const Level& coarse = levels_[index + 1];
-    constexpr int stages = smoothingDegree + 1;
-    forRowStages<stages>(level.rows, level.columns, [&](int stage, int row) {
-        if (stage == 0) {
-            interpolate(coarse, level, index == 0, row);
-            return;
-        }
-        const bool isOdd = stage % 2 != 0;
-        smoothRowOf(level, row, smoothingSteps[std::size_t(stage - 1)],
-                    isOdd ? &level.now : &level.next, isOdd ? level.next : level.now);
-    });
-    if constexpr (smoothingDegree % 2 != 0) {
-        std::swap(level.now, level.next);
+    if (index + 1 == levels_.size()) {
+        solveCoarsest(level);
+        return;
     }
+    Level& coarse = levels_[index + 1];
+    smoothFromZero(level);
+    restrictResidual(level, coarse);
+    cycle(index + 1);
+    forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
+        if (stage == 0) {
+            addCorrection(coarse, level, index == 0, row);
+        } else if (stage == 1) {
+            smoothRowOf(level, row, smoothingSteps[0], &level.now, level.next);
+        } else {
+            smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
+        }
+    });
 }
 
 void StiffnessMultigrid::apply(const PlaneVector& right, float factor, PlaneVector& result) {
@@ -227,13 +246,7 @@ void StiffnessMultigrid::apply(const PlaneVector& right, float factor, PlaneVect
         take(right.x, finest.right.x);
         take(right.z, finest.right.z);
     });
-    for (std::size_t index = 0; index + 1 < levels_.size(); ++index) {
-        restrictRight(levels_[index], levels_[index + 1]);
-    }
-    solveCoarsest(levels_.back());
-    for (std::size_t index = levels_.size() - 1; index-- > 0;) {
-        ascend(index);
-    }
+    cycle(0);
     forRows([&](std::size_t to, std::size_t from) {
         std::copy_n(finest.now.x.data() + from, width, result.x.data() + to);
         std::copy_n(finest.now.z.data() + from, width, result.z.data() + to);

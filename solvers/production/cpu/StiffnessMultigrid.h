@@ -49,9 +49,10 @@ private:
     static void smoothRowOf(Level& level, int row, const numerics::galerkin::ChebyshevStep& step,
                             const Level::Vectors* now, Level::Vectors& result);
     static void solveCoarsest(Level& level);
-    static void restrictRight(const Level& fine, Level& coarse);
-    void interpolate(const Level& coarse, Level& fine, bool isFinest, int row) const;
-    void ascend(std::size_t index);
+    static void smoothFromZero(Level& level);
+    static void restrictResidual(const Level& fine, Level& coarse);
+    void addCorrection(const Level& coarse, Level& fine, bool isFinest, int row) const;
+    void cycle(std::size_t index);
 
     std::vector<Level> levels_;
     std::vector<float> free_; // finest grid, with one extra number at both ends of each row

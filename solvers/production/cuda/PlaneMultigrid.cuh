@@ -1,9 +1,9 @@
-// The multigrid V-cycle on the GPU for the current stiffness of the film (GalerkinCycle.h). The way
-// down only restricts the right side. On the way up, a block interpolates and smooths one tile
-// after the other. It loads enough points around the tile for all smoothing steps, so it need not
-// exchange data. Every block computes all levels that fit into one block for itself, which saves
-// barriers. Some loops must not be unrolled, because their code would not fit into the instruction
-// cache.
+// The multigrid V-cycle on the GPU for the current stiffness of the film (GalerkinCycle.h). On the
+// way down, a block smooths one tile after the other, computes the residual and restricts it to the
+// coarser level. The block loads enough points around the tile for all smoothing steps, so it need
+// not exchange data. The way up works in the same way. Every block computes all levels that fit
+// into one block for itself, which saves barriers. Some loops must not be unrolled, because their
+// code would not fit into the instruction cache.
 #pragma once
 
 #include "common/cuda/Team.cuh"
@@ -164,6 +164,17 @@ public:
         }
     }
 
+    // Writes the residual to `other`.
+    __device__ void keepResidual(const PlanePatch& patch) const {
+#pragma unroll
+        for (int k = 0; k < most; ++k) {
+            if (index_[k] >= 0) {
+                patch.other[index_[k]] = residual(patch, k);
+            }
+        }
+        __syncthreads();
+    }
+
 private:
     // A thread with only one point reads its stencil once for all steps.
     static constexpr bool keepsStencils = most == 1;
@@ -222,23 +233,18 @@ __device__ inline void withPoints(const PlanePatch& patch, const PlaneStencils& 
     }
 }
 
-// Restricts a level's right side to a point of the next coarser level, with the transpose of the
-// interpolation. right(x, z) returns the right side at a point of the finer level.
-template <typename Right>
-__device__ inline float2 restricted(const PlaneLevel& fine, const Right& right, int coarseX,
-                                    int coarseZ) {
-    float2 sum{0, 0};
-#pragma unroll
-    for (int oz = -1; oz <= 1; ++oz) {
-#pragma unroll
-        for (int ox = -1; ox <= 1; ++ox) {
-            const int x = 2 * coarseX + ox, z = 2 * coarseZ + oz;
-            if (x >= 0 && z >= 0 && x < fine.columns && z < fine.rows) {
-                sum = sum + right(x, z) * ((ox == 0 ? 1.0f : 0.5f) * (oz == 0 ? 1.0f : 0.5f));
-            }
-        }
-    }
-    return sum;
+// Restricts the residual in `other` of a finer patch to a coarse point, with the transpose of the
+// interpolation.
+__device__ inline float2 restricted(const PlanePatch& fine, int coarseX, int coarseZ) {
+    const float2* at = fine.other + fine.index(2 * coarseX, 2 * coarseZ);
+    const int pitch = fine.pitch();
+    const bool isInX = 2 * coarseX < fine.level->columns, isInZ = 2 * coarseZ < fine.level->rows;
+    const auto row = [&](int z) {
+        const float2* here = at + z * pitch;
+        // Past the last point of the level, the patch has zeros for one more point only.
+        return isInX ? here[0] + (here[-1] + here[1]) * 0.5f : here[-1] * 0.5f;
+    };
+    return isInZ ? row(0) + (row(-1) + row(1)) * 0.5f : row(-1) * 0.5f;
 }
 
 // Interpolates a coarser level's values at a point of the finer level. `pitch` is the distance
@@ -249,71 +255,95 @@ __device__ inline float2 interpolated(const float2* coarse, int pitch, int x, in
     return ((lower[left] + upper[left]) + (lower[right] + upper[right])) * 0.25f;
 }
 
-// Returns the points of tile `index` of a level.
-__device__ inline PlaneRange tileOf(const PlaneLevel& level, int index) {
-    const int across = index % level.tiles.across, down = index / level.tiles.across;
-    return {tileStart(level.columns, level.tiles.across, across),
-            tileStart(level.columns, level.tiles.across, across + 1),
-            tileStart(level.rows, level.tiles.down, down),
-            tileStart(level.rows, level.tiles.down, down + 1)};
+// Tile `index` of a level: the points of the coarser level in the tile, and the fine points that
+// the tile owns.
+struct CoarseTile {
+    PlaneRange coarse, own;
+    PlaneRange leaning; // fine points from which the coarse points are computed
+
+    __device__ CoarseTile(const PlaneLevel& level, const PlaneLevel& coarser, int index) {
+        const int across = index % level.tiles.across, down = index / level.tiles.across;
+        coarse = {tileStart(coarser.columns, level.tiles.across, across),
+                  tileStart(coarser.columns, level.tiles.across, across + 1),
+                  tileStart(coarser.rows, level.tiles.down, down),
+                  tileStart(coarser.rows, level.tiles.down, down + 1)};
+        own = {min(2 * coarse.x0, level.columns), min(2 * coarse.x1, level.columns),
+               min(2 * coarse.z0, level.rows), min(2 * coarse.z1, level.rows)};
+        leaning = own;
+        leaning.x0 = max(2 * coarse.x0 - 1, 0);
+        leaning.z0 = max(2 * coarse.z0 - 1, 0);
+    }
+};
+
+// Returns a patch around a tile. The patch is large enough for a correct smoothing result in the
+// tile.
+__device__ inline PlanePatch patchAround(const PlaneRange& tile, const PlaneLevel& level,
+                                         float2* memory) {
+    return {level, grown(tile, numerics::galerkin::smoothingDegree, level.columns, level.rows),
+            memory};
 }
 
 // The right side of a level: a vector with one entry per point, times a factor.
 struct ScaledVector {
     const float2* values;
     float factor;
-
-    __device__ float2 at(const PlaneLevel& level, int x, int z) const {
-        return values[z * level.columns + x] * factor;
-    }
 };
 
-// Computes the right side of the next coarser level.
+// Computes a level's `result` and the right side of the next coarser level.
 __device__ inline void descend(const ProductionModel& model, const ProductionDip& dip, int index,
-                               ScaledVector right, const Team& team) {
+                               ScaledVector right, const Team& team, float2* memory) {
     const PlaneLevel &level = model.levels[index], &coarser = model.levels[index + 1];
-    forRange(
-        {0, coarser.columns, 0, coarser.rows},
-        [&](int x, int z) {
-            dip.right[coarser.offset + z * coarser.columns + x] = restricted(
-                level, [&](int i, int j) { return right.at(level, i, j); }, x, z);
-        },
-        team.thread(), team.threadCount());
+#pragma unroll 1
+    for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
+        const CoarseTile tile(level, coarser, t);
+        PlanePatch patch = patchAround(tile.leaning, level, memory);
+        patch.clear();
+        __syncthreads();
+        withPoints(
+            patch, stencilsOf(dip, level),
+            [&](int x, int z) { return right.values[z * level.columns + x] * right.factor; },
+            [&](auto points) {
+                points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, true);
+                points.keepResidual(patch);
+            });
+        forRange(tile.own, [&](int x, int z) {
+            dip.result[level.offset + z * level.columns + x] = patch.result[patch.index(x, z)];
+        });
+        forRange(tile.coarse, [&](int x, int z) {
+            dip.right[coarser.offset + z * coarser.columns + x] = restricted(patch, x, z);
+        });
+        __syncthreads();
+    }
 }
 
-// Whether a point of a level is held, with all that depends on it.
-__device__ inline bool isHeld(const PlaneStencils& stencils, int point) {
-    const float4 own = stencils.at(middle, point);
-    return own.x + own.w == 0;
-}
-
-// Computes a level's solution from the coarser level's.
+// Computes a level's solution from its `result` and the coarser level's solution.
 __device__ inline void ascend(const ProductionModel& model, const ProductionDip& dip, int index,
                               ScaledVector right, const float2* coarse, int coarsePitch,
                               float2* solution, const Team& team, float2* memory) {
-    const PlaneLevel& level = model.levels[index];
+    const PlaneLevel &level = model.levels[index], &coarser = model.levels[index + 1];
     const PlaneStencils stencils = stencilsOf(dip, level);
 #pragma unroll 1
     for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
-        const PlaneRange own = tileOf(level, t);
-        // Large enough for a correct result in the tile.
-        PlanePatch patch(level,
-                         grown(own, numerics::galerkin::smoothingDegree, level.columns, level.rows),
-                         memory);
+        const CoarseTile tile(level, coarser, t);
+        PlanePatch patch = patchAround(tile.own, level, memory);
         patch.clear();
         __syncthreads();
         forRange(patch.range, [&](int x, int z) {
-            if (!isHeld(stencils, z * level.columns + x)) {
-                patch.result[patch.index(x, z)] = interpolated(coarse, coarsePitch, x, z);
-            }
+            const int point = z * level.columns + x;
+            const float4 own = stencils.at(middle, point);
+            const float2 found = dip.result[level.offset + point];
+            const bool isHeld = own.x + own.w == 0;
+            patch.result[patch.index(x, z)] =
+                isHeld ? found : found + interpolated(coarse, coarsePitch, x, z);
         });
         __syncthreads();
         withPoints(
-            patch, stencils, [&](int x, int z) { return right.at(level, x, z); },
+            patch, stencils,
+            [&](int x, int z) { return right.values[z * level.columns + x] * right.factor; },
             [&](auto points) {
                 points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, false);
             });
-        forRange(own, [&](int x, int z) {
+        forRange(tile.own, [&](int x, int z) {
             solution[z * level.columns + x] = patch.result[patch.index(x, z)];
         });
         __syncthreads();
@@ -321,76 +351,74 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
 }
 
 // Solves the levels from `wholeLevel` on in this block's shared memory. Returns the patch with the
-// solution on `wholeLevel`; it lies at the beginning of `memory`. right(x, z) returns the right
-// side of `wholeLevel`. One function, because both halves of the cycle use the same layout of this
-// memory.
-template <typename Right>
+// solution on `wholeLevel`; it lies at the beginning of `memory`. One function, because both halves
+// of the cycle use the same layout of this memory.
 __device__ inline PlanePatch solveWhole(const ProductionModel& model, const ProductionDip& dip,
-                                        const Right& firstRight, float2* memory) {
+                                        ScaledVector firstRight, float2* memory) {
     const int first = model.wholeLevel, last = model.levelCount - 1;
     // Each level has three arrays, surrounded by zeros: two belong to its patch, the third is its
     // right side.
-    const auto startOf = [&](int l) {
+    const auto patchOf = [&](int l) {
         float2* start = memory;
         for (int finer = first; finer < l; ++finer) {
             start += 3 * PlanePatch::values(model.levels[finer].columns, model.levels[finer].rows);
         }
-        return start;
-    };
-    const auto patchOf = [&](int l) {
         const PlaneLevel& level = model.levels[l];
-        return PlanePatch(level, {0, level.columns, 0, level.rows}, startOf(l));
+        return PlanePatch(level, {0, level.columns, 0, level.rows}, start);
     };
     const auto rightOf = [&](const PlanePatch& patch) {
         return patch.other + PlanePatch::values(patch.range.width(), patch.range.height());
     };
-    const int values = int(startOf(last + 1) - memory);
-#pragma unroll 1
-    for (int i = int(threadIdx.x); i < values; i += Team::threads) {
-        memory[i] = {0, 0};
-    }
-    __syncthreads();
-    const PlanePatch top = patchOf(first);
-    forRange(top.range, [&](int x, int z) { rightOf(top)[top.index(x, z)] = firstRight(x, z); });
-    __syncthreads();
-#pragma unroll 1
-    for (int l = first; l < last; ++l) {
-        const PlanePatch patch = patchOf(l), coarser = patchOf(l + 1);
-        const float2* right = rightOf(patch);
-        float2* coarseRight = rightOf(coarser);
-        forRange(coarser.range, [&](int x, int z) {
-            coarseRight[coarser.index(x, z)] = restricted(
-                *patch.level, [&](int i, int j) { return right[patch.index(i, j)]; }, x, z);
+    PlanePatch top = patchOf(first);
+    {
+        const PlaneLevel& level = model.levels[first];
+        float2* right = rightOf(top);
+        top.clear();
+        forRange(top.range, [&](int x, int z) {
+            right[top.index(x, z)] = firstRight.values[z * level.columns + x] * firstRight.factor;
         });
         __syncthreads();
     }
+    const auto withWhole = [&](const PlanePatch& patch, const float2* right, const auto& work) {
+        withPoints(
+            patch, stencilsOf(dip, *patch.level),
+            [&](int x, int z) { return right[patch.index(x, z)]; }, work);
+    };
+#pragma unroll 1
+    for (int l = first; l < last; ++l) {
+        PlanePatch patch = patchOf(l), coarser = patchOf(l + 1);
+        float2* coarseRight = rightOf(coarser);
+        coarser.clear();
+        withWhole(patch, rightOf(patch), [&](auto points) {
+            points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, true);
+            points.keepResidual(patch);
+        });
+        forRange(coarser.range,
+                 [&](int x, int z) { coarseRight[coarser.index(x, z)] = restricted(patch, x, z); });
+        __syncthreads();
+    }
+    // Smoothing has an even number of steps, so the solution is always in `result`.
+    static_assert(numerics::galerkin::smoothingDegree % 2 == 0 &&
+                  numerics::galerkin::coarsestDegree % 2 == 0);
 #pragma unroll 1
     for (int l = last; l >= first; --l) {
         PlanePatch patch = patchOf(l);
-        const float2* right = rightOf(patch);
-        const PlaneStencils stencils = stencilsOf(dip, *patch.level);
         const bool isCoarsest = l == last;
-        const int degree =
-            isCoarsest ? numerics::galerkin::coarsestDegree : numerics::galerkin::smoothingDegree;
-        if (degree % 2 != 0) { // so that the solution is always in the first array
-            patch.turn();
-        }
         if (!isCoarsest) {
             const PlanePatch coarser = patchOf(l + 1);
             const float2* solution = coarser.result + coarser.index(0, 0);
             forRange(patch.range, [&](int x, int z) {
-                if (l > 0 || !isHeld(stencils, z * patch.level->columns + x)) {
-                    patch.result[patch.index(x, z)] = interpolated(solution, coarser.pitch(), x, z);
-                }
+                float2& value = patch.result[patch.index(x, z)];
+                value = value + interpolated(solution, coarser.pitch(), x, z);
             });
             __syncthreads();
         }
-        withPoints(
-            patch, stencils, [&](int x, int z) { return right[patch.index(x, z)]; },
-            [&](auto points) {
-                points.smooth(patch, isCoarsest ? model.coarsest : model.smoothing, degree,
-                              isCoarsest);
-            });
+        withWhole(patch, rightOf(patch), [&](auto points) {
+            points.smooth(patch, isCoarsest ? model.coarsest : model.smoothing,
+                          isCoarsest ? numerics::galerkin::coarsestDegree
+                                     : numerics::galerkin::smoothingDegree,
+                          isCoarsest);
+        });
     }
     return top;
 }
@@ -403,22 +431,11 @@ __device__ inline void multigridCycle(const ProductionModel& model, const Produc
     const auto rightOf = [&](int l) {
         return l == 0 ? right : ScaledVector{dip.right + model.levels[l].offset, 1.0f};
     };
-    for (int l = 0; l + 1 < model.wholeLevel; ++l) {
-        descend(model, dip, l, rightOf(l), team);
+    for (int l = 0; l < model.wholeLevel; ++l) {
+        descend(model, dip, l, rightOf(l), team, memory);
         team.barrier();
     }
-    // Every block restricts the right side of the first level that it solves for itself.
-    const int last = model.wholeLevel > 0 ? model.wholeLevel - 1 : 0;
-    const PlaneLevel& lastLevel = model.levels[last];
-    const ScaledVector lastRight = rightOf(last);
-    const auto lastRightAt = [&](int x, int z) { return lastRight.at(lastLevel, x, z); };
-    const PlanePatch whole = solveWhole(
-        model, dip,
-        [&](int x, int z) {
-            return model.wholeLevel == 0 ? lastRightAt(x, z)
-                                         : restricted(lastLevel, lastRightAt, x, z);
-        },
-        memory);
+    const PlanePatch whole = solveWhole(model, dip, rightOf(model.wholeLevel), memory);
     const float2* coarse = whole.result + whole.index(0, 0);
     int coarsePitch = whole.pitch();
     float2* tileMemory = memory + 3 * PlanePatch::values(whole.range.width(), whole.range.height());

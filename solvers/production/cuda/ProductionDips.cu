@@ -50,16 +50,18 @@ PlaneTiles filmTiles(int columns, int rows, int blocks) {
     });
 }
 
-// Divides a level into tiles that, with the points around them, fit into a block.
-PlaneTiles levelTiles(const PlaneLevel& level, int blocks) {
-    const auto smoothed = [](int points, int tile) {
-        return std::min(tile + 2 * numerics::galerkin::smoothingDegree, points);
+// Divides a level into tiles of the coarser level.
+PlaneTiles coarseTiles(const PlaneLevel& level, int blocks) {
+    const auto fine = [](int points, int coarse) {
+        return std::min(2 * coarse + 1 + 2 * numerics::galerkin::smoothingDegree, points);
     };
-    return planeTiles(level.columns, level.rows, blocks, [&](int tileColumns, int tileRows) {
-        const int width = smoothed(level.columns, tileColumns);
-        const int height = smoothed(level.rows, tileRows);
-        return ManyPoints::cover(width, height) ? width * height : 0;
-    });
+    return planeTiles(numerics::galerkin::coarser(level.columns),
+                      numerics::galerkin::coarser(level.rows), blocks,
+                      [&](int tileColumns, int tileRows) {
+                          const int width = fine(level.columns, tileColumns);
+                          const int height = fine(level.rows, tileRows);
+                          return ManyPoints::cover(width, height) ? width * height : 0;
+                      });
 }
 
 // Shared memory for the largest possible tile. Among patches with the same number of points, long
@@ -86,7 +88,7 @@ public:
             if (model.levelCount == ProductionModel::mostLevels) {
                 throw std::invalid_argument("the film has too many points along one edge");
             }
-            level.tiles = levelTiles(level, blocks);
+            level.tiles = coarseTiles(level, blocks);
             columns = numerics::galerkin::coarser(columns);
             rows = numerics::galerkin::coarser(rows);
         }
@@ -204,7 +206,7 @@ std::size_t placeArrays(ProductionDip& dip, const ProductionModel& model,
     layout.place(dip.anchors, triangles);
     layout.place(dip.laid, triangles);
     layout.place(dip.stencils, std::size_t(neighbours) * pointsOfLevels);
-    for (float2** array : {&dip.right, &dip.solution}) {
+    for (float2** array : {&dip.right, &dip.result, &dip.solution}) {
         layout.place(*array, pointsOfLevels);
     }
     return layout.bytes();

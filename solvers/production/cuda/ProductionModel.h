@@ -36,7 +36,7 @@ struct PlaneTiles {
 struct PlaneLevel {
     int columns = 0, rows = 0;
     std::uint32_t offset = 0; // index of its first point in the arrays over all levels
-    PlaneTiles tiles;
+    PlaneTiles tiles;         // tiles of the coarser level
 };
 
 struct ProductionModel : numerics::FilmModel<float> {
@@ -81,7 +81,7 @@ struct ProductionDip {
     // These arrays hold all levels, one after the other.
     // per level: all points' blocks with the first neighbour, then with the second …
     float4* stencils = nullptr;
-    float2 *right = nullptr, *solution = nullptr;
+    float2 *right = nullptr, *result = nullptr, *solution = nullptr;
 };
 
 } // namespace dipwright::cuda

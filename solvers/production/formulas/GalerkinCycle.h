@@ -4,11 +4,9 @@
 // (EdgeStiffness.h). This includes stretched, gathered, rotated and crossing triangles, and
 // triangles beside held film. A coarser grid keeps every second point. With bilinear interpolation
 // P between two grids, the coarse operator is PᵀKP (Galerkin). So the coarse grids represent where
-// film is soft and where it is held; a constant stencil of the flat film would not. The
-// cycle first restricts the right side to all grids, and smooths on the way up only. GMRES then
-// needs about as many iterations as with smoothing on both ways, and on a GPU the way down takes
-// hardly any time. Smoothing uses Chebyshev polynomials over the points' own 2 × 2 blocks. The
-// result does not depend on the number of threads.
+// film is soft and where it is held; a constant stencil of the flat film would not. Smoothing uses
+// Chebyshev polynomials over the points' own 2 × 2 blocks. The result does not depend on the number
+// of threads.
 #pragma once
 
 #include <array>
@@ -18,7 +16,7 @@ namespace dipwright::numerics::galerkin {
 // Smoothing covers the part of the spectrum of block⁻¹·stiffness between these two values.
 inline constexpr double largestEigenvalue = 2.4;
 inline constexpr double smallestSmoothed = 0.4;
-inline constexpr int smoothingDegree = 3;
+inline constexpr int smoothingDegree = 2;
 inline constexpr int coarsestDegree = 16;
 // A point's own block is treated as singular below this ratio of its determinant to its squared
 // trace.

@@ -230,6 +230,7 @@ private Q_SLOTS:
     void coarsen_givesTheGalerkinOperator();
     void smoothFirst_withoutStiffness_equalsScalarBits();
     void smoothRow_isAChebyshevStep();
+    void residualRow_equalsScalarBits();
     void restrictRow_isTheTransposeOfInterpolateRow();
     void interpolateRow_linearValues_isExact();
 };
@@ -385,6 +386,27 @@ void StencilKernelsTest::smoothRow_isAChebyshevStep() {
     }
 }
 
+void StencilKernelsTest::residualRow_equalsScalarBits() {
+    for (std::size_t count = 1; count <= longest; ++count) {
+        const StencilRow row(count);
+        const Points right(count, 60), now(count, 90);
+        const auto left = [&] {
+            Points residual(count, 70);
+            residualRow(count, now.pitch, row.lines(), right.middle(), now.middle(),
+                        residual.middle());
+            return residual.row();
+        };
+        Points expected(count, 70);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto [x, z] = row.residual(i, right, now);
+            expected.middle().x[i] = x;
+            expected.middle().z[i] = z;
+        }
+        QVERIFY(haveSameBits(left(), expected.row()));
+        QVERIFY(isSameOnAll(left));
+    }
+}
+
 // Checks that (P c) · f = c · (Pᵀ f) for all rows of a fine and a coarse grid.
 void StencilKernelsTest::restrictRow_isTheTransposeOfInterpolateRow() {
     for (const auto [columns, rows] : {std::array{2, 2}, std::array{5, 7}, std::array{6, 6},
@@ -435,7 +457,7 @@ void StencilKernelsTest::restrictRow_isTheTransposeOfInterpolateRow() {
 }
 
 // interpolateRow() interpolates along a row and between two rows. It multiplies the result by
-// `factor`.
+// `factor` and adds it to the fine row.
 void StencilKernelsTest::interpolateRow_linearValues_isExact() {
     const std::size_t columns = 21;
     Row lower, upper, factor(columns, 1.f), fine(columns, 10.f);
@@ -446,7 +468,7 @@ void StencilKernelsTest::interpolateRow_linearValues_isExact() {
     factor[3] = 0;
     interpolateRow(columns, lower.data(), upper.data(), factor.data(), fine.data());
     for (std::size_t i = 0; i < columns; ++i) {
-        QCOMPARE(fine[i], i == 3 ? 0.f : float(i) + 2);
+        QCOMPARE(fine[i], i == 3 ? 10.f : float(i) + 12);
     }
 }
 

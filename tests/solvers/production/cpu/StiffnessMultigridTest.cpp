@@ -131,6 +131,7 @@ private Q_SLOTS:
     void cycle_stretchedFilm_reducesTheError();
     void cycle_gatheredFilm_reducesTheError();
     void cycle_heldFilm_reducesTheError();
+    void cycle_isSymmetric();
     void cycle_mirroredForces_giveMirroredFilm();
     void cycle_heldPoints_stay();
     void cycle_anyNumberOfThreads_giveTheSameBits();
@@ -186,6 +187,16 @@ void StiffnessMultigridTest::cycle_heldFilm_reducesTheError() {
     const double left = reduction(film);
     qInfo("a cycle leaves the share %.3f of the error", left);
     QVERIFY(left < 0.5);
+}
+
+void StiffnessMultigridTest::cycle_isSymmetric() {
+    Film film(34, 27);
+    film.stretch(1.4f, 0.9f);
+    film.prepare();
+    const PlaneVector a = film.random(1), b = film.random(2);
+    const double first = dot(a, film.cycle(b)), second = dot(film.cycle(a), b);
+    QVERIFY(std::abs(first - second) <
+            1e-4 * std::sqrt(dot(a, film.cycle(a)) * dot(b, film.cycle(b))));
 }
 
 // The grid has a point in its middle, so that the diagonals of its cells are mirrored, too.
