@@ -12,6 +12,8 @@ set(DIPWRIGHT_PLUGIN_DESTINATION ${CMAKE_INSTALL_LIBDIR}/dipwright/plugins)
 # Programs that only Dipwright's programs start.
 set(DIPWRIGHT_HELPER_DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/dipwright)
 set(DIPWRIGHT_SAMPLE_DESTINATION ${CMAKE_INSTALL_DATADIR}/dipwright/samples)
+# Where Debian's Python looks for modules, below /usr; elsewhere, name the folder in PYTHONPATH.
+set(DIPWRIGHT_PYTHON_DESTINATION lib/python3/dist-packages)
 set(DIPWRIGHT_PACKAGE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Dipwright)
 file(RELATIVE_PATH DIPWRIGHT_PLUGINS_FROM_PROGRAM
     ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR}/dipwright/plugins)
@@ -24,17 +26,17 @@ file(RELATIVE_PATH DIPWRIGHT_SAMPLES_FROM_PROGRAM
 # were during the build.
 set(CMAKE_INSTALL_RPATH_USE_LINK_PATH ON)
 
-# dipwright_install_package(TARGET HEADER)
+# dipwright_install_package(TARGET HEADER …)
 #   Installs what a separate solver needs: find_package(Dipwright) provides Dipwright::SolverInterface, from
 #   an installed tree or from the build folder.
-function(dipwright_install_package target header)
+function(dipwright_install_package target)
     set(package ${PROJECT_BINARY_DIR}/lib/cmake/Dipwright)
     configure_file(${PROJECT_SOURCE_DIR}/cmake/DipwrightConfig.cmake ${package}/DipwrightConfig.cmake
         COPYONLY)
     write_basic_package_version_file(${package}/DipwrightConfigVersion.cmake
         COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
     install(TARGETS ${target} EXPORT DipwrightTargets)
-    install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dipwright)
+    install(FILES ${ARGN} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/dipwright)
     install(EXPORT DipwrightTargets NAMESPACE Dipwright:: DESTINATION ${DIPWRIGHT_PACKAGE_DESTINATION})
     install(FILES ${package}/DipwrightConfig.cmake ${package}/DipwrightConfigVersion.cmake
         DESTINATION ${DIPWRIGHT_PACKAGE_DESTINATION})

@@ -1,5 +1,5 @@
 # Packs the installed tree when `cpack` runs in the build folder (scripts/package). On Linux it makes a
-# tarball that can be unpacked anywhere and a Debian package, elsewhere an archive.
+# tarball with all libraries, which can be unpacked anywhere, and a Debian package; elsewhere an archive.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # packs what is built, and builds no tests for it
 set(CPACK_PACKAGE_NAME dipwright)
 set(CPACK_PACKAGE_VENDOR Dipwright)
@@ -32,8 +32,18 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
     set(CPACK_DEBIAN_PACKAGE_DEPENDS "qt6-image-formats-plugins, fonts-dejavu-core")
     set(CPACK_DEBIAN_PACKAGE_RECOMMENDS
-        "shared-mime-info, desktop-file-utils, qt6-translations-l10n, cups, libgl1-mesa-dri")
+        "shared-mime-info, desktop-file-utils, qt6-translations-l10n, cups, libgl1-mesa-dri, python3-numpy")
     install(FILES ${PROJECT_SOURCE_DIR}/resources/desktop/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
-    set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/DebianFiles.cmake)
+    set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/resources/desktop/prerm)
+    set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
+    set(CPACK_PRE_BUILD_SCRIPTS
+        ${PROJECT_SOURCE_DIR}/cmake/DebianFiles.cmake ${PROJECT_SOURCE_DIR}/cmake/BundledLibraries.cmake)
+    # BundledLibraries.cmake reads these.
+    get_target_property(qtpaths Qt6::qtpaths IMPORTED_LOCATION)
+    foreach(kind PLUGINS TRANSLATIONS)
+        execute_process(COMMAND ${qtpaths} --query QT_INSTALL_${kind}
+            OUTPUT_VARIABLE CPACK_DIPWRIGHT_QT_${kind} OUTPUT_STRIP_TRAILING_WHITESPACE
+            COMMAND_ERROR_IS_FATAL ANY)
+    endforeach()
 endif()
 include(CPack)

@@ -90,13 +90,14 @@ def keys():
     everything = digest(data, *(files.hash(name) for name in repository))
     programs = started_programs()
     modules = digest(*(files.hash(path) for found in programs.values() for path in found
-                       if path.suffix in (".so", ".json")))
+                       if path.suffix in (".so", ".json") and not path.name.startswith("_dipwright")))
     result = {}
     for test in json.loads(output("ctest", "--preset", "release", "--show-only=json-v1"))["tests"]:
         if "command" not in test:
             continue
         properties = {entry["name"]: entry["value"] for entry in test["properties"]}
-        own = [part for part in test["command"] if part.startswith(str(BUILD.resolve())) and os.path.isfile(part)]
+        words = [part.split("=", 1)[-1] for part in test["command"]]
+        own = [part for part in words if part.startswith(str(BUILD.resolve())) and os.path.isfile(part)]
         labels = properties.get("LABELS", [])
         parts = [json.dumps(test["command"]), json.dumps(properties.get("ENVIRONMENT", [])), modules,
                  everything if "house" in labels else data]

@@ -5,6 +5,7 @@
 #include "import/trusted/ReadPictures.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"
+#include "project/ProjectValues.h"
 
 #include <QStringList>
 #include <algorithm>
@@ -18,11 +19,6 @@ const QString threadsOption = QStringLiteral("threads");
 const QString filmImageOption = QStringLiteral("film-image");
 constexpr int mostThreads = 1024;
 constexpr qint64 mostValueBytes = 32 << 20; // of a value in a file
-
-bool isFilmSize(const Setting& setting) {
-    return setting.path == QLatin1String("film.preset") ||
-           setting.path == QLatin1String("film.size_mm");
-}
 
 // Tells whether a value that begins with @ is the name of a file.
 bool mayBeInFile(const QString& path) {
@@ -153,7 +149,7 @@ void applySettings(Project& project, const QCommandLineParser& parser) {
 }
 
 void applySettings(Project& project, std::vector<Setting> settings) {
-    std::ranges::stable_partition(settings, isFilmSize);
+    std::ranges::stable_partition(settings, isSetFirst, &Setting::path);
     for (const Setting& setting : settings) {
         setByOption(project, setting.path, setting.value, setting.where);
     }

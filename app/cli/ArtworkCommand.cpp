@@ -1,6 +1,7 @@
 #include "artwork/EditArtwork.h"
 #include "cli/Arguments.h"
 #include "import/trusted/ReadPictures.h"
+#include "pipeline/JobSheet.h"
 #include "project/Project.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
@@ -16,6 +17,7 @@ namespace dipwright::cli {
 namespace {
 
 const QString setOption = QStringLiteral("set");
+const QString onOption = QStringLiteral("on");
 const QString jsonOption = QStringLiteral("json");
 
 const std::map<QString, LayerKind> kinds{{QStringLiteral("picture"), LayerKind::Picture},
@@ -105,7 +107,11 @@ void add(Project& project, Words& words, const QCommandLineParser& parser, QText
         layer.name = layer.text.simplified().left(longestLayerName);
     }
     words.finish();
-    addLayer(project.artwork, placedOn(*project.model, layer), *project.model);
+    const QString face = parser.value(onOption);
+    addLayer(project.artwork,
+             face.isEmpty() ? placedOn(*project.model, layer)
+                            : movedOnto(*project.model, placedOn(*project.model, layer), face),
+             *project.model);
     applyToLayer(project, project.artwork.layers.size() - 1, parser);
     out << QStringLiteral("Added %1 as layer %2\n")
                .arg(project.artwork.layers.back().name)
@@ -166,6 +172,12 @@ public:
                  "place_mm=0;10;25, turn_deg=15, placement=cylinder or repeat_mm=8. spot=Varnish "
                  "prints the layer as a spot colour on its own plate. May be repeated."),
              QStringLiteral("KEY=VALUE")});
+        syntax.addOption(
+            {onOption,
+             QStringLiteral(
+                 "For `add`: the name of a face of a CAD model, or of a material. The "
+                 "layer lies in its middle and shows only there. `info` lists the names."),
+             QStringLiteral("NAME")});
         syntax.addOption({jsonOption, QStringLiteral("For `list`: prints JSON.")});
     }
 
@@ -180,7 +192,8 @@ public:
             return;
         }
         ProjectFile file(path);
-        Project project = loadProject(path);
+        const Project before = loadProject(path);
+        Project project = before;
         if (action == QLatin1String("add")) {
             add(project, words, parser, out);
         } else if (action == QLatin1String("set")) {
@@ -197,6 +210,7 @@ public:
         } else {
             throw UsageError(QStringLiteral("There is no such action; see --help"), action);
         }
+        checkEditedSpots(before, project);
         file.save(project);
     }
 };

@@ -3,8 +3,10 @@
 #include "geometry/FieldGrid.h"
 #include "geometry/TriangleMesh.h"
 #include "marks/SurfaceMask.h"
+#include "model/NamedMaterials.h"
 #include "model/TextureNotes.h"
 #include "model/TexturedMesh.h"
+#include "project/CadModel.h"
 #include "project/Project.h"
 #include "settings/FilmSettings.h"
 #include "settings/Immersion.h"
@@ -37,6 +39,7 @@ QJsonObject modelJson(const TexturedMesh& model) {
             {"volume_mm3", volume(model.mesh)},
             {"closed", isClosed(model.mesh)},
             {"materials", qint64(model.materials.size())},
+            {"material_names", QJsonArray::fromStringList(materialNames(model))},
             {"textures", textures}};
 }
 
@@ -96,6 +99,11 @@ void printImmersion(const Immersion& immersion, QTextStream& out) {
 void printProject(const Project& project, QTextStream& out) {
     out << QStringLiteral("Project: %1, created on %2\n").arg(project.name, project.date);
     printModel(*project.model, project.modelOrigin.remarks, out);
+    if (const QString cad = cadText(project); !cad.isEmpty()) {
+        out << cad << '\n';
+        out << QStringLiteral("Faces: %1\n")
+                   .arg(materialNames(*project.model).join(QStringLiteral(", ")));
+    }
     printFilm(project.film, out);
     const TriangleMesh& mesh = project.model->mesh;
     const FieldGrid field =

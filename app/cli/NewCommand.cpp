@@ -1,4 +1,5 @@
 #include "cli/Arguments.h"
+#include "project/CadModel.h"
 #include "project/Project.h"
 #include "settings/FilmSettings.h"
 
@@ -6,9 +7,10 @@
 #include "disk/AtomicFile.h"
 #include "import/trusted/ImportModel.h"
 #include "model/ModelFormats.h"
+#include "pipeline/JobSheet.h"
+#include "project/NewProject.h"
 #include "project/ProjectFile.h"
 
-#include <QDate>
 #include <QFileInfo>
 #include <QRegularExpression>
 
@@ -96,12 +98,13 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
     if (parser.isSet(sizeOption)) {
         options.longestEdge = Millimetres(numberOption(parser, sizeOption, 0.1, 10'000));
     }
+    options.tessellation = project.modelOrigin.tessellation;
     const ImportedModel imported = importModel(path, options, console.progress());
     print(imported.report, {}, console);
-    project.model = std::make_shared<const TexturedMesh>(imported.model);
-    project.modelOrigin.source = path;
-    project.modelOrigin.texture = options.texture;
-    project.modelOrigin.remarks = imported.report.remarks();
+    setModel(project, imported, path, options);
+    if (const QString cad = cadText(project); !cad.isEmpty()) {
+        console.out() << cad << '\n';
+    }
 }
 
 struct JigSpec {
@@ -257,13 +260,11 @@ public:
         requireOther(path, parser.value(textureOption));
         ProjectFile file(path);
         checkWritable(path); // fails now instead of after the import
-        Project project;
-        project.name = projectName(path);
-        project.date = QDate::currentDate().toString(Qt::ISODate);
-        project.film.resolution = FilmResolution::Automatic;
+        Project project = newProject(path);
         applyPresetOption(project, parser.value(presetOption));
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);
+        checkSpots(project);
         if (jig.empty()) {
             importInto(project, parser, console);
         } else {

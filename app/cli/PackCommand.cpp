@@ -77,6 +77,9 @@ public:
         if (!folder.isEmpty()) {
             checkFilmsFolder(folder);
         }
+        if (!target.printer.isEmpty() && settings.film.isRoll) {
+            keepToLongestPage(settings.film, target.printer);
+        }
         const ThreadLimit threads = threadLimit(parser);
         const Progress progress = console.progress();
         const std::vector<JobResult> results = dipped(projects, parser, progress.part(0, 0.9));
@@ -103,6 +106,15 @@ public:
     }
 
 private:
+    static void keepToLongestPage(PackingFilm& roll, const QString& name) {
+        const std::optional<PrinterInfo> printer = printSystem()->printer(name);
+        const std::optional<QSizeF> page =
+            printer ? rollSize(*printer, std::nullopt) : std::nullopt;
+        if (page) {
+            roll.size.setHeight(std::min(roll.size.height(), page->height()));
+        }
+    }
+
     static std::vector<JobResult> dipped(const std::vector<PackedProject>& projects,
                                          const QCommandLineParser& parser,
                                          const Progress& progress) {

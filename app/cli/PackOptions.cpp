@@ -15,8 +15,7 @@ const QString spacingOption = QStringLiteral("spacing");
 const QString marginOption = QStringLiteral("margin");
 const QString feedOption = QStringLiteral("feed");
 const QString turnOption = QStringLiteral("turn");
-// mm, longest side of a film; also used for a roll of unknown length.
-constexpr double mostLength = 3000;
+const QString wholeOption = QStringLiteral("whole");
 
 // Reads the film: the name of a size, WIDTHxHEIGHT, roll:WIDTH or roll:WIDTHxLENGTH.
 void setFilm(PackingFilm& film, const QString& text) {
@@ -30,16 +29,16 @@ void setFilm(PackingFilm& film, const QString& text) {
     }
     const bool hasLength = !match.captured(3).isEmpty();
     film.size = {match.captured(2).toDouble(),
-                 hasLength ? match.captured(3).toDouble() : mostLength};
+                 hasLength ? match.captured(3).toDouble() : mostFilmLength};
     constexpr double least = 50;
     if (!match.hasMatch() || !(hasLength || film.isRoll) ||
         std::min(film.size.width(), film.size.height()) < least ||
-        std::max(film.size.width(), film.size.height()) > mostLength) {
+        std::max(film.size.width(), film.size.height()) > mostFilmLength) {
         throw UsageError(QStringLiteral("Write the film as %1, WIDTHxHEIGHT, roll:WIDTH or "
                                         "roll:WIDTHxLENGTH in mm, %2 to %3")
                              .arg(filmSizeNames().join(QStringLiteral(", ")))
                              .arg(least)
-                             .arg(mostLength),
+                             .arg(mostFilmLength),
                          QStringLiteral("--film"));
     }
 }
@@ -67,6 +66,7 @@ PackSettings packSettings(const QCommandLineParser& parser) {
     settings.feed = feed == QLatin1String("long") ? FeedDirection::LongEdgeFirst
                                                   : FeedDirection::ShortEdgeFirst;
     settings.mayTurn = parser.isSet(turnOption);
+    settings.film.wholeSheets = parser.isSet(wholeOption);
     return settings;
 }
 
@@ -86,6 +86,9 @@ void declarePacking(CommandSyntax& syntax, const QString& withoutFilm) {
          QStringLiteral("SIZE")});
     value(spacingOption, "The distance between two pieces in mm, 0 to 200; default 3.", "MM");
     value(marginOption, "The bare film around the ink in mm, 7 to 200; default 7.", "MM");
+    syntax.addOption(
+        {wholeOption, QStringLiteral("Places whole sheets with their own marks, and cut marks in "
+                                     "the gaps between them, as a series on a roll.")});
     value(feedOption, "The edge of the film that enters the printer first.", "short|long");
     syntax.addOption({turnOption, QStringLiteral("Turns pieces by 90° to save film, if their "
                                                  "film swells equally in both directions.")});

@@ -1,14 +1,18 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 #include "cli/VerdictOutput.h"
+#include "sheet/prepress/PlateProof.h"
 #include "sheet/prepress/PrinterColour.h"
 
 #include "base/Png.h"
 #include "disk/AtomicFile.h"
+#include "disk/FolderTransaction.h"
 #include "pipeline/DipCache.h"
+#include "pipeline/JobPacking.h"
 #include "pipeline/Pipeline.h"
 #include "project/FilmSizes.h"
 
+#include <QDir>
 #include <QRegularExpression>
 
 namespace dipwright::cli {
@@ -21,6 +25,7 @@ const QString tilePaperOption = QStringLiteral("tile-paper");
 const QString greyOption = QStringLiteral("accept-grey");
 const QString clippingOption = QStringLiteral("accept-clipping");
 const QString proofOption = QStringLiteral("proof");
+const QString platesOption = QStringLiteral("plates");
 const QString historyOption = QStringLiteral("history");
 const QString solverOption = QStringLiteral("solver");
 constexpr int mostCopies = 999;
@@ -35,6 +40,7 @@ PrintRequest requestOf(const QCommandLineParser& parser, const PrintTarget& targ
     request.tile = parser.isSet(tileOption) || !request.tilePaper.isEmpty();
     request.acceptMonochrome = parser.isSet(greyOption);
     request.acceptClipping = parser.isSet(clippingOption);
+    request.turning = turningOnRoll(project);
     request.source = printSource(project, projectPath(parser));
     return request;
 }
@@ -85,8 +91,8 @@ void checkFileFirst(const QString& path, const Project& project, const PrintRequ
     fileRequest(request);
     const Sheet blank = blankSheet(project);
     const QSizeF page = pageSize(blank);
-    if (isTiff(path)) {
-        sheetPixels(Millimetres(page.width()), Millimetres(page.height()),
+    if (isTiff(path)) { // only the width is limited, so the height does not matter here
+        sheetPixels(Millimetres(page.width()), Millimetres(page.width()),
                     blank.settings.resolution);
     }
 }
@@ -99,7 +105,7 @@ void checkPrinterFirst(PrintSystem& system, const Project& project, const PrintR
     blank.image = QImage(sheetPixels(blank.filmWidth, blank.filmHeight, blank.settings.resolution),
                          QImage::Format_RGBA8888);
     blank.image.fill(Qt::transparent);
-    planPrint(system, blank, request);
+    planPrints(system, {blank}, request);
 }
 
 void printSheets(PrintSystem& system, const JobResult& result, const PrintRequest& request,
@@ -109,9 +115,9 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
         sheets.push_back(immersion.sheet);
     }
     const std::vector<PrintPlan> plans = planPrints(system, sheets, request);
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-        for (const QString& warning : plans[i].warnings) {
-            out << QStringLiteral("%1: %2\n").arg(sheets[i].job.immersion, warning);
+    for (const PrintPlan& plan : plans) {
+        for (const QString& warning : plan.warnings) {
+            out << QStringLiteral("%1: %2\n").arg(plan.record->immersion, warning);
         }
     }
     printAndReport(system, plans, progress, out);
@@ -132,6 +138,50 @@ void printGamutShare(const Sheet& sheet, const PrintRequest& request, QTextStrea
                    .arg(sheet.job.immersion)
                    .arg(100 * share, 0, 'f', 1);
     }
+}
+
+// Returns the colours of the printer's plates. Throws Error if its profile is not in CMYK.
+std::unique_ptr<PrinterColour> plateColour(const PrintRequest& request, const QString& folder) {
+    std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
+    if (!colour || !colour->isCmyk()) {
+        throw Error(QStringLiteral("Plates need a printer profile with an ICC profile in CMYK; "
+                                   "choose one with --profile"),
+                    folder);
+    }
+    return colour;
+}
+
+// Writes the plates of all sheets, replaces those of an earlier call, and writes their figures.
+void writePlates(const JobResult& result, const PrintRequest& request, const QString& folder,
+                 const Progress& progress, QTextStream& out) {
+    const std::unique_ptr<PrinterColour> colour = plateColour(request, folder);
+    const PrintCorrection correction = printCorrection(request.profile, colour.get());
+    std::vector<ProofFile> files;
+    QStringList names;
+    for (std::size_t dip = 0; dip < result.immersions.size(); ++dip) {
+        const double done = double(dip) / double(result.immersions.size());
+        progress(done, QStringLiteral("Making the plates"));
+        const Sheet sheet = numberedFor(request.profile, result.immersions[dip].sheet);
+        const QString prefix =
+            result.immersions.size() > 1 ? QStringLiteral("immersion-%1/").arg(dip + 1) : QString();
+        for (const QString& old :
+             QDir(QDir(folder).filePath(prefix)).entryList({QStringLiteral("plate-*.png")})) {
+            names << prefix + old;
+        }
+        const SeparationProof proof = separationProof(sheet, correction);
+        out << QStringLiteral("%1\n").arg(sheet.job.immersion) << figuresTable(proof.figures);
+        for (const ProofFile& file : proof.files) {
+            names << prefix + file.name;
+            files.push_back({prefix + file.name, file.contents});
+        }
+    }
+    names.removeDuplicates();
+    FolderTransaction transaction(folder, names);
+    for (const ProofFile& file : files) {
+        transaction.write(file.name, file.contents);
+    }
+    transaction.commit();
+    out << QStringLiteral("Wrote %1\n").arg(folder);
 }
 
 // Keeps only the dip that --immersion names.
@@ -208,6 +258,11 @@ public:
                           QStringLiteral("Also writes a soft proof of the film image as PNG. "
                                          "Colours out of the printer's gamut are magenta."),
                           QStringLiteral("FILE")});
+        syntax.addOption({platesOption,
+                          QStringLiteral("Writes a proof of the plates: one picture per ink, the "
+                                         "total ink, and their figures. Prints only if --printer "
+                                         "or --to is given, too."),
+                          QStringLiteral("DIR")});
         syntax.addOption({solverOption,
                           QStringLiteral("The solver plugin, instead of the project's choice."),
                           QStringLiteral("ID")});
@@ -229,14 +284,19 @@ public:
         const ThreadLimit threads = threadLimit(parser);
         Project project = projectArgument(parser);
         chooseImmersion(project, parser);
-        const PrintTarget target = printTarget(parser);
+        const QString plates = parser.value(platesOption);
+        const bool isProofOnly = !plates.isEmpty() && !namesTarget(parser);
+        const PrintTarget target = isProofOnly ? PrintTarget() : printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
         if (!target.file.isEmpty()) {
             checkFileFirst(target.file, project, request);
         }
         const QString proof = proofFile(parser, project, target, request);
+        if (!plates.isEmpty()) {
+            plateColour(request, plates);
+        }
         std::unique_ptr<PrintSystem> system;
-        if (target.file.isEmpty()) {
+        if (!target.printer.isEmpty()) {
             system = printSystem();
             checkPrinterFirst(*system, project, request);
         }
@@ -259,8 +319,14 @@ public:
             writeProof(result.immersions.front().sheet, request, proof);
             console.out() << QStringLiteral("Wrote %1\n").arg(proof);
         }
+        if (!plates.isEmpty()) {
+            writePlates(result, request, plates, progress.part(0.8, 0.9), console.out());
+        }
+        if (isProofOnly) {
+            return;
+        }
         if (system) {
-            printSheets(*system, result, request, progress.part(0.8, 1), console.out());
+            printSheets(*system, result, request, progress.part(0.9, 1), console.out());
             return;
         }
         const Sheet& sheet = result.immersions.front().sheet;

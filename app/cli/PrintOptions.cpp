@@ -98,6 +98,10 @@ void listPrinters(QTextStream& out) {
     }
 }
 
+bool namesTarget(const QCommandLineParser& parser) {
+    return parser.isSet(printerOption) || parser.isSet(toOption);
+}
+
 PrintTarget printTarget(const QCommandLineParser& parser) {
     PrintTarget target{printerName(parser), parser.value(toOption)};
     if (target.printer.isEmpty() == target.file.isEmpty()) {

@@ -23,6 +23,8 @@ struct PrintTarget {
     QString printer;
     QString file; // name ends in .pdf, .tif or .tiff
 };
+// Tells whether --printer or --to is given.
+bool namesTarget(const QCommandLineParser& parser);
 // Throws UsageError unless exactly one of --printer and --to is given.
 PrintTarget printTarget(const QCommandLineParser& parser);
 // Returns the request, with the profile of --profile or, without this option, `remembered`. Throws

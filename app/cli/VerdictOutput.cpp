@@ -1,5 +1,6 @@
 #include "cli/VerdictOutput.h"
 
+#include "pipeline/InkOptions.h"
 #include "pipeline/JobVerdict.h"
 
 #include <algorithm>
@@ -42,10 +43,35 @@ bool isWorse(Advice verdict, Advice required) {
     return verdict == Advice::NotJudged || verdict > required;
 }
 
+namespace {
+
+// Prints what helps where ink does not suffice.
+void printInkOptions(const JobResult& result, QTextStream& out) {
+    const std::optional<InkOptions> found = inkOptions(result, {});
+    if (!found) {
+        return;
+    }
+    out << QStringLiteral("  Ink now: %1\n").arg(reachText(found->now));
+    for (const InkOption& option : found->options) {
+        const QString setting =
+            option.remedy == InkRemedy::OtherPose ? QStringLiteral("optimize")
+            : option.remedy == InkRemedy::WhiteBeneath
+                ? QStringLiteral("--set sheet.white=last")
+                : QStringLiteral("--set %1=%2").arg(remedyField(option.remedy)).arg(option.value);
+        out << QStringLiteral("  %1 (%2): %3\n")
+                   .arg(remedyText(option), setting, optionText(option));
+    }
+}
+
+} // namespace
+
 void printVerdict(const JobResult& result, QTextStream& out) {
     out << adviceText(adviceOf(result)).toUpper() << '\n';
     for (const JobReason& reason : reasonsOf(result)) {
         out << QStringLiteral("  %1\n").arg(reasonText(reason, result, millimetres));
+        if (reason.reason.kind == VerdictReason::Kind::Pale) {
+            printInkOptions(result, out);
+        }
     }
 }
 

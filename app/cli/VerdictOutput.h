@@ -9,7 +9,8 @@
 
 namespace dipwright::cli {
 
-// Prints the verdict and all reasons for it, worst first.
+// Prints the verdict and all reasons for it, worst first. If the ink makes the part too pale,
+// prints what helps.
 void printVerdict(const JobResult& result, QTextStream& out);
 
 // Declares and reads --require: the worst verdict that the user accepts; nothing if any verdict is

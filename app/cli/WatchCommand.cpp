@@ -6,6 +6,7 @@
 #include "base/JsonText.h"
 #include "disk/SmallFile.h"
 #include "pipeline/DipCache.h"
+#include "pipeline/JobPacking.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/WriteResults.h"
 #include "project/Project.h"
@@ -215,6 +216,7 @@ private:
         PrintRequest request =
             printRequest(parser_, {printer, {}}, result.project.profiles.printer);
         request.copies = order.copies;
+        request.turning = turningOnRoll(result.project);
         request.source = printSource(result.project, order.project);
         const int count = int(result.immersions.size());
         if (order.immersion.value_or(1) > count) {

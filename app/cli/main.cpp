@@ -1,5 +1,6 @@
 // dipwright-cli: all computations of the workbench, without a display.
 #include "base/ProgramName.h"
+#include "base/ShippedFolders.h"
 #include "cli/Command.h"
 #include "disk/UnfinishedWrites.h"
 
@@ -193,6 +194,7 @@ int main(int argc, char* argv[]) {
     // Hides the libraries' warnings, so that scripts find only one error line.
     QLoggingCategory::setFilterRules(
         QStringLiteral("*.debug=false\n*.info=false\n*.warning=false"));
+    dipwright::useShippedFonts();
     const QGuiApplication application(argc, argv);
     QLocale::setDefault(QLocale::c()); // all output is in English, including the maps
     dipwright::nameProgram();

@@ -4,6 +4,7 @@
 #include "base/Sha256.h"
 #include "disk/AtomicFile.h"
 #include "printing/PrintReach.h"
+#include "sheet/page/SheetLayout.h"
 #include "sheet/prepress/PrinterColour.h"
 #include "sheet/prepress/Separation.h"
 #include "sheet/prepress/SheetFiles.h"
@@ -58,6 +59,8 @@ PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
         correction.scaleX = profile->scaleX;
         correction.scaleY = profile->scaleY;
         correction.totalInk = profile->totalInk;
+        correction.pdfTarget = profile->pdfTarget;
+        correction.squarePixels = profile->squarePixels;
     }
     return correction;
 }
@@ -79,7 +82,13 @@ Sheet numberedFor(const std::optional<PrinterProfile>& profile, const Sheet& she
     const QString suffix = QLatin1Char('-') + sha256Hex(plates).left(digits);
     numbered.job.hash += suffix;
     for (SheetPiece& piece : numbered.pieces) {
-        piece.job.hash += suffix;
+        const QString number = piece.job.hash + suffix;
+        if (piece.whole) {
+            SheetLayout whole = *piece.whole;
+            whole.jobLineText.replaceInStrings(piece.job.hash, number);
+            piece.whole = std::make_shared<const SheetLayout>(whole);
+        }
+        piece.job.hash = number;
     }
     return numbered;
 }
@@ -104,6 +113,11 @@ QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool 
     if (sheet.settings.cutLine != CutLine::None && (tiff || !inks)) {
         sentences << Text::tr("The cut contour is left out: it needs a PDF and a printer profile "
                               "with an ICC profile in CMYK");
+    }
+    if (sheet.passes > 1) {
+        sentences << Text::tr("Each sheet must be printed %1 times onto the same film, without "
+                              "moving it: the project prints its ink in %1 passes")
+                         .arg(sheet.passes);
     }
     const double area = inkShortfall(sheet, correction);
     if (area >= leastShortfall) {

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "sheet/page/InkedPixels.h"
+#include "sheet/page/SheetRows.h"
 #include "sheet/prepress/PrinterColour.h"
 
 #include <QCoreApplication>
@@ -23,12 +24,20 @@ double lostEdge(double half, double margin, double scale) {
 
 // Returns the bounding box, in mm, of the page area that has ink from the film's plates.
 QRectF paintedBox(const Sheet& sheet, InkedPlates plates) {
+    if (sheet.rows && !sheet.pieces.empty()) { // the pieces' pictures are what is painted
+        QRectF painted;
+        for (const SheetPiece& piece : sheet.pieces) {
+            painted |= piece.pictureOnPage();
+        }
+        return painted;
+    }
     const QRect box = inkedBox(sheet, plates);
     const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
     const QSizeF page = pageSize(sheet);
     const QPointF corner((page.width() - film.width()) / 2, (page.height() - film.height()) / 2);
-    const double x = film.width() / sheet.image.width();
-    const double y = film.height() / sheet.image.height();
+    const QSize pixels = filmPixels(sheet);
+    const double x = film.width() / pixels.width();
+    const double y = film.height() / pixels.height();
     return box.isEmpty() ? QRectF()
                          : QRectF(corner + QPointF(box.x() * x, box.y() * y),
                                   QSizeF(box.width() * x, box.height() * y));

@@ -2,10 +2,11 @@
 
 #include "base/Bytes.h"
 #include "base/Error.h"
-#include "base/ImageRows.h"
 #include "printing/PrintFile.h"
 #include "printing/PrintReach.h"
+#include "sheet/packing/FilmPacking.h"
 #include "sheet/page/SheetLayout.h"
+#include "sheet/page/SheetRows.h"
 #include "sheet/pdf/PdfDocument.h"
 #include "sheet/prepress/PrinterColour.h"
 #include "sheet/prepress/SheetFiles.h"
@@ -140,8 +141,9 @@ std::optional<PrinterMedia> customPaper(const PrinterInfo& printer, QSizeF page)
     return PrinterMedia{QStringLiteral("custom"), page, custom->margins, ready};
 }
 
-// Returns a paper of the page's size, or else a custom size.
-std::optional<PaperChoice> findPaper(const PrinterInfo& printer, QSizeF page) {
+// Returns a paper of the page's size, or else a custom size, on which the page lies as `turning`
+// says.
+std::optional<PaperChoice> findPaper(const PrinterInfo& printer, QSizeF page, Turning turning) {
     for (const bool turned : {false, true}) {
         if (const PrinterMedia* media =
                 mediaOfSize(printer.media, turned ? page.transposed() : page)) {
@@ -150,6 +152,9 @@ std::optional<PaperChoice> findPaper(const PrinterInfo& printer, QSizeF page) {
     }
     std::optional<PaperChoice> notLoaded;
     for (const bool turned : {false, true}) {
+        if (turning == (turned ? Turning::Never : Turning::Always)) {
+            continue;
+        }
         if (const auto media = customPaper(printer, turned ? page.transposed() : page)) {
             if (media->ready) {
                 return PaperChoice{*media, turned, true};
@@ -160,8 +165,8 @@ std::optional<PaperChoice> findPaper(const PrinterInfo& printer, QSizeF page) {
     return notLoaded;
 }
 
-PaperChoice paperFor(const PrinterInfo& printer, QSizeF page) {
-    if (const std::optional<PaperChoice> found = findPaper(printer, page)) {
+PaperChoice paperFor(const PrinterInfo& printer, QSizeF page, Turning turning = Turning::Allowed) {
+    if (const std::optional<PaperChoice> found = findPaper(printer, page, turning)) {
         return *found;
     }
     const bool someHolds =
@@ -199,10 +204,10 @@ const PrinterMedia& tilePaper(const PrinterInfo& printer, const QString& name) {
     return *best;
 }
 
-bool isColoured(const QImage& image) {
+bool isColoured(const Sheet& sheet) {
     bool isGrey = true;
-    forImageRows(image, [&](const QImage& rows, int) {
-        const QImage pixels = rows.convertToFormat(QImage::Format_RGBA8888);
+    forSheetRows(sheet, [&](const Sheet& rows, int) {
+        const QImage pixels = rows.image.convertToFormat(QImage::Format_RGBA8888);
         for (int y = 0; y < pixels.height() && isGrey; ++y) {
             const uchar* pixel = pixels.constScanLine(y);
             for (int x = 0; x < pixels.width(); ++x, pixel += 4) {
@@ -215,7 +220,7 @@ bool isColoured(const QImage& image) {
 
 void checkColour(const PrinterInfo& printer, const Sheet& sheet, const PrintRequest& request,
                  QStringList& warnings) {
-    if (printer.printsColour || !isColoured(sheet.image)) {
+    if (printer.printsColour || !isColoured(sheet)) {
         return;
     }
     if (!request.acceptMonochrome) {
@@ -444,11 +449,12 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& unnumbered, const PrintReq
     PrintPlan plan;
     plan.printer = readyPrinter(system, request.printer);
     checkColour(plan.printer, original, request, plan.warnings);
-    const std::optional<PaperChoice> whole = findPaper(plan.printer, pageSize(original));
+    const std::optional<PaperChoice> whole =
+        findPaper(plan.printer, pageSize(original), request.turning);
     const bool tiled = request.tile && (!request.tilePaper.isEmpty() || !whole ||
                                         (whole->isCustom && !whole->media.ready));
     const PaperChoice paper = tiled ? PaperChoice{tilePaper(plan.printer, request.tilePaper), false}
-                                    : paperFor(plan.printer, pageSize(original));
+                                    : paperFor(plan.printer, pageSize(original), request.turning);
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     PrintCorrection correction = printCorrection(request.profile, colour.get());
@@ -477,9 +483,79 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& unnumbered, const PrintReq
     return plan;
 }
 
+std::optional<QSizeF> rollSize(const PrinterInfo& printer,
+                               const std::optional<PrinterProfile>& profile) {
+    const std::optional<CustomMedia>& custom = printer.customMedia;
+    if (!custom) {
+        return std::nullopt;
+    }
+    double width = 0;
+    for (const QSizeF& loaded : custom->loaded) {
+        width = std::max(width, std::min(loaded.width(), custom->most.width()));
+    }
+    if (profile && profile->rollWidth) {
+        width = profile->rollWidth->value();
+    }
+    return QSizeF(width > 0 ? width : custom->most.width(),
+                  std::min(custom->most.height(), mostFilmLength));
+}
+
+namespace {
+
+// Returns the roll for a series of sheets, or nothing if the sheets are printed one by one.
+std::optional<PackingFilm> rollFor(PrintSystem& system, const std::vector<Sheet>& sheets,
+                                   const PrintRequest& request) {
+    const bool arePacked = std::any_of(sheets.begin(), sheets.end(),
+                                       [](const Sheet& sheet) { return !sheet.pieces.empty(); });
+    if (arePacked || request.tile || !request.profile || !request.profile->rollGap) {
+        return std::nullopt;
+    }
+    const PrinterInfo printer = readyPrinter(system, request.printer);
+    const std::optional<QSizeF> size = rollSize(printer, request.profile);
+    if (!size) {
+        return std::nullopt;
+    }
+    PackingFilm roll;
+    roll.size = *size;
+    roll.isRoll = roll.wholeSheets = true;
+    roll.spacing = *request.profile->rollGap;
+    roll.edges = larger(roll.edges, unreachable(printer.customMedia->margins, request.profile));
+    return roll;
+}
+
+// Returns all copies of the sheets on a roll. Each result is one page.
+std::vector<Sheet> seriesOn(const PackingFilm& roll, const std::vector<Sheet>& sheets,
+                            const PrintRequest& request) {
+    std::vector<PieceToPack> pieces;
+    for (const Sheet& sheet : sheets) {
+        pieces.push_back({sheet, int(pieces.size()) + 1, request.copies, request.turning});
+    }
+    const FilmPlan plan = planFilms(pieces, roll);
+    std::vector<Sheet> films;
+    for (std::size_t number = 0; number < plan.films.size(); ++number) {
+        films.push_back(filmSheet(pieces, roll, plan, number));
+    }
+    return films;
+}
+
+} // namespace
+
 std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>& sheets,
                                   const PrintRequest& request) {
     std::vector<PrintPlan> plans;
+    if (const std::optional<PackingFilm> roll = rollFor(system, sheets, request)) {
+        PrintRequest once = request;
+        once.copies = 1;
+        once.turning = Turning::Never; // the roll's own direction
+        for (const Sheet& film : seriesOn(*roll, sheets, request)) {
+            plans.push_back(planPrint(system, film, once));
+            plans.back().warnings.prepend(
+                Text::tr("Series on the roll, %1, with cut marks; sheets: %2")
+                    .arg(plain(plans.back().task.media.size))
+                    .arg(film.pieces.size()));
+        }
+        return plans;
+    }
     for (const Sheet& sheet : sheets) {
         plans.push_back(planPrint(system, sheet, request));
     }

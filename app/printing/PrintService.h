@@ -7,6 +7,7 @@
 #include "printing/PrintHistory.h"
 #include "printing/PrintSystem.h"
 #include "settings/Profile.h"
+#include "sheet/packing/RectanglePacking.h"
 #include "sheet/page/CalibrationPage.h"
 #include "sheet/page/Sheet.h"
 
@@ -29,6 +30,9 @@ struct PrintRequest {
     bool acceptClipping = false;   // allows losing colour that the printer cannot reach
     // Allows printing on paper that the printer does not report as loaded.
     bool acceptOtherPaper = false;
+    // Whether a sheet on a roll lies across it. Film swells more along its web, so that only film
+    // that swells equally may be turned.
+    Turning turning = Turning::Allowed;
     PrintSource source; // stored in the history
 };
 
@@ -51,8 +55,15 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& sheet, const PrintRequest&
 PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
                           const PrintRequest& request);
 
+// Returns the roll of a printer that takes custom sizes: its width, from the profile or as the
+// printer reports it, and the length of its longest page, mm. Nothing for other printers.
+std::optional<QSizeF> rollSize(const PrinterInfo& printer,
+                               const std::optional<PrinterProfile>& profile);
+
 // Plans several sheets. Checks all of them before the first is sent, so that no set of sheets is
-// printed only in part.
+// printed only in part. If the profile has a gap for rolls and the printer takes custom sizes, all
+// sheets and copies become one series on the roll, or several if the printer's longest page is too
+// short: whole sheets with cut marks between them.
 std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>& sheets,
                                   const PrintRequest& request);
 

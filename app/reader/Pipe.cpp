@@ -5,13 +5,34 @@
 
 #include <QDataStream>
 
+#if defined(Q_OS_UNIX)
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
 #include <cstdlib>
 
 namespace dipwright {
 
-Pipe::Pipe() {
+namespace {
+
+// Returns the stream to the program that started the reader, which libraries cannot reach.
+int ownOutput() {
+#if defined(Q_OS_UNIX)
+    const int own = dup(1);
+    const int nowhere = open("/dev/null", O_WRONLY);
+    if (own >= 0 && nowhere >= 0 && dup2(nowhere, 1) >= 0) {
+        return own;
+    }
+#endif
+    return 1;
+}
+
+} // namespace
+
+Pipe::Pipe(const ReaderLimits& limits) : limits_(limits) {
     if (!in_.open(0, QIODevice::ReadOnly | QIODevice::Unbuffered) ||
-        !out_.open(1, QIODevice::WriteOnly | QIODevice::Unbuffered)) {
+        !out_.open(ownOutput(), QIODevice::WriteOnly | QIODevice::Unbuffered)) {
         std::_Exit(EXIT_FAILURE);
     }
 }
@@ -47,6 +68,9 @@ void Pipe::hand(const UntrustedModel& model) {
     for (const QString& warning : model.warnings) {
         lines << warning.simplified();
     }
+    if (model.cad) {
+        send(ReaderMessage::Cad, cadBytes(*model.cad));
+    }
     send(ReaderMessage::Model, lines.join(u'\n').toUtf8());
     TexturedMesh bare = withoutPictures(model.mesh);
     bare.chart.resize(bare.mesh.triangles.size()); // the receiving program computes the charts
@@ -67,7 +91,7 @@ std::optional<QByteArray> Pipe::fetch(const QString& name) {
         return std::nullopt;
     }
     allowedFor_ += length;
-    raiseLimits(allowedFor_);
+    raiseLimits(limits_, allowedFor_);
     return take(length);
 }
 

@@ -5,6 +5,7 @@
 #include "base/Error.h"
 #include "import/trusted/ReaderMessages.h"
 #include "import/trusted/UntrustedFiles.h"
+#include "reader/Sandbox.h"
 
 #include <QFile>
 
@@ -12,7 +13,8 @@ namespace dipwright {
 
 class Pipe : public UntrustedFiles {
 public:
-    Pipe();
+    // Files that are read raise these limits. Afterwards what libraries print is discarded.
+    explicit Pipe(const ReaderLimits& limits);
 
     // Returns the first message. Like all functions here, it ends the process if the other side has
     // closed the streams.
@@ -31,6 +33,7 @@ private:
     void write(const QByteArray& bytes);
     void send(ReaderMessage kind, const QByteArray& bytes);
 
+    ReaderLimits limits_;
     QFile in_, out_;
     qint64 allowedFor_ = 0;
 };

@@ -1,6 +1,5 @@
 #include "reader/Sandbox.h"
 
-#include "base/Budgets.h"
 #include "import/trusted/ReaderMessages.h"
 
 #if defined(Q_OS_UNIX)
@@ -103,30 +102,30 @@ void closeInheritedFiles() {
 #endif
 }
 
-bool enterSandbox() {
+bool enterSandbox(const ReaderLimits& limits) {
     // Ends at once, because a message could be written into the middle of another message.
     std::signal(SIGXCPU, [](int) { _exit(readerOutOfTime); });
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_FSIZE, 0, 0);
-    raiseLimits(0);
+    raiseLimits(limits, 0);
     return filterCalls();
 }
 
-void raiseLimits(qint64 fileBytes) {
+void raiseLimits(const ReaderLimits& limits, qint64 fileBytes) {
     constexpr qint64 second = 1000;
-    const qint64 time = budgetLimit(Budget::Milliseconds, fileBytes);
+    const qint64 time = budgetLimit(limits.time, fileBytes);
     // After the last second, the kernel kills the process. One second earlier it sends the signal
     // that lets the process report the reason.
     limit(RLIMIT_CPU, rlim_t((time + second - 1) / second),
-          rlim_t(budgetLimit(Budget::Milliseconds, anyFile) / second + 2));
+          rlim_t(budgetLimit(limits.time, anyFile) / second + 2));
 #if !defined(DIPWRIGHT_SANITIZED) // sanitizers reserve terabytes of address space
 #if defined(Q_OS_LINUX)
     const int memory = RLIMIT_DATA; // limits written memory only, because more is reserved
 #else
     const int memory = RLIMIT_AS;
 #endif
-    limit(memory, rlim_t(budgetLimit(Budget::Memory, fileBytes)),
-          rlim_t(budgetLimit(Budget::Memory, anyFile)));
+    limit(memory, rlim_t(budgetLimit(limits.memory, fileBytes)),
+          rlim_t(budgetLimit(limits.memory, anyFile)));
 #endif
 }
 
@@ -140,19 +139,19 @@ void closeInheritedFiles() {
 
 // Allows one process, and the memory for the largest file, because the limits of a Windows job
 // object cannot be raised later.
-bool enterSandbox() {
-    JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
-    limits.BasicLimitInformation.LimitFlags =
+bool enterSandbox(const ReaderLimits& limits) {
+    JOBOBJECT_EXTENDED_LIMIT_INFORMATION job{};
+    job.BasicLimitInformation.LimitFlags =
         JOB_OBJECT_LIMIT_ACTIVE_PROCESS | JOB_OBJECT_LIMIT_PROCESS_MEMORY;
-    limits.BasicLimitInformation.ActiveProcessLimit = 1;
-    limits.ProcessMemoryLimit = SIZE_T(budgetLimit(Budget::Memory, budgetLimit(Budget::FileBytes)));
-    const HANDLE job = CreateJobObjectW(nullptr, nullptr);
-    return SetInformationJobObject(job, JobObjectExtendedLimitInformation, &limits,
-                                   sizeof limits) != 0 &&
-           AssignProcessToJobObject(job, GetCurrentProcess()) != 0;
+    job.BasicLimitInformation.ActiveProcessLimit = 1;
+    job.ProcessMemoryLimit = SIZE_T(budgetLimit(limits.memory, budgetLimit(Budget::FileBytes)));
+    const HANDLE handle = CreateJobObjectW(nullptr, nullptr);
+    return SetInformationJobObject(handle, JobObjectExtendedLimitInformation, &job, sizeof job) !=
+               0 &&
+           AssignProcessToJobObject(handle, GetCurrentProcess()) != 0;
 }
 
-void raiseLimits(qint64 /*fileBytes*/) {}
+void raiseLimits(const ReaderLimits& /*limits*/, qint64 /*fileBytes*/) {}
 
 #endif
 

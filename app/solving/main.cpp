@@ -7,11 +7,12 @@
 
 int main(int argc, char* argv[]) {
     const QCoreApplication application(argc, argv);
-    if (argc != 2) {
+    if (argc != 3) {
         std::fputs("error: This program is started by Dipwright (command line)\n", stderr);
         return 2;
     }
     dipwright::leaveInterruptsToStarter();
     std::FILE* const answers = dipwright::answerPipe();
-    dipwright::serveSolver(QCoreApplication::arguments().at(1), stdin, answers);
+    const QStringList arguments = QCoreApplication::arguments();
+    dipwright::serveSolver(arguments.at(1), arguments.at(2).toInt(), stdin, answers);
 }

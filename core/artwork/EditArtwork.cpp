@@ -4,6 +4,7 @@
 #include "base/ColourNote.h"
 #include "base/Error.h"
 #include "geometry/SurfaceQuery.h"
+#include "model/NamedMaterials.h"
 
 #include <QCoreApplication>
 #include <QFontDatabase>
@@ -65,13 +66,34 @@ ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer) {
     return layer;
 }
 
+ArtworkLayer movedOnto(const TexturedMesh& model, ArtworkLayer layer, const QString& material) {
+    const std::optional<Eigen::Vector3f> middle = middleOfMaterial(model, material);
+    if (!middle) {
+        throw Error(Text::tr("The model has no face or material of this name; its names are %1")
+                        .arg(materialNames(model).join(QStringLiteral(", ")).left(400)),
+                    material);
+    }
+    layer.material = material;
+    if (layer.placement == LayerPlacement::Decal) {
+        for (int axis = 0; axis < 3; ++axis) {
+            layer.place[std::size_t(axis)] =
+                Millimetres(std::round(double((*middle)[axis]) * 1000) / 1000 + 0.0);
+        }
+    }
+    return layer;
+}
+
 void addLayer(Artwork& artwork, const ArtworkLayer& layer, const TexturedMesh& model) {
     if (artwork.layers.size() >= mostArtworkLayers) {
         throw Error(Text::tr("The artwork already has %1 layers, which is the limit; remove one")
                         .arg(mostArtworkLayers),
                     layer.name);
     }
-    if (artwork.isEmpty() && model.textures.empty()) {
+    const auto isPlain = [&](const Material& material) {
+        return material.colour == model.materials.front().colour;
+    };
+    if (artwork.isEmpty() && model.textures.empty() &&
+        std::all_of(model.materials.begin(), model.materials.end(), isPlain)) {
         artwork.base = QColor(255, 255, 255);
     }
     artwork.layers.push_back(layer);

@@ -19,9 +19,13 @@ ArtworkLayer newLayer(LayerKind kind, const QString& name);
 // is limited to suit the model.
 ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer);
 
-// Adds a layer above all others. The first layer on a model without a texture also sets the base
-// colour to white, which needs no ink. Otherwise the whole body would be painted in the model's
-// plain colour. Throws Error if there are already mostArtworkLayers.
+// Returns the layer so that it shows only on surface with a material of this name, such as a face
+// of a CAD model. A decal moves into its middle. Throws Error if the model has no such material.
+ArtworkLayer movedOnto(const TexturedMesh& model, ArtworkLayer layer, const QString& material);
+
+// Adds a layer above all others. The first layer on a model of one plain colour, without a texture,
+// also sets the base colour to white, which needs no ink. Otherwise the whole body would be painted
+// in the model's plain colour. Throws Error if there are already mostArtworkLayers.
 void addLayer(Artwork& artwork, const ArtworkLayer& layer, const TexturedMesh& model);
 
 // Returns the size at which a layer's content appears within its area. A picture or text that is

@@ -7,6 +7,7 @@
 #include "base/Error.h"
 #include "base/WideGamut.h"
 #include "geometry/SurfaceQuery.h"
+#include "model/NamedMaterials.h"
 #include "parallel/ParallelFor.h"
 #include "texture/SurfaceColours.h"
 
@@ -29,14 +30,27 @@ struct Layer {
     LayerPicture picture;
     LayerPlane plane;
     float opacity;
+    std::vector<bool> isBare; // by the model's material: the layer does not show there; or empty
 
-    Layer(const ArtworkLayer& layer, const TriangleMesh& mesh, const SurfaceQuery& query,
+    Layer(const ArtworkLayer& layer, const TexturedMesh& model, const SurfaceQuery& query,
           double texel, bool wide)
-        : picture(layer, texel, wide), plane(layer, mesh, query, picture.size()),
-          opacity(float(layer.opacity)) {}
+        : picture(layer, texel, wide), plane(layer, model.mesh, query, picture.size()),
+          opacity(float(layer.opacity)) {
+        if (!layer.material.isEmpty()) {
+            isBare.assign(model.materials.size(), true);
+            for (const std::size_t material : materialsNamed(model, layer.material)) {
+                isBare[material] = false;
+            }
+        }
+    }
 
-    CoveringLight at(const SurfacePoint& place, const Eigen::Vector3d& outward) const {
+    // `material` is that of the place.
+    CoveringLight at(const SurfacePoint& place, const Eigen::Vector3d& outward,
+                     std::uint16_t material) const {
         CoveringLight light = CoveringLight::Zero();
+        if (!isBare.empty() && isBare[material]) {
+            return light;
+        }
         for (const PlanePlace& flat : plane.at(place, outward)) {
             if (flat.share > 0) {
                 light += flat.share * picture.at(flat.place, plane.isEndless());
@@ -170,7 +184,7 @@ QImage bake(const TexturedMesh& model, const Unwrapping& charts, const Ground& g
             const SurfacePoint place = weights->at(triangle, column, row);
             LinearColour colour = ground.at(place, weights->steps);
             for (const auto& layer : layers) {
-                const CoveringLight over = layer->at(place, outward);
+                const CoveringLight over = layer->at(place, outward, model.material[triangle]);
                 if (over[3] > 0) {
                     const LinearColour own(over[0], over[1], over[2]);
                     colour = (1 - over[3]) * colour +
@@ -199,7 +213,7 @@ SurfaceAppearance baked(const TexturedMesh& model, const Artwork& artwork, Paint
         if (isShown(layer)) {
             progress.cancelToken.throwIfCancelled();
             layers.push_back(
-                std::make_unique<const Layer>(layer, model.mesh, query, charts.texel, wide));
+                std::make_unique<const Layer>(layer, model, query, charts.texel, wide));
         }
     }
     progress(0.5, step);

@@ -92,6 +92,23 @@ constexpr Row table[] = {
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "Reading the file takes more than %1 seconds, far too long for its size; "
                        "make the file smaller, or save it again in the program that created it")},
+    {Budget::Faces, 65'000, notFromTheFile, 65'000, 1,
+     QT_TRANSLATE_NOOP("dipwright::Budgets",
+                       "The CAD model has more than %1 faces; save only the part that is dipped, "
+                       "without its inner parts")},
+    {Budget::CadTriangles, 5e6, notFromTheFile, 5e6, 1e6,
+     QT_TRANSLATE_NOOP("dipwright::Budgets",
+                       "The CAD model would have more than %1 million triangles; choose a larger "
+                       "tolerance for its triangles")},
+    {Budget::CadMemory, 1 * gibi, 200, 64 * gibi, mebi,
+     QT_TRANSLATE_NOOP("dipwright::Budgets",
+                       "Reading the CAD file takes more than %1 MB of memory; choose a larger "
+                       "tolerance for its triangles, or save only the part that is dipped")},
+    {Budget::CadMilliseconds, 20e3 * sanitizerFactor, 1e-2 * sanitizerFactor, 1e6 * sanitizerFactor,
+     1e3,
+     QT_TRANSLATE_NOOP("dipwright::Budgets",
+                       "Reading the CAD file takes more than %1 seconds; choose a larger tolerance "
+                       "for its triangles, or save only the part that is dipped")},
 };
 
 const Row& row(Budget budget) {

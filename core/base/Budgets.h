@@ -24,8 +24,13 @@ enum class Budget {
     // Pixels of all pictures of a model or project. A picture that is used twice counts twice; a
     // wide picture also counts twice.
     Pixels,
-    Memory,      // bytes of memory that the reading process may use
-    Milliseconds // computing time until the file is read
+    Memory,       // bytes of memory that the reading process may use
+    Milliseconds, // computing time until the file is read
+    // Of CAD files, which describe much in few bytes:
+    Faces,
+    CadTriangles,
+    CadMemory,
+    CadMilliseconds
 };
 
 // Returns the limit for files of `fileBytes` bytes in total.

@@ -1,19 +1,27 @@
 #include "base/ShippedFolders.h"
 
+#include "base/ProgramFolder.h"
+
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QStandardPaths>
 
 namespace dipwright {
 namespace {
 
 QStringList fromProgram(const QStringList& paths) {
-    const QDir program(QCoreApplication::applicationDirPath());
+    const QDir program(programFolder());
     QStringList folders;
     for (const QString& path : paths) {
         folders << QDir::cleanPath(program.filePath(path));
     }
     return folders;
+}
+
+// Only the tarball has this folder (cmake/BundledLibraries.cmake).
+QString fromTarball(const QString& path) {
+    return fromProgram({QStringLiteral("../lib/dipwright/system/") + path}).front();
 }
 
 } // namespace
@@ -34,6 +42,23 @@ QString shippedProgram(const QString& name) {
 
 QString readerProgram() {
     return shippedProgram(QStringLiteral("dipwright-reader"));
+}
+
+void useShippedFonts() {
+    const QString shipped = fromTarball(QStringLiteral("fonts/fonts.conf"));
+    if (!QFile::exists(QStringLiteral("/etc/fonts/fonts.conf")) && QFile::exists(shipped)) {
+        qputenv("FONTCONFIG_FILE", QFile::encodeName(shipped));
+    }
+}
+
+QString cadReaderProgram() {
+    return shippedProgram(QStringLiteral("dipwright-cad-reader"));
+}
+
+void useShippedQtPlugins() {
+    if (const QString shipped = fromTarball(QStringLiteral("plugins")); QFile::exists(shipped)) {
+        QCoreApplication::setLibraryPaths({shipped});
+    }
 }
 
 QStringList shippedSampleFolders() {

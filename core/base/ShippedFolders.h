@@ -16,6 +16,17 @@ QStringList shippedPluginFolders();
 QString shippedProgram(const QString& name);
 // Returns the path of the sandboxed reader for models and pictures from untrusted sources.
 QString readerProgram();
+// Returns the path of the one for CAD files; empty if this program was built without it.
+QString cadReaderProgram();
+
+// If the system has no fonts, lets fontconfig use the fonts that the tarball ships. Must be called
+// before the application object is created.
+void useShippedFonts();
+
+// For a library that another program loads (ProgramFolder.h): lets Qt use the plugins that the
+// tarball ships. A program finds them by its qt.conf. Must be called before the application object
+// is created.
+void useShippedQtPlugins();
 
 // Returns the folders with sample projects, *.dipw.
 QStringList shippedSampleFolders();

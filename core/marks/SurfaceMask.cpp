@@ -2,6 +2,7 @@
 
 #include "geometry/SurfaceSpot.h"
 #include "geometry/TriangleDistance.h"
+#include "model/NamedMaterials.h"
 #include "parallel/ParallelFor.h"
 
 #include <QCoreApplication>
@@ -135,6 +136,12 @@ std::vector<std::uint32_t> SurfaceMask::lastWhole(std::uint32_t first) const {
     std::vector<std::uint32_t> opposite; // likewise
     for (std::uint32_t mark = first; mark < marks_.size(); ++mark) {
         if (marks_[mark].extent == MarkExtent::Stroke) {
+            continue;
+        }
+        if (!marks_[mark].material.isEmpty()) {
+            for (const std::size_t material : materialsNamed(*model_, marks_[mark].material)) {
+                ofMaterial[material] = mark + 1;
+            }
             continue;
         }
         if (!query) {

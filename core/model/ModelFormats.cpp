@@ -1,6 +1,7 @@
 #include "model/ModelFormats.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 namespace dipwright {
 
@@ -29,8 +30,23 @@ const std::vector<ModelFormat>& modelFormats() {
         {QStringLiteral("3MF"), {QStringLiteral("3mf")}},
         {QStringLiteral("Collada"), {QStringLiteral("dae")}},
         {QStringLiteral("FBX"), {QStringLiteral("fbx")}},
-        {QStringLiteral("3DS"), {QStringLiteral("3ds")}}};
+        {QStringLiteral("3DS"), {QStringLiteral("3ds")}},
+#ifdef DIPWRIGHT_CAD
+        {QStringLiteral("STEP"), {QStringLiteral("step"), QStringLiteral("stp")}},
+        {QStringLiteral("IGES"), {QStringLiteral("iges"), QStringLiteral("igs")}},
+#endif
+    };
     return formats;
+}
+
+bool isCadFile(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    for (const char* cad : {"step", "stp", "iges", "igs"}) {
+        if (suffix == QLatin1String(cad)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 QStringList modelFilePatterns() {

@@ -12,8 +12,13 @@ struct ModelFormat {
     QString name;         // "glTF"
     QStringList suffixes; // file suffixes in lower case: "gltf", "glb"
 };
-// The formats in the order in which they are listed.
+// The formats in the order in which they are listed. CAD formats are listed only if the program was
+// built with DIPWRIGHT_CAD.
 const std::vector<ModelFormat>& modelFormats();
+
+// Whether a file's name is that of a CAD file (STEP, IGES), whether or not this program can read
+// it.
+bool isCadFile(const QString& path);
 
 // Returns the file filters for dialogs: "*.obj", "*.ply" …
 QStringList modelFilePatterns();

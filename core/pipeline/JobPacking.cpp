@@ -80,6 +80,13 @@ Turning turningOf(const Project& project, const PackSettings& settings) {
     return own == here ? Turning::Never : Turning::Always;
 }
 
+Turning turningOnRoll(const Project& project) {
+    PackSettings roll;
+    roll.film.isRoll = true;
+    roll.mayTurn = true;
+    return turningOf(project, roll);
+}
+
 std::vector<PieceToPack> piecesOf(const JobResult& result, int copies,
                                   const PackSettings& settings) {
     std::vector<PieceToPack> pieces;
@@ -110,16 +117,6 @@ QStringList filmsText(const PackedFilms& films) {
                           QString::number(film.size.height(), 'f', 0))
                      .arg(film.pieces.size())
                      .arg(QString::number(100 * film.used, 'f', 0));
-    }
-    const PackingFilm& film = films.settings.film;
-    const DotsPerInch resolution = films.pieces.front().sheet.settings.resolution;
-    const double longest = longestFilm(resolution);
-    if (film.isRoll && lines.size() > 1 && longest < film.size.height()) {
-        lines << Text::tr("The roll is cut into films of at most %1 mm, because an image at %2 dpi "
-                          "has at most %3 pixels per side; a lower resolution allows longer films")
-                     .arg(longest)
-                     .arg(resolution.value())
-                     .arg(mostSheetPixels);
     }
     return lines;
 }

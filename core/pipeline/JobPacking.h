@@ -18,6 +18,9 @@ struct PackSettings {
 // swells equally in both directions, `mayTurn` decides.
 Turning turningOf(const Project& project, const PackSettings& settings);
 
+// Returns whether a project's whole sheets must, may or must not be turned on a roll.
+Turning turningOnRoll(const Project& project);
+
 // Returns the sheets of a finished job as pieces, each `copies` times.
 std::vector<PieceToPack> piecesOf(const JobResult& result, int copies,
                                   const PackSettings& settings);

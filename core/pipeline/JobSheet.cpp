@@ -10,7 +10,7 @@
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QStringList>
+#include <algorithm>
 
 namespace dipwright {
 namespace {
@@ -88,22 +88,43 @@ QString jobHash(const Project& project, const Immersion& immersion, const Printe
 } // namespace
 
 void checkSpots(const Project& project) {
-    QStringList names;
-    if (project.sheet.white != WhiteLayer::None) {
-        names << project.sheet.whiteName.toLower();
-    }
-    if (project.sheet.cutLine != CutLine::None) {
-        names << project.sheet.cutName.toLower();
+    const SheetSettings& sheet = project.sheet;
+    const bool hasWhite = sheet.white != WhiteLayer::None;
+    const bool hasCut = sheet.cutLine != CutLine::None;
+    const auto areSame = [](const QString& a, const QString& b) {
+        return a.compare(b, Qt::CaseInsensitive) == 0;
+    };
+    if (hasWhite && hasCut && areSame(sheet.whiteName, sheet.cutName)) {
+        throw Error(Text::tr("The white ink and the cut contour are both named %1; rename one of "
+                             "them under Sheet, Spot colours")
+                        .arg(sheet.whiteName),
+                    QStringLiteral("sheet.cut_name"));
     }
     const std::vector<ArtworkLayer> spots = project.artwork.spots();
-    for (const ArtworkLayer& layer : spots) {
-        if (names.contains(layer.spot.toLower())) {
-            throw Error(Text::tr("White ink, cut contour and spot colours must have different "
-                                 "names, but two of them are named %1; rename one")
-                            .arg(layer.spot),
-                        layer.name);
+    for (auto layer = spots.begin(); layer != spots.end(); ++layer) {
+        if (hasWhite && areSame(layer->spot, sheet.whiteName)) {
+            throw Error(Text::tr("The layer's spot colour has the name of the sheet's white ink, "
+                                 "%1; give the layer another spot colour, or rename the white ink "
+                                 "under Sheet, Spot colours")
+                            .arg(sheet.whiteName),
+                        layer->name);
         }
-        names << layer.spot.toLower();
+        if (hasCut && areSame(layer->spot, sheet.cutName)) {
+            throw Error(Text::tr("The layer's spot colour has the name of the cut contour, %1; "
+                                 "give the layer another spot colour, or rename the cut contour "
+                                 "under Sheet, Spot colours")
+                            .arg(sheet.cutName),
+                        layer->name);
+        }
+        const auto other = std::find_if(spots.begin(), layer, [&](const ArtworkLayer& known) {
+            return areSame(known.spot, layer->spot);
+        });
+        if (other != layer) {
+            throw Error(Text::tr("The spot colours %1 and %2 differ only in capital letters; write "
+                                 "both alike, or give the layer another spot colour")
+                            .arg(other->spot, layer->spot),
+                        layer->name);
+        }
     }
     if (spots.size() > mostSpots) {
         throw Error(
@@ -112,6 +133,15 @@ void checkSpots(const Project& project) {
                 .arg(mostSpots),
             QStringLiteral("artwork"));
     }
+}
+
+void checkEditedSpots(const Project& before, const Project& after) {
+    try {
+        checkSpots(before);
+    } catch (const Error&) {
+        return;
+    }
+    checkSpots(after);
 }
 
 Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film,

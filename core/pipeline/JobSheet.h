@@ -20,6 +20,9 @@ struct PrintedFilm {
 // Throws Error if two plates of a sheet would have the same name, or if the artwork has too many
 // spot colours.
 void checkSpots(const Project& project);
+// Does the same for an edited project, unless the project had such a fault before the edit: faults
+// of an opened file can then be repaired one by one.
+void checkEditedSpots(const Project& before, const Project& after);
 
 // Makes the sheet. Throws Cancelled.
 Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film,

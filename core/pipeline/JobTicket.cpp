@@ -86,6 +86,7 @@ QJsonObject sheetTicket(const Sheet& sheet) {
     const QSizeF page = pageSize(sheet);
     return {{"page_mm", pair(page.width(), page.height())},
             {"dpi", sheet.settings.resolution.value()},
+            {"passes", sheet.passes},
             {"picture_px", QJsonArray{sheet.image.width(), sheet.image.height()}},
             {"picture_sha256", pictureHash(sheet.image)}};
 }

@@ -96,6 +96,7 @@ Traveller travellerText(const JobResult& result) {
         TravellerDip dip;
         dip.immersion = immersion.immersion;
         dip.job = immersion.sheet.job.hash;
+        dip.passes = immersion.sheet.passes;
         dip.motion = jobMotion(result, i);
         dip.waterAtEnd = dip.motion.depth.value();
         if (i < result.cradles.size()) {
@@ -129,7 +130,7 @@ Traveller jobTraveller(const JobResult& result, const Progress& progress) {
         TravellerDip& dip = traveller.dips[i];
         dip.front = posePicture(view, PoseSide::Front, posePixels, progress.silent());
         dip.right = posePicture(view, PoseSide::Right, posePixels, progress.silent());
-        dip.sheet = reduced(immersion.sheet.image, sheetPixelsAcross);
+        dip.sheet = reduced(immersion.sheet, sheetPixelsAcross);
         films.push_back({dipped[i]});
         if (tablePays(*fine, 3.0 * afterPixels.width() * afterPixels.height())) {
             films.back().places = std::make_shared<const FilmPlaces>(*fine, *dipped[i].laid);

@@ -67,9 +67,10 @@ std::vector<std::uint8_t> paleTriangles(const ImmersionResult& dip, const Textur
     std::vector<std::uint8_t> pale(middles.size());
     parallelFor(std::size_t(0), pale.size(), [&](std::size_t triangle) {
         const std::optional<FilmPlace> place = dip.laid->place(middles[triangle]);
-        pale[triangle] =
-            place &&
-            compensation.print(colours[triangle], areaStretchAt(*dip.laid, *place)).fallsShort;
+        pale[triangle] = place && compensation
+                                      .print(compensation.toned(colours[triangle]),
+                                             areaStretchAt(*dip.laid, *place))
+                                      .fallsShort;
     });
     return pale;
 }

@@ -2,6 +2,7 @@
 
 #include "geometry/FieldGrid.h"
 #include "model/MeshRepair.h"
+#include "model/NamedMaterials.h"
 #include "project/Project.h"
 
 #include <QCoreApplication>
@@ -26,6 +27,29 @@ QString thinPartNote(const Project& project, const TriangleMesh& mesh, const Sur
                     "these places thicker, or dip a smaller section of the model.")
         .arg(thinnest, 0, 'g', 2)
         .arg(field.spacing, 0, 'g', 2);
+}
+
+QStringList missingMaterialNotes(const Project& project) {
+    QStringList used;
+    const auto note = [&](const auto& users) {
+        for (const auto& user : users) {
+            if (!user.material.isEmpty() && !used.contains(user.material)) {
+                used.append(user.material);
+            }
+        }
+    };
+    note(project.tolerance.marks);
+    note(project.masks);
+    note(project.artwork.layers);
+    QStringList notes;
+    for (const QString& name : used) {
+        if (materialsNamed(*project.model, name).empty()) {
+            notes.append(Text::tr("A zone, mask or layer names the face or material “%1”, which "
+                                  "the model does not have; choose another name")
+                             .arg(name));
+        }
+    }
+    return notes;
 }
 
 bool isInsideOut(const TexturedMesh& model) {

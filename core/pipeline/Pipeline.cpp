@@ -466,6 +466,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
         const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);
         run.user.throwIfCancelled();
         now.sheet = jobSheet(run.project, now.immersion, film, run.user);
+        now.sheet.passes = now.inputs.texture.printedInk().printedPasses();
         run.user.throwIfCancelled();
         measureInks(now, run.project.profiles.printer, isDraft);
     }
@@ -667,6 +668,7 @@ QStringList notesOf(const JobResult& result) {
     if (result.coverageTotal < negligibleShare && isInsideOut(*result.project.model)) {
         notes.append(insideOutNote());
     }
+    notes += missingMaterialNotes(result.project);
     notes += fontWarnings(result.project.artwork);
     notes += colourNotes(*result.project.model) + colourNotes(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {

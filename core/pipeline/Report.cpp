@@ -5,6 +5,7 @@
 #include "pipeline/JobCost.h"
 #include "project/Profiles.h"
 
+#include "pipeline/InkOptions.h"
 #include "pipeline/JobTolerances.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/JobWarnings.h"
@@ -13,6 +14,7 @@
 #include "traveller/TankTasks.h"
 
 #include <QJsonArray>
+#include <cmath>
 
 namespace dipwright {
 namespace {
@@ -383,6 +385,38 @@ QJsonObject asBuiltJson(const JobResult& result) {
     return json;
 }
 
+QJsonObject reachJson(const InkReach& reach) {
+    return {{"too_pale_share", reach.shortShare},
+            {"missing_density_p95", reach.missing95},
+            {"missing_density_max", reach.mostMissing},
+            {"contrast_kept", std::isnan(reach.contrast) ? QJsonValue() : reach.contrast},
+            {"colour_error_mean", reach.colourError}};
+}
+
+// Returns null if ink suffices.
+QJsonValue inkOptionsJson(const JobResult& result) {
+    const std::optional<InkOptions> found = inkOptions(result, {});
+    if (!found) {
+        return {};
+    }
+    QJsonArray options;
+    for (const InkOption& option : found->options) {
+        QJsonObject json = option.reach ? reachJson(*option.reach) : QJsonObject();
+        json["option"] = remedyKey(option.remedy);
+        json["sentence"] = QStringLiteral("%1: %2").arg(remedyText(option), optionText(option));
+        if (const QString field = remedyField(option.remedy); !field.isEmpty()) {
+            json["field"] = field;
+            json["value"] = option.remedy == InkRemedy::WhiteBeneath ? QJsonValue("last")
+                                                                     : QJsonValue(option.value);
+        } else {
+            json["area_stretch"] = option.value;
+        }
+        options.append(json);
+    }
+    return QJsonObject{
+        {"painted_mm2", found->paintedArea}, {"now", reachJson(found->now)}, {"options", options}};
+}
+
 QString warningKey(WarningKind kind) {
     switch (kind) {
     case WarningKind::TrappedAir:
@@ -445,6 +479,9 @@ QJsonObject report(const Project& project, const JobResult& result) {
                      {"costs", costsJson(result, project)},
                      {"warnings", warningsJson(result)},
                      {"notes", QJsonArray::fromStringList(result.notes)}};
+    if (const QJsonValue options = inkOptionsJson(result); !options.isNull()) {
+        json["ink_options"] = options;
+    }
     if (result.share) {
         json["share"] = shareJson(result);
     }

@@ -147,6 +147,7 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
         warnings.append(
             Text::tr("The model has no texture; the colours of its materials are printed"));
     }
+    warnings += missingMaterialNotes(project);
     warnings += fontWarnings(project.artwork);
     warnings += colourNotes(*project.model) + colourNotes(project.artwork);
     for (const Immersion& immersion : project.immersions) {

@@ -125,7 +125,17 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
             number<P>(
                 "dpi", 30, 2400, [](auto& p) -> auto& { return p.resolution; }),
             omittedIfDefault(numberOrNone<P>(
-                "total_ink", 1, 4, [](auto& p) -> auto& { return p.totalInk; }))};
+                "total_ink", 1, 4, [](auto& p) -> auto& { return p.totalInk; })),
+            omittedIfDefault(choice<P>(
+                "pdf_target",
+                {QStringLiteral("ghostscript"), QStringLiteral("adobe"), QStringLiteral("older")},
+                [](auto& p) -> auto& { return p.pdfTarget; })),
+            omittedIfDefault(flag<P>(
+                "square_pixels", [](auto& p) -> auto& { return p.squarePixels; })),
+            omittedIfDefault(numberOrNone<P>(
+                "roll_gap_mm", 0, 200, [](auto& p) -> auto& { return p.rollGap; })),
+            omittedIfDefault(numberOrNone<P>(
+                "roll_width_mm", 50, 5000, [](auto& p) -> auto& { return p.rollWidth; }))};
         addCosts(all, inkCostFields());
         return all;
     }();

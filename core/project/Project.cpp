@@ -2,6 +2,8 @@
 
 #include "base/Error.h"
 #include "base/OneLine.h"
+#include "import/trusted/ImportModel.h"
+#include "project/CadModel.h"
 #include "project/FieldJson.h"
 #include "project/ProfileFields.h"
 #include "project/Profiles.h"
@@ -344,6 +346,23 @@ bool setMarksAt(Project& project, const QString& path, const QString& value) {
            set(shareMarksPath, shareMarkFields(), mostShareMarks, project.share.marks);
 }
 
+// Makes the triangles of a CAD model again if the path and value ask for it. Returns false for
+// another path. Without a model, as in a new project, only notes the value.
+bool setTessellationAt(Project& project, const QString& path, const QString& value) {
+    if (path != QLatin1String("model.tessellation_mm")) {
+        return false;
+    }
+    Project changed = project;
+    setFieldAt(changed, projectFields(), path, path, value);
+    const Millimetres tolerance = changed.modelOrigin.tessellation;
+    if (project.model && tolerance != project.modelOrigin.tessellation) {
+        takeModel(changed, retessellated(project, tolerance, {}), project.modelOrigin.source);
+        changed.cad.name = project.cad.name;
+    }
+    project = std::move(changed);
+    return true;
+}
+
 } // namespace
 
 void setByPath(Project& project, const QString& path, const QString& value) {
@@ -361,7 +380,8 @@ void setByPath(Project& project, const QString& path, const QString& value) {
                        value)) {
             return;
         }
-    } else if (setMarksAt(project, path, value) || setArtworkAt(project.artwork, path, value) ||
+    } else if (setTessellationAt(project, path, value) || setMarksAt(project, path, value) ||
+               setArtworkAt(project.artwork, path, value) ||
                (!path.startsWith(QLatin1String("model.")) &&
                 setFieldAt(project, projectFields(), path, path, value))) {
         return;

@@ -37,7 +37,17 @@ struct ModelOrigin {
     double unitMillimetres = 1;
     QString remarks;   // sentences about repairs and missing files; empty: none
     QByteArray sha256; // of the embedded model, hexadecimal
+    // For a CAD model, the largest distance of its triangles from its surfaces; 0: no CAD model.
+    Millimetres tessellation{0};
+    QString fileUnit; // of a CAD model, such as "inch"
     bool operator==(const ModelOrigin&) const = default;
+};
+
+// The CAD file from which the model was made, so that it can be made again with other triangles.
+struct CadFile {
+    QString name;     // with the suffix, such as "bracket.step"; empty: no CAD model
+    QByteArray bytes; // content
+    bool operator==(const CadFile&) const = default;
 };
 
 inline constexpr int longestProjectName = 200;
@@ -49,6 +59,7 @@ struct Project {
     std::shared_ptr<const TexturedMesh>
         model; // shared between versions of the document, never null in a valid project
     ModelOrigin modelOrigin;
+    CadFile cad;
     Artwork artwork; // on the model; the file omits it if there is none
     FilmSettings film;
     ProcessSettings process;
@@ -86,8 +97,9 @@ void applyPreset(Project& project, const QString& preset);
 
 // Sets one value by its path in the schema ("film.points", "immersions[0].rotation_deg"), parts of
 // an array separated by x or ;. The lists masks, tolerance.marks and share.marks are set as a
-// whole, by their text in JSON. Throws Error naming the path if it is unknown or the value is out
-// of range; the project then does not change.
+// whole, by their text in JSON. For "model.tessellation_mm" makes the model's triangles again,
+// which takes seconds. Throws Error naming the path if it is unknown or the value is out of range;
+// the project then does not change.
 void setByPath(Project& project, const QString& path, const QString& value);
 
 // Returns the settings that the job number hashes: project.json with version 1, without the newer

@@ -38,6 +38,8 @@ QString textureEntry(std::size_t index) {
     return QStringLiteral("assets/texture-%1.png").arg(index + 1);
 }
 
+const QString cadEntry = QStringLiteral("assets/model.cad");
+
 QString layerEntry(const QString& pictureId) {
     return QStringLiteral("assets/artwork-%1.png").arg(pictureId);
 }
@@ -119,7 +121,11 @@ QByteArray projectBytes(const Project& project, const QString& path) {
             pictures.add(layerEntry(layer.picture.id), layer.picture.image);
         }
     }
-    const QSet<QString> own{mimeEntry, documentEntry, meshEntry};
+    QSet<QString> own{mimeEntry, documentEntry, meshEntry};
+    if (!project.cad.bytes.isEmpty()) {
+        archive.add(cadEntry, project.cad.bytes, ZipWriter::Packing::Deflated);
+        own.insert(cadEntry);
+    }
     for (const auto& [name, contents] : project.unknownEntries) {
         if (!own.contains(name) && !pictures.contains(name)) {
             archive.add(name, contents, ZipWriter::Packing::Deflated);
@@ -228,6 +234,9 @@ void readAssets(ZipReader& archive, const QJsonObject& json, Project& project,
         }
     }
     project.model = std::make_shared<TexturedMesh>(std::move(model));
+    if (!project.cad.name.isEmpty()) {
+        project.cad.bytes = archive.read(cadEntry);
+    }
 }
 
 // Reads all entries except the document and the assets that it names.
@@ -241,6 +250,9 @@ std::map<QString, QByteArray> readOthers(ZipReader& archive, const QJsonObject& 
     }
     for (const QString& layer : layers) {
         others.remove(layer);
+    }
+    if (!model.value(QLatin1String("cad_file")).toString().isEmpty()) {
+        others.remove(cadEntry);
     }
     std::map<QString, QByteArray> entries;
     qint64 total = 0;

@@ -1,6 +1,7 @@
 #include "project/Schema.h"
 
 #include "base/Error.h"
+#include "import/trusted/CadFacts.h"
 #include "project/FieldMakers.h"
 #include "project/FilmFields.h"
 #include "project/FilmSizes.h"
@@ -97,6 +98,13 @@ void addModelFields(std::vector<Field<Project>>& fields) {
     fields.push_back(omittedIfDefault(notHashedIfDefault(text(
         "model.remarks", 4000, [](auto& p) -> auto& { return p.modelOrigin.remarks; }))));
     fields.push_back(modelHash());
+    fields.push_back(omittedIfDefault(notHashedIfDefault(number(
+        "model.tessellation_mm", 0, coarsestTessellation,
+        [](auto& p) -> auto& { return p.modelOrigin.tessellation; }))));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(text(
+        "model.file_unit", 20, [](auto& p) -> auto& { return p.modelOrigin.fileUnit; }))));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(text(
+        "model.cad_file", longestMaterialName, [](auto& p) -> auto& { return p.cad.name; }))));
 }
 
 void addFilmFields(std::vector<Field<Project>>& fields) {
@@ -241,6 +249,10 @@ void addSheetFields(std::vector<Field<Project>>& fields) {
         "ink.compensate", [](auto& p) -> auto& { return p.ink.compensate; }));
     fields.push_back(number(
         "ink.limit", 0.1, 10, [](auto& p) -> auto& { return p.ink.limit; }));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(number(
+        "ink.densest", 0.2, leastLightening, [](auto& p) -> auto& { return p.ink.densest; }))));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(number(
+        "ink.passes", 1, mostInkPasses, [](auto& p) -> auto& { return p.ink.passes; }))));
     for (const auto& material : inkLawFields()) {
         fields.push_back(fieldOf(
             QStringLiteral("ink."), material.field, [](auto& p) -> auto& { return p.ink.law; }));
@@ -636,6 +648,20 @@ QStringList extentWords() {
             QStringLiteral("stroke")};
 }
 
+// The material that a mark covers. A mark with this name needs no extent in the file.
+template <typename Mark>
+Field<Mark> markedMaterialField() {
+    Field<Mark> field = omittedIfDefault(text<Mark>(
+        "material", longestMaterialName, [](auto& m) -> auto& { return m.material; }));
+    field.set = [](Mark& mark, const QJsonValue& value) {
+        mark.material = value.toString();
+        if (!mark.material.isEmpty()) {
+            mark.extent = MarkExtent::Material;
+        }
+    };
+    return field;
+}
+
 // A mask's extent; it has no spots.
 Field<MaskMark> maskExtentField() {
     Field<MaskMark> field = choice<MaskMark>(
@@ -665,18 +691,22 @@ const std::vector<Field<ZoneMark>>& zoneMarkFields() {
         placeField<ZoneMark>(),
         choice<ZoneMark>(
             "extent", extentWords(), [](auto& m) -> auto& { return m.extent; }),
-        radiusField<ZoneMark>(), brushPathField<ZoneMark>()};
+        radiusField<ZoneMark>(),
+        brushPathField<ZoneMark>(),
+        markedMaterialField<ZoneMark>()};
     return fields;
 }
 
 const std::vector<Field<MaskMark>>& maskMarkFields() {
     static const std::vector<Field<MaskMark>> fields{
-        maskExtentField(), omittedIfDefault(placeField<MaskMark>()),
+        maskExtentField(),
+        omittedIfDefault(placeField<MaskMark>()),
         omittedIfDefault(number<MaskMark>(
             "radius_mm", leastMaskRadius, 1000, [](auto& m) -> auto& { return m.radius; })),
         omittedIfDefault(flag<MaskMark>(
             "erase", [](auto& m) -> auto& { return m.erases; })),
-        brushPathField<MaskMark>()};
+        brushPathField<MaskMark>(),
+        markedMaterialField<MaskMark>()};
     return fields;
 }
 
@@ -816,7 +846,9 @@ const std::vector<Field<ArtworkLayer>>& artworkLayerFields() {
         omittedIfDefault(colour<ArtworkLayer>(
             "spot_colour", [](auto& l) -> auto& { return l.spotColour; })),
         omittedIfDefault(flag<ArtworkLayer>(
-            "spot_first", [](auto& l) -> auto& { return l.spotFirst; }))};
+            "spot_first", [](auto& l) -> auto& { return l.spotFirst; })),
+        omittedIfDefault(text<ArtworkLayer>(
+            "material", longestMaterialName, [](auto& l) -> auto& { return l.material; }))};
     return fields;
 }
 

@@ -207,6 +207,7 @@ Project atSnapshot(const Project& project, const Snapshot& snapshot) {
     Project then = fromJson(snapshot.state, snapshot.name);
     then.model = project.model;
     then.modelOrigin = project.modelOrigin;
+    then.cad = project.cad;
     if (snapshot.state.contains(artworkKey)) {
         findPictures(then.artwork, project, snapshot.name);
     } else {

@@ -70,7 +70,8 @@ public:
     PaintedFilm(const FilmAppearance& appearance, const InkSettings& ink, const RefinedMesh* fine)
         : laid_(appearance.laid), fine_(fine),
           picture_(appearance.image, appearance.laid->film().grid), ink_(ink),
-          isCompensated_(ink.compensate), white_(appearance.white), slip_(appearance.slip),
+          isCompensated_(ink.compensate), passes_(float(ink.printedPasses())),
+          white_(appearance.white), slip_(appearance.slip),
           highest_(float(appearance.depth + appearance.slip.deeper.value())) {
         if (fine) {
             places_.emplace(*fine, *laid_);
@@ -130,7 +131,7 @@ private:
     void throughSpot(FilmPicture::Paint& paint, const Spot& spot, const FilmPlace& place) const {
         float tint = tintAt(spot.tints, place);
         if (tint > 0) {
-            tint = isCompensated_ ? std::min(1.0f, tint / areaStretch(place)) : tint;
+            tint = isCompensated_ ? std::min(1.0f, passes_ * tint / areaStretch(place)) : tint;
             paint.colour = paint.cover * paint.colour + (1 - paint.cover);
             paint.colour *= 1 - tint * (1 - spot.light);
             paint.cover = 1;
@@ -177,6 +178,7 @@ private:
     FilmPicture picture_;
     InkCompensation ink_;
     bool isCompensated_;
+    float passes_;
     QImage white_;
     std::vector<Spot> spots_;
     FilmPlacementError slip_;

@@ -69,6 +69,9 @@ struct ArtworkLayer {
     QColor spotColour{128, 128, 128}; // how the ink looks where its name is unknown
     // Whether the ink is printed before the four inks, so that it lies outside them on the part.
     bool spotFirst = false;
+    // The layer shows only on surface with the material of this name. Each face of a CAD model has
+    // its own material. Empty: on all surface.
+    QString material = {};
     bool operator==(const ArtworkLayer&) const = default;
 };
 

@@ -40,6 +40,9 @@ struct InkLaw {
     bool operator==(const InkLaw&) const = default;
 };
 
+inline constexpr double leastLightening = 10; // a density that no texture exceeds in print
+inline constexpr int mostInkPasses = 4;
+
 struct InkSettings {
     // Whether the sheet is printed with the ink that gives the wanted density on the stretched
     // film.
@@ -48,9 +51,18 @@ struct InkSettings {
     // density is higher is printed unchanged.
     double limit = 2.0;
     InkLaw law = {}; // how the ink thins on the film
+    // The optical density to which a tone curve lightens the densest colours of the texture
+    // (texture/ToneCurve.h). At the ink limit or above it, the texture stays as it is.
+    double densest = leastLightening;
+    // How many times each sheet is to be printed onto the same film. Every pass prints an equal
+    // share of the ink, so that the ink limit holds for each pass.
+    int passes = 1;
     // Whether each ink is compensated separately, after separation: true if the law is known to
     // differ from that of dyes.
     bool isPerInk() const { return compensate && law != InkLaw(); }
+    // How many times a sheet with these settings is printed. A picture that is not compensated has
+    // the ink of a single pass.
+    int printedPasses() const { return compensate ? passes : 1; }
     bool operator==(const InkSettings&) const = default;
 };
 

@@ -8,6 +8,7 @@
 #include "settings/Costs.h"
 #include "settings/FilmSettings.h"
 #include "settings/InkSettings.h"
+#include "settings/PdfTarget.h"
 #include "settings/RenderingIntent.h"
 
 #include <QByteArray>
@@ -33,6 +34,13 @@ struct PrinterProfile {
     // Limit of total area coverage: the largest sum of the four inks at one place, with full ink of
     // one plate as 1. Only for a CMYK profile. None: the inks stay as the profile gives them.
     std::optional<double> totalInk;
+    PdfTarget pdfTarget = PdfTarget::Ghostscript; // of PDF files in CMYK
+    bool squarePixels = false;                    // TIFF files have one resolution in X and Y
+    // Gap between sheets that are printed in one series on a roll, with cut marks. None: each sheet
+    // is a page of its own.
+    std::optional<Millimetres> rollGap;
+    // Width of the loaded roll. None: as the printer's queue reports it.
+    std::optional<Millimetres> rollWidth;
     InkCosts costs;
     bool operator==(const PrinterProfile&) const = default;
 };
@@ -102,10 +110,16 @@ struct ProjectProfiles {
     bool operator==(const ProjectProfiles&) const = default;
 };
 
-// Returns the profiles without prices and times of work, on which no sheet depends.
+// Returns the profiles without prices, times of work and ways to write and print files, on which no
+// sheet depends.
 inline ProjectProfiles withoutCosts(ProjectProfiles profiles) {
     if (profiles.printer) {
-        profiles.printer->costs = {};
+        PrinterProfile& printer = *profiles.printer;
+        printer.costs = {};
+        printer.pdfTarget = {};
+        printer.squarePixels = false;
+        printer.rollGap.reset();
+        printer.rollWidth.reset();
     }
     if (profiles.film) {
         profiles.film->costs = {};

@@ -4,6 +4,7 @@
 
 #include "base/Units.h"
 
+#include <QString>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -23,6 +24,8 @@ using BrushPath = std::vector<BrushPoint>;
 inline constexpr std::size_t mostBrushPoints = 5000;        // of one stroke
 inline constexpr std::size_t mostBrushPointsOfAll = 50'000; // of all strokes of one kind
 
+inline constexpr int longestMaterialName = 200; // in the project file
+
 // How far a mark extends.
 enum class MarkExtent : std::uint8_t {
     Spot,     // a radius along the surface around the place
@@ -36,6 +39,9 @@ struct SurfaceMark {
     MarkExtent extent = MarkExtent::Spot;
     Millimetres radius{5}; // of a spot or stroke
     BrushPath path = {};   // of a stroke: the points, joined by straight lines
+    // With MarkExtent::Material: marks all surface with the material of this name, wherever `place`
+    // is. Each face of a CAD model has its own material. Empty: the material at the place.
+    QString material = {};
     bool operator==(const SurfaceMark&) const = default;
 };
 

@@ -23,7 +23,7 @@ float costThere(const LaidFilm& laid, const FilmPlace& place, const LinearColour
     const PrincipalStretch& stretch = laid.stretches()[place.triangle];
     float cost = laid.marks(place.triangle) != 0 ? marked : 0;
     cost += stretch.larger > float(stretchLimit) ? pastStretchLimit : 0;
-    cost += ink.print(colour, stretch.area()).fallsShort ? tooPale : 0;
+    cost += ink.print(ink.toned(colour), stretch.area()).fallsShort ? tooPale : 0;
     cost += doubledArea * std::log2(std::max(stretch.area(), 1.0f));
     return cost;
 }

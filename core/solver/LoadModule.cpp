@@ -1,6 +1,8 @@
 #include "solver/LoadModule.h"
 
+#include "solver/ModuleParts.h"
 #include "solver/ModuleText.h"
+#include "solver/OlderModule.h"
 
 #include <QCoreApplication>
 #include <QLibrary>
@@ -37,18 +39,30 @@ QString sentenceOf(LoadFault fault, const QString& detail) {
                             : detail;
 }
 
-DipwrightSolverEntry* resolvedEntry(const QString& modulePath) {
+// The symbols of a module. The library stays loaded until the program ends.
+struct Symbols {
+    DipwrightSolverEntry* entry = nullptr;
+    DipwrightUseProgramEntry* useProgram = nullptr;   // null: it needs no parts
+    DipwrightSolverPartEntry* partOfModule = nullptr; // null: it has none
+};
+
+Symbols resolved(const QString& modulePath) {
     QLibrary library(modulePath);
     library.setLoadHints(QLibrary::ResolveAllSymbolsHint);
     if (!library.load()) {
         throw LoadFailure(LoadFault::NotLoadable, library.errorString());
     }
-    const auto entry =
-        reinterpret_cast<DipwrightSolverEntry*>(library.resolve(DIPWRIGHT_SOLVER_ENTRY));
-    if (!entry) {
+    const auto symbol = [&]<typename Function>(const char* name, Function*& function) {
+        function = reinterpret_cast<Function*>(library.resolve(name));
+    };
+    Symbols symbols;
+    symbol(DIPWRIGHT_SOLVER_ENTRY, symbols.entry);
+    symbol(DIPWRIGHT_USE_PROGRAM_ENTRY, symbols.useProgram);
+    symbol(DIPWRIGHT_SOLVER_PART_ENTRY, symbols.partOfModule);
+    if (!symbols.entry) {
         throw LoadFailure(LoadFault::NoEntryPoint);
     }
-    return entry; // the library stays loaded until the program ends
+    return symbols;
 }
 
 // Runs the module's own code and turns its exceptions into refusals.
@@ -68,13 +82,23 @@ auto guarded(const Call& call) {
 LoadFailure::LoadFailure(LoadFault fault, const QString& detail)
     : Refusal(sentenceOf(fault, moduleText(detail))), fault_(fault), detail_(moduleText(detail)) {}
 
-LoadedModule loadModule(const QString& modulePath) {
-    DipwrightSolverEntry* const entry = resolvedEntry(modulePath);
+LoadedModule loadModule(const QString& modulePath, int builtFor) {
+    const Symbols symbols = resolved(modulePath);
     LoadedModule loaded;
-    loaded.module = guarded([entry] { return entry(solver::interfaceVersion); });
-    if (!loaded.module) {
+    if (symbols.useProgram) {
+        guarded([&] { symbols.useProgram(&programPart); });
+    }
+    if (const solver::SolverModule* module = guarded([&] { return symbols.entry(builtFor); })) {
+        const auto own = [](const solver::SolverModule*) {}; // the module owns it
+        loaded.module = builtFor == solver::interfaceVersion
+                            ? std::shared_ptr<const solver::SolverModule>(module, own)
+                            : presentModule(module);
+    } else {
         throw LoadFailure(LoadFault::DoesNotFit);
     }
+    loaded.module = guarded([&] {
+        return limitedModule(loaded.module, solver::part<solver::LimitsPart>(symbols.partOfModule));
+    });
     if (const char* reason = guarded([&] { return loaded.module->unavailableReason(); })) {
         throw LoadFailure(LoadFault::Unavailable, QString::fromUtf8(reason));
     }

@@ -7,6 +7,7 @@
 #include <QString>
 #include <cstdint>
 #include <exception>
+#include <memory>
 
 namespace dipwright {
 
@@ -47,11 +48,12 @@ private:
 };
 
 struct LoadedModule {
-    const solver::SolverModule* module = nullptr; // lives as long as the process
+    std::shared_ptr<const solver::SolverModule> module; // its code stays loaded
     QString device; // the module's description for the user; empty if it gives none
 };
 
-// Loads the module and asks whether it can run here. Throws LoadFailure.
-LoadedModule loadModule(const QString& modulePath);
+// Loads the module, exchanges parts with it, and asks whether it can run here. `builtFor`: the
+// version of the solver interface for which it says it was built. Throws LoadFailure.
+LoadedModule loadModule(const QString& modulePath, int builtFor);
 
 } // namespace dipwright

@@ -50,14 +50,15 @@ constexpr std::uint64_t bytesOfAnAnswer = 1 << 20, bytesOfAPoint = 16;
 // ends with it.
 class SolverProcess {
 public:
-    explicit SolverProcess(const QString& modulePath) : modulePath_(modulePath) {
+    SolverProcess(const QString& modulePath, int builtFor) : modulePath_(modulePath) {
         silence(process_);
         leadGroup(process_);
         // Called directly, in the thread that uses the process at that time.
         QObject::connect(
             &process_, &QProcess::finished, &process_, [this] { endStarted(); },
             Qt::DirectConnection);
-        process_.start(shippedProgram(QStringLiteral("dipwright-solver")), {modulePath});
+        process_.start(shippedProgram(QStringLiteral("dipwright-solver")),
+                       {modulePath, QString::number(builtFor)});
         if (!process_.waitForStarted()) {
             fail(Text::tr("its process cannot be started: %1").arg(process_.errorString()));
         }
@@ -185,7 +186,7 @@ MessageWriter message(SolverRequest request) {
 
 class ContainedFilm : public StoppableFilm {
 public:
-    explicit ContainedFilm(const QString& modulePath) : process_(modulePath) {}
+    ContainedFilm(const QString& modulePath, int builtFor) : process_(modulePath, builtFor) {}
 
     void stopOn(std::function<bool()> isCancelled) override {
         isCancelled_ = std::move(isCancelled);
@@ -238,10 +239,10 @@ private:
 
 class ContainedModule : public solver::SolverModule {
 public:
-    ContainedModule(const QString& modulePath, const CancelToken& cancelToken)
-        : modulePath_(modulePath) {
+    ContainedModule(const QString& modulePath, int builtFor, const CancelToken& cancelToken)
+        : modulePath_(modulePath), builtFor_(builtFor) {
         try {
-            SolverProcess process(modulePath_);
+            SolverProcess process(modulePath_, builtFor_);
             MessageReader answer = process.ask(
                 message(SolverRequest::Describe), [&] { return cancelToken.isCancelled(); },
                 descriptionTimeoutSeconds());
@@ -261,7 +262,7 @@ public:
     const char* unavailableReason() const override { return nullptr; }
     const char* device() const override { return device_.c_str(); }
     std::unique_ptr<solver::FilmSolver> create() const override {
-        return std::make_unique<ContainedFilm>(modulePath_);
+        return std::make_unique<ContainedFilm>(modulePath_, builtFor_);
     }
     bool runBatch(std::span<solver::BatchItem> items, solver::CancelFunction isCancelled,
                   void* context) const override {
@@ -273,7 +274,7 @@ public:
             points += item.setup.film.pointCount();
         }
         try {
-            SolverProcess process(modulePath_);
+            SolverProcess process(modulePath_, builtFor_);
             process.expect(points);
             MessageReader answer = process.ask(
                 request, [&] { return isCancelled != nullptr && isCancelled(context); });
@@ -292,7 +293,7 @@ public:
     }
     bool followsPaths() const override { return followsPaths_; }
     std::optional<solver::Ceiling> measuredCeiling() const override {
-        SolverProcess process(modulePath_);
+        SolverProcess process(modulePath_, builtFor_);
         const auto ceiling =
             process.ask(message(SolverRequest::Ceiling), {}).take<solver::Ceiling>();
         return ceiling.flopsPerSecond > 0 ? std::optional(ceiling) : std::nullopt;
@@ -300,15 +301,16 @@ public:
 
 private:
     QString modulePath_;
+    int builtFor_;
     std::string device_;
     bool followsPaths_ = false;
 };
 
 } // namespace
 
-std::unique_ptr<solver::SolverModule> outOfProcessSolver(const QString& modulePath,
+std::unique_ptr<solver::SolverModule> outOfProcessSolver(const QString& modulePath, int builtFor,
                                                          const CancelToken& cancelToken) {
-    return std::make_unique<ContainedModule>(modulePath, cancelToken);
+    return std::make_unique<ContainedModule>(modulePath, builtFor, cancelToken);
 }
 
 } // namespace dipwright

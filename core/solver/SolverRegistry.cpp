@@ -9,6 +9,7 @@
 #include "solver/LoadMarker.h"
 #include "solver/LoadModule.h"
 #include "solver/ModuleText.h"
+#include "solver/OlderModule.h"
 #include "solver/OutOfProcessSolver.h"
 #include "solver/WatchedSolver.h"
 
@@ -40,7 +41,9 @@ struct Text {
 // A plugin, and how far it is loaded.
 struct Plugin {
     SolverInfo info;
-    bool isShipped = false; // comes with the program and is loaded into it
+    bool isShipped = false;                  // comes with the program and is loaded into it
+    int builtFor = solver::interfaceVersion; // for which it says it was built
+    LoadedModule loaded;                     // into this process; or nothing
     // The module that a WatchedSolver or its own process contains.
     std::unique_ptr<solver::SolverModule> inner;
     std::unique_ptr<solver::SolverModule> module; // checks the answers of `inner`
@@ -83,18 +86,23 @@ int priorityOf(const QJsonValue& value) {
     return priority;
 }
 
-void requireInterfaceVersion(const QJsonObject& metadata) {
+// Returns the version for which the plugin was built.
+int interfaceOf(const QJsonObject& metadata) {
     const int version = metadata[QLatin1String("interface")].toInt(-1);
-    if (version != solver::interfaceVersion) {
-        throw Refusal(Text::tr("It was built for solver interface %1, but this program has %2; get "
-                               "the plugin for this version of the program, or build it again")
+    if (version < oldestInterface || version > solver::interfaceVersion) {
+        throw Refusal(Text::tr("It was built for solver interface %1, but this program has %2 to "
+                               "%3; get the plugin for this version of the program, or build it "
+                               "again")
                           .arg(version)
+                          .arg(oldestInterface)
                           .arg(solver::interfaceVersion));
     }
+    return version;
 }
 
 // Fills in the metadata as far as it is valid.
-void readMetadata(SolverInfo& info) {
+void readMetadata(Plugin& plugin) {
+    SolverInfo& info = plugin.info;
     const QJsonObject metadata = readJson(info.metadataPath);
     if (metadata[QLatin1String("format")].toString() != QLatin1String("dipwright-solver")) {
         throw Refusal(Text::tr("Its description file does not describe a solver"));
@@ -110,7 +118,7 @@ void readMetadata(SolverInfo& info) {
     info.deviceKind = info.device = requiredText(metadata, "device");
     info.vendor = requiredText(metadata, "vendor");
     info.priority = priorityOf(metadata[QLatin1String("priority")]);
-    requireInterfaceVersion(metadata);
+    plugin.builtFor = interfaceOf(metadata);
     const QString module = requiredText(metadata, "module");
     if (QFileInfo(module).fileName() != module) {
         throw Refusal(Text::tr("Its module must be in the same folder as its description; give the "
@@ -150,8 +158,8 @@ void refuseOthersFolder(const SolverInfo& info) {
 
 void loadShipped(Plugin& plugin) {
     const LoadMarker marker(plugin.info.modulePath);
-    const LoadedModule loaded = loadModule(plugin.info.modulePath);
-    plugin.inner = watchedSolver(*loaded.module, plugin.info.modulePath);
+    plugin.loaded = loadModule(plugin.info.modulePath, plugin.builtFor);
+    plugin.inner = watchedSolver(*plugin.loaded.module, plugin.info.modulePath);
     plugin.module = checkedSolver(*plugin.inner);
 }
 
@@ -162,7 +170,7 @@ void loadContained(Plugin& plugin, const CancelToken& cancelToken) {
     if (!plugin.isShipped) {
         refuseOthersFolder(plugin.info);
     }
-    plugin.inner = outOfProcessSolver(plugin.info.modulePath, cancelToken);
+    plugin.inner = outOfProcessSolver(plugin.info.modulePath, plugin.builtFor, cancelToken);
     plugin.module = checkedSolver(*plugin.inner);
 }
 
@@ -189,7 +197,7 @@ Plugin foundPlugin(const QFileInfo& metadataFile) {
     plugin.info.id = plugin.info.name = moduleText(metadataFile.completeBaseName());
     plugin.info.metadataPath = metadataFile.absoluteFilePath();
     try {
-        readMetadata(plugin.info);
+        readMetadata(plugin);
     } catch (const Refusal& refusal) {
         plugin.info.reason = oneLine(refusal.reason());
         plugin.isLoaded = true;

@@ -68,8 +68,8 @@ private:
 // messages into the user's language.
 class Server {
 public:
-    Server(const QString& modulePath, std::FILE* answers)
-        : modulePath_(modulePath), answers_(answers) {}
+    Server(const QString& modulePath, int builtFor, std::FILE* answers)
+        : modulePath_(modulePath), builtFor_(builtFor), answers_(answers) {}
 
     void answer(const QByteArray& request) {
         MessageReader reader(request);
@@ -133,7 +133,7 @@ private:
 
     const LoadedModule& loaded() {
         if (!loaded_.module) {
-            loaded_ = loadModule(modulePath_);
+            loaded_ = loadModule(modulePath_, builtFor_);
         }
         return loaded_;
     }
@@ -198,6 +198,7 @@ private:
     }
 
     QString modulePath_;
+    int builtFor_;
     std::FILE* answers_;
     LoadedModule loaded_;
     std::unique_ptr<solver::FilmSolver> film_;
@@ -211,9 +212,9 @@ private:
 
 } // namespace
 
-void serveSolver(const QString& modulePath, std::FILE* requests, std::FILE* answers) {
+void serveSolver(const QString& modulePath, int builtFor, std::FILE* requests, std::FILE* answers) {
     Requests incoming(requests);
-    Server server(modulePath, answers);
+    Server server(modulePath, builtFor, answers);
     while (true) {
         server.answer(incoming.next());
     }

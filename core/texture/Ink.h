@@ -8,7 +8,8 @@
 
 namespace dipwright {
 
-// Models ink over a white body: density D = −log10 of a channel's linear light.
+// Models ink over a white body: density D = −log10 of a channel's linear light. A picture to print
+// has the ink of one pass; all passes of the settings lie on one another.
 class InkCompensation {
 public:
     explicit InkCompensation(const InkSettings& settings);
@@ -17,6 +18,9 @@ public:
         LinearColour colour;     // colour to print
         bool fallsShort = false; // whether the body becomes visibly paler than wanted
     };
+    // Returns a colour of the texture as the body should show it: lightened by the tone curve,
+    // which multiplies the densities of all channels by one factor and so keeps the hue.
+    LinearColour toned(const LinearColour& colour) const;
     // Returns `colour` with its density multiplied by `share`, 0 … 1. A density above the ink limit
     // is first reduced to the limit, because it would otherwise show no fading.
     LinearColour faded(const LinearColour& colour, float share) const;
@@ -32,8 +36,13 @@ public:
     float shownWhite(float printed, float areaStretch) const;
 
 private:
+    LinearColour ofOnePass(const LinearColour& all) const;
+
     bool compensate_;
-    float darkest_; // linear light at the ink limit
+    float limit_, densest_; // densities
+    float passes_;
+    float darkest_;        // linear light at the ink limit
+    float darkestPrinted_; // linear light at the ink limit in every pass
     std::array<Thinning, lightInks> thinning_;
     Thinning white_;
 };

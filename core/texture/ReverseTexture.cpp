@@ -126,7 +126,7 @@ public:
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
           code_(image), bits_(image.bits()), stride_(image.bytesPerLine()),
           white_(float(options.white)), isPlate_(shown == Shown::Plate),
-          growsPlate_(options.ink.compensate),
+          growsPlate_(options.ink.compensate), passes_(float(options.ink.printedPasses())),
           wantedBits_(wanted.isNull() ? nullptr : wanted.bits()), aside_(aside) {}
 
     // The result of painting one row of cells.
@@ -364,12 +364,13 @@ private:
                               weights[1] * stretches[corners[1]] +
                               weights[2] * stretches[corners[2]];
         if (isPlate_) {
-            const float tint = (1 - wanted[0]) * pixel.share * (growsPlate_ ? stretch : 1);
+            const float tint =
+                (1 - wanted[0]) * pixel.share * (growsPlate_ ? stretch : 1) / passes_;
             code_.write(bytesOf(pixel), LinearColour::Constant(1 - std::min(tint, 1.0f)),
                         code_.opaque());
             return 0;
         }
-        const LinearColour shown = ink_.faded(wanted, pixel.share);
+        const LinearColour shown = ink_.faded(ink_.toned(wanted), pixel.share);
         const InkCompensation::Ink ink = ink_.print(shown, stretch);
         unsigned char* const bytes = bytesOf(pixel);
         code_.write(bytes, ink.colour, code_.opaque());
@@ -398,6 +399,7 @@ private:
     std::ptrdiff_t stride_;
     float white_;               // tint of white on the body, 0 … 1
     bool isPlate_, growsPlate_; // whether plates are printed denser where the film stretches
+    float passes_;              // of ink
     unsigned char* wantedBits_; // picture of the wanted colours; null: none
     const AsidePicture& aside_;
 };

@@ -286,7 +286,12 @@ QString pathStep(const TravellerDip& dip, std::size_t number) {
 std::vector<TankTask> stepsOf(const Traveller& traveller, std::size_t number) {
     const TravellerDip& dip = traveller.dips[number];
     const DipMotion& motion = dip.motion;
-    QString lay = Text::tr("Lay sheet %1 on the water, ink side up.").arg(dip.job);
+    QString lay = dip.passes > 1
+                      ? Text::tr("Lay sheet %1, which must have been printed in %2 passes, on the "
+                                 "water, ink side up.")
+                            .arg(dip.job)
+                            .arg(dip.passes)
+                      : Text::tr("Lay sheet %1 on the water, ink side up.").arg(dip.job);
     if (dip.hasCradle) {
         lay += u' ' + Text::tr("The arrow on the cradle's plate must point to the upper edge of "
                                "the sheet.");

@@ -18,6 +18,7 @@ namespace dipwright {
 struct TravellerDip {
     Immersion immersion;
     QString job;              // job number, as on the sheet's job line
+    int passes = 1;           // how many times the sheet is printed onto its film
     PosePicture front, right; // the body over the film, with its cradle
     double waterAtEnd = 0;    // y of the water level at the end of the dip, pose frame, mm
     bool hasCradle = false;   // whether a cradle holds the body in this dip

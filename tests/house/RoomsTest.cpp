@@ -253,9 +253,19 @@ bool isBuiltHere(const QString& folder) {
         return false;
     }
 #endif
+#ifndef DIPWRIGHT_HAS_PYTHON
+    if (folder == QLatin1String("app/python")) {
+        return false;
+    }
+#endif
 #ifndef DIPWRIGHT_HAS_INSPECTION
     if (folder == QLatin1String("core/inspection") ||
         folder == QLatin1String("app/workbench/inspection")) {
+        return false;
+    }
+#endif
+#ifndef DIPWRIGHT_HAS_CAD
+    if (folder == QLatin1String("core/import/cad") || folder == QLatin1String("app/reader/cad")) {
         return false;
     }
 #endif

@@ -21,6 +21,9 @@ private Q_SLOTS:
     void installedProgram_samples_areFound();
     void installedCli_run_dipsSample();
     void installedCli_print_sheetArrives();
+#ifdef DIPWRIGHT_MODULE_PYTHON
+    void installedModule_run_dipsSample();
+#endif
     void installedBinaries_rpath_namesNoBuildFolder();
     void bashCompletion_typedWords_offersMatches_data();
     void bashCompletion_typedWords_offersMatches();
@@ -139,6 +142,7 @@ void InstallTest::install_tree_holdsAllFiles() {
 #if defined DIPWRIGHT_HAS_WORKBENCH && defined Q_OS_LINUX
     parts += QStringList{INSTALLED_DATA "/applications/dipwright.desktop",
                          INSTALLED_DATA "/mime/packages/dipwright.xml",
+                         INSTALLED_DATA "/metainfo/org.dipwright.Dipwright.metainfo.xml",
                          INSTALLED_DATA "/icons/hicolor/scalable/apps/dipwright.svg",
                          INSTALLED_DATA "/man/man1/dipwright.1"};
 #endif
@@ -223,6 +227,28 @@ QStringList InstallTest::binaries() const {
     }
     return found;
 }
+
+#ifdef DIPWRIGHT_MODULE_PYTHON
+// Python finds the tree's own programs, plugins and samples.
+void InstallTest::installedModule_run_dipsSample() {
+    QProcessEnvironment environment;
+    environment.insert(QStringLiteral("HOME"), folder_.filePath("home"));
+    environment.insert(QStringLiteral("PYTHONPATH"), installed(INSTALLED_PYTHON));
+    environment.insert(QStringLiteral("PYTHONDONTWRITEBYTECODE"), QStringLiteral("1"));
+    const QString script =
+        QStringLiteral("import dipwright, numpy\n"
+                       "job = dipwright.open([name for name in dipwright.samples()"
+                       " if 'sphere' in name][0])\n"
+                       "assert job.path.startswith('%1'), job.path\n"
+                       "job.update({'film.points': '24x32', 'sheet.dpi': 40})\n"
+                       "print(job.run(certainty=False).immersions[0].film.positions.shape)\n"
+                       "dipwright.new('%1/" INSTALLED_SAMPLES "/models/turtle.obj', size_mm=50)\n")
+            .arg(tree_);
+    const QByteArray output =
+        outputOf(QStringLiteral(DIPWRIGHT_MODULE_PYTHON), {"-c", script}, environment);
+    QCOMPARE(output.trimmed(), QByteArray("(768, 3)"));
+}
+#endif
 
 // Programs use the system's libraries, not the build's. A GPU module must not link the driver. Then
 // it can be listed on a machine without a driver, with the reason why it cannot run.

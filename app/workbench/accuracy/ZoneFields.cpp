@@ -18,7 +18,7 @@ ZoneFields::ZoneFields(LengthUnit unit, QWidget* parent)
     extent_->setMinimumContentsLength(8);
     extent_->addItem(tr("Brush"), int(MarkExtent::Stroke));
     extent_->addItem(tr("Whole face"), int(MarkExtent::Face));
-    extent_->addItem(tr("Whole material"), int(MarkExtent::Material));
+    extent_->addItem(tr("Whole material or CAD face"), int(MarkExtent::Material));
     extent_->setToolTip(
         tr("What a click marks: the surface under the brush, the face up to its edges, or "
            "everything with the same material in the model."));

@@ -90,6 +90,10 @@ std::vector<WindowActions::Entry> WindowActions::fileEntries() {
          key("Ctrl+Shift+E")},
         {&A::print, "print", "print", tr("&Print…"), tr("Print the sheets at true size"),
          QKeySequence::Print},
+        {&A::plates, "plates", "ink", tr("Plates…"),
+         tr("Show the plates of the sheets, the ink under the cursor, and where there is too much "
+            "ink"),
+         key("Ctrl+Shift+P")},
         {&A::printHistory, "printHistory", "", tr("Print &history…"),
          tr("Show what was printed, when, on which printer and from which project"),
          key("Ctrl+Shift+H")},
@@ -367,7 +371,7 @@ void WindowActions::enable(const WindowState& state) {
     }
     // What is exported is what is on show.
     for (QAction* action :
-         {exportResults, exportPdf, exportPng, exportCradles, cradle, makeOutputs, tank}) {
+         {exportResults, exportPdf, exportPng, exportCradles, cradle, makeOutputs, tank, plates}) {
         action->setEnabled(state.hasSheet && !state.isDraft);
     }
     play->setEnabled(state.isRecorded);

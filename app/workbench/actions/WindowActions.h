@@ -31,7 +31,7 @@ public:
     explicit WindowActions(QWidget& window); // adds the actions to `window`
 
     QAction *newWindow, *newProject, *open, *save, *saveAs, *snapshots, *exportResults, *exportPdf,
-        *exportPng, *exportCradles, *makeOutputs, *print, *printHistory, *jobQueue, *tank,
+        *exportPng, *exportCradles, *makeOutputs, *print, *plates, *printHistory, *jobQueue, *tank,
         *packJobs, *calibrate, *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *artwork, *preferences;

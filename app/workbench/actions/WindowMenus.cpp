@@ -45,10 +45,11 @@ void WindowMenus::makeFileMenu(QMenu& menu, const WindowActions& a) {
     menu.addActions({a.newProject, a.newWindow, a.open});
     recent_ = menu.addMenu(tr("Open &recent"));
     menu.addSeparator();
-    addGroups(menu, {{a.save, a.saveAs, a.snapshots},
-                     {a.print, a.printHistory, a.calibrate, a.jobQueue, a.tank, a.packJobs,
-                      a.exportResults, a.exportPdf, a.exportPng, a.exportCradles, a.makeOutputs},
-                     {a.close, a.quit}});
+    addGroups(menu,
+              {{a.save, a.saveAs, a.snapshots},
+               {a.print, a.plates, a.printHistory, a.calibrate, a.jobQueue, a.tank, a.packJobs,
+                a.exportResults, a.exportPdf, a.exportPng, a.exportCradles, a.makeOutputs},
+               {a.close, a.quit}});
 }
 
 void WindowMenus::makeEditMenu(QMenu& menu, const WindowActions& a) {

@@ -2,6 +2,8 @@
 
 #include "artwork/EditArtwork.h"
 #include "import/trusted/ReadPictures.h"
+#include "model/NamedMaterials.h"
+#include "pipeline/JobSheet.h"
 #include "workbench/jobs/StartJob.h"
 #include "workbench/project/NewProjectDialog.h"
 
@@ -62,8 +64,13 @@ void ArtworkController::connectPage() {
     connect(page_, &ArtworkPage::selected, this, &ArtworkController::select);
     connect(page_, &ArtworkPage::layerChanged, this,
             [this](int layer, const ArtworkLayer& changed, const QString& what) {
+                const bool isMoved =
+                    what == QLatin1String("layerMaterial") && !changed.material.isEmpty();
+                const ArtworkLayer placed =
+                    isMoved ? movedOnto(*document()->project().model, changed, changed.material)
+                            : changed;
                 edit(tr("Change layer"), QStringLiteral("artwork %1 %2").arg(layer).arg(what),
-                     [&](Artwork& artwork) { artwork.layers[std::size_t(layer)] = changed; });
+                     [&](Artwork& artwork) { artwork.layers[std::size_t(layer)] = placed; });
             });
     connect(page_, &ArtworkPage::baseChanged, this, [this](const std::optional<QColor>& base) {
         edit(tr("Change base colour"), {}, [&](Artwork& artwork) { artwork.base = base; });
@@ -114,6 +121,7 @@ void ArtworkController::showArtwork() {
     page_->setEnabled(document());
     const Artwork artwork = document() ? document()->project().artwork : Artwork();
     selected_ = std::min(selected_, int(artwork.layers.size()) - 1);
+    page_->setMaterials(document() ? materialNames(*document()->project().model) : QStringList());
     page_->show(artwork, selected_);
     const auto shown = frame();
     scene_.setFrame(shown ? shown->lines(view_.palette().color(QPalette::Highlight))
@@ -123,9 +131,13 @@ void ArtworkController::showArtwork() {
 void ArtworkController::edit(const QString& text, const QString& mergeKey,
                              const std::function<void(Artwork&)>& change) {
     try {
-        document()->edit(text, mergeKey, [&](Project& project) { change(project.artwork); });
+        document()->edit(text, mergeKey, [&](Project& project) {
+            change(project.artwork);
+            checkEditedSpots(document()->project(), project);
+        });
     } catch (const Error&) {
         messages_.fail(text, std::current_exception());
+        showArtwork();
     }
 }
 

@@ -301,6 +301,13 @@ void ArtworkPage::makePlaceFields(QFormLayout& form) {
                   {QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z"),
                    QStringLiteral("−X"), QStringLiteral("−Y"), QStringLiteral("−Z")},
                   [](ArtworkLayer& layer, int index) { layer.axis = LayerAxis(index); });
+    material_ = combo("layerMaterial", tr("Only on"), {tr("whole part")},
+                      [this](ArtworkLayer& layer, int index) {
+                          layer.material = index > 0 ? material_->itemText(index) : QString();
+                      });
+    material_->setToolTip(
+        tr("The face of the CAD model, or the material, on which the layer shows. "
+           "A decal moves to its middle."));
     const QString within =
         tr("The layer fits into this width and height and keeps its proportions.");
     size_[0] = addNumber(form, "layerWidth", tr("Width"), within, smallestLayer, largestLayer, mm,
@@ -389,6 +396,15 @@ void ArtworkPage::showList() {
     base_->setText(artwork_.base ? artwork_.base->name() : tr("colours of the model"));
 }
 
+void ArtworkPage::setMaterials(const QStringList& names) {
+    while (material_->count() > 1) {
+        material_->removeItem(1);
+    }
+    if (names.size() > 1) {
+        material_->addItems(names);
+    }
+}
+
 void ArtworkPage::showFields() {
     fields_->setVisible(selected_ >= 0);
     if (selected_ < 0) {
@@ -409,6 +425,7 @@ void ArtworkPage::showFields() {
     showRow(secondColour_, isPattern(layer.kind));
     showRow(seed_, isPattern(layer.kind));
     showRow(axis_, isProjected);
+    showRow(material_, material_->count() > 1 || !layer.material.isEmpty());
     showRow(size_[0], !isEverywhere);
     showRow(size_[1], !isEverywhere);
     const bool keepsProportions = layer.repeat.value() <= 0;
@@ -439,6 +456,11 @@ void ArtworkPage::showFields() {
     opacity_->setValue(100 * layer.opacity);
     placement_->setCurrentIndex(int(layer.placement));
     axis_->setCurrentIndex(int(layer.axis));
+    if (!layer.material.isEmpty() && material_->findText(layer.material) < 1) {
+        material_->addItem(layer.material); // the model lacks it
+    }
+    material_->setCurrentIndex(
+        layer.material.isEmpty() ? 0 : std::max(material_->findText(layer.material), 0));
     turn_->setValue(layer.turn.value());
     repeat_->setValue(layer.repeat.value());
     for (std::size_t k = 0; k < 2; ++k) {

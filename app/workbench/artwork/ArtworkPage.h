@@ -31,6 +31,8 @@ public:
 
     // `selected`: the index of a layer; −1: none.
     void show(const Artwork& artwork, int selected);
+    // Names of faces or materials, for a layer that shows only on one of them.
+    void setMaterials(const QStringList& names);
 
 signals:
     void pictureAsked();
@@ -79,7 +81,7 @@ private:
     std::array<QDoubleSpinBox*, 2> size_{};
     QLabel* shownSize_; // the size at which the layer is printed
     std::array<QDoubleSpinBox*, 3> place_{};
-    QComboBox *placement_, *axis_;
+    QComboBox *placement_, *axis_, *material_;
     QLineEdit* spot_;
     QPushButton* spotColour_;
     QCheckBox* spotFirst_;

@@ -94,6 +94,7 @@ void DipJob::process(const Progress& progress) {
     }
     if (!fineness.isDraft()) {
         outcome_.warnings = jobWarnings(*result);
+        outcome_.inkOptions = inkOptions(*result, progress.silent());
         outcome_.portrait = portraitOf(*result, portraitSize, progress.cancelToken);
     }
 }

@@ -2,6 +2,7 @@
 // during the dips, and prepares the previews and readouts for the window.
 #pragma once
 
+#include "pipeline/InkOptions.h"
 #include "pipeline/JobDraft.h"
 #include "pipeline/JobWarnings.h"
 #include "workbench/dip/DipRecording.h"
@@ -34,8 +35,9 @@ struct DipOutcome {
     std::vector<SheetPreview> sheets;
     Project project = {}; // the project that was run; `result` of a draft has a coarser one
     Fineness fineness = {};
-    std::vector<JobWarning> warnings = {}; // empty for a draft
-    QImage portrait = {};                  // portraitOf(); null for a draft
+    std::vector<JobWarning> warnings = {};     // empty for a draft
+    std::optional<InkOptions> inkOptions = {}; // none for a draft, or if ink suffices
+    QImage portrait = {};                      // portraitOf(); null for a draft
     DipRecordings recordings = {}; // one for each dip; null for a draft or a dip that was reused
 };
 

@@ -114,9 +114,24 @@ void addStrokes(Document& document, const MarkBrush& brush, const std::vector<Br
     });
 }
 
-void addMark(Document& document, const MarkBrush& brush, const std::array<Millimetres, 3>& place) {
+MarkBrush materialBrush(const MarkBrush& brush) {
+    MarkBrush whole = brush;
+    withMark(brush, [&]<typename Mark>(Mark mark) {
+        if constexpr (std::is_base_of_v<SurfaceMark, Mark>) {
+            mark.extent = MarkExtent::Material;
+            whole = mark;
+        }
+    });
+    return whole;
+}
+
+void addMark(Document& document, const MarkBrush& brush, const std::array<Millimetres, 3>& place,
+             const QString& material) {
     withMark(brush, [&]<typename Mark>(Mark mark) {
         mark.place = place;
+        if constexpr (std::is_base_of_v<SurfaceMark, Mark>) {
+            mark.material = mark.extent == MarkExtent::Material ? material : QString();
+        }
         add(document, std::vector<Mark>{mark});
     });
 }

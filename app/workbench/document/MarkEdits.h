@@ -19,7 +19,11 @@ MarkBrush eraserOf(const MarkBrush& brush);
 // if the project cannot hold more marks of the kind; it then stays unchanged.
 void addStrokes(Document& document, const MarkBrush& brush, const std::vector<BrushPath>& paths);
 // Sets the mark of a brush that draws no strokes, in one undo step. Throws Error as addStrokes().
-void addMark(Document& document, const MarkBrush& brush, const std::array<Millimetres, 3>& place);
+// `material`: as SurfaceMark::material, for a mark of a whole material.
+void addMark(Document& document, const MarkBrush& brush, const std::array<Millimetres, 3>& place,
+             const QString& material = {});
+// Returns the brush that marks all surface with one material. The brush must mark zones or masks.
+MarkBrush materialBrush(const MarkBrush& brush);
 
 // Each is one undo step. `Mark` is ShareMark, ZoneMark or MaskMark.
 template <typename Mark>

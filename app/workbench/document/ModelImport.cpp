@@ -1,24 +1,16 @@
 #include "workbench/document/ModelImport.h"
 
+#include "project/CadModel.h"
+#include "project/NewProject.h"
 #include "workbench/jobs/StartJob.h"
 
 #include <QCoreApplication>
-#include <QDate>
 
 namespace dipwright {
 
 namespace {
 
 enum class Pose { Kept, Reset };
-
-void exchangeModel(Project& project, const ImportedModel& imported, const QString& source,
-                   const QString& texture) {
-    project.model = std::make_shared<const TexturedMesh>(imported.model);
-    project.modelOrigin.source = source;
-    project.modelOrigin.texture = texture;
-    project.modelOrigin.remarks = imported.report.remarks();
-    project.modelOrigin.sha256.clear();
-}
 
 // Pose::Kept also keeps the size of the present model, because the settings were made for it.
 void importInto(Document& document, const QString& path, const QString& texture, Pose pose,
@@ -27,14 +19,15 @@ void importInto(Document& document, const QString& path, const QString& texture,
     options.texture = texture;
     options.unitMillimetres = document.project().modelOrigin.unitMillimetres;
     if (pose == Pose::Kept) {
+        options.tessellation = document.project().modelOrigin.tessellation;
         options.longestEdge = Millimetres(longestEdgeOf(document.project().model->mesh));
     }
     startImport(
         path, options, undoText, jobs, messages,
-        [&document, &messages, path, texture, pose, undoText](const ImportedModel& imported) {
+        [&document, &messages, path, options, pose, undoText](const ImportedModel& imported) {
             logImport(imported, messages);
             document.edit(undoText, {}, [&](Project& project) {
-                exchangeModel(project, imported, path, texture);
+                setModel(project, imported, path, options);
                 for (Immersion& immersion : project.immersions) {
                     immersion = pose == Pose::Kept ? immersion : Immersion{.name = immersion.name};
                 }
@@ -46,16 +39,9 @@ void importInto(Document& document, const QString& path, const QString& texture,
 
 Project newProject(const ImportedModel& imported, const QString& path,
                    const ImportOptions& options) {
-    Project project;
-    project.name = projectName(path);
-    project.date = QDate::currentDate().toString(Qt::ISODate);
-    project.film.resolution = FilmResolution::Automatic;
+    Project project = newProject(path);
     project.immersions.front().name = QCoreApplication::translate("ModelImport", "Dip %1").arg(1);
-    project.model = std::make_shared<const TexturedMesh>(imported.model);
-    project.modelOrigin.source = path;
-    project.modelOrigin.texture = options.texture;
-    project.modelOrigin.unitMillimetres = options.unitMillimetres;
-    project.modelOrigin.remarks = imported.report.remarks();
+    setModel(project, imported, path, options);
     return project;
 }
 
@@ -120,6 +106,24 @@ void reloadModel(Document& document, JobRunner& jobs, Messages& messages) {
             QCoreApplication::translate("ModelImport", "The project file refers to these files:"),
             untrusted, reload);
     }
+}
+
+void retessellate(Document& document, Millimetres tolerance, JobRunner& jobs, Messages& messages) {
+    const QString undoText = QCoreApplication::translate("ModelImport", "Change tolerance");
+    startJob(
+        jobs, messages, QCoreApplication::translate("ModelImport", "Making the triangles again"),
+        undoText,
+        [project = document.project(), tolerance](const Progress& progress) {
+            return retessellated(project, tolerance, progress);
+        },
+        [&document, &messages, undoText](const ImportedModel& imported) {
+            logImport(imported, messages);
+            document.edit(undoText, {}, [&](Project& project) {
+                const CadFile cad = project.cad;
+                takeModel(project, imported, project.modelOrigin.source);
+                project.cad = cad;
+            });
+        });
 }
 
 void replaceModel(Document& document, const QString& path, JobRunner& jobs, Messages& messages) {

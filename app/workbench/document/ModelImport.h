@@ -27,6 +27,9 @@ void startImport(const QString& path, const ImportOptions& options, const QStrin
 
 // Reads the model's file again and keeps all settings. The document must outlive the job.
 void reloadModel(Document& document, JobRunner& jobs, Messages& messages);
+// Makes the triangles of a CAD model again with another tolerance, which is one undo step. The
+// document must outlive the job.
+void retessellate(Document& document, Millimetres tolerance, JobRunner& jobs, Messages& messages);
 // Replaces the model. The document must outlive the job.
 void replaceModel(Document& document, const QString& path, JobRunner& jobs, Messages& messages);
 // Replaces the texture. The document must outlive the job.

@@ -61,6 +61,7 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("certaintyDialog"), numericalError},
         {QStringLiteral("toleranceDialog"), tolerances},
         {QStringLiteral("printDialog"), {Printing, Text::tr("File ▸ Print")}},
+        {QStringLiteral("platesDialog"), {Printing, Text::tr("File ▸ Plates")}},
         {QStringLiteral("printHistory"), {Printing, Text::tr("File ▸ Print history")}},
         {QStringLiteral("calibrationDialog"), {Printing, Text::tr("File ▸ Calibrate printer")}},
         {QStringLiteral("profilesDialog"), {Printing, Text::tr("Edit ▸ Profiles")}},

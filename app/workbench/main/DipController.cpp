@@ -48,6 +48,7 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
     connect(actions.numericalError, &QAction::triggered, this, &DipController::checkNumericalError);
     connect(&results.report(), &ReportPanel::smallerFilmTaken, this,
             &DipController::takeSmallerFilm);
+    connect(&results.report(), &ReportPanel::inkOptionTaken, this, &DipController::takeInkOption);
 }
 
 void DipController::showDocument() {
@@ -117,6 +118,18 @@ void DipController::takeSmallerFilm() {
     }
     document.edit(tr("Use film %1").arg(smaller->format), {},
                   [&](Project& project) { take(project, *smaller); });
+}
+
+void DipController::takeInkOption(const InkOption& option) {
+    Document& document = *session_.document();
+    if (!document.isFresh()) {
+        messages_.say(tr("The results are out of date; run the dip again first."));
+        return;
+    }
+    document.edit(remedyText(option), {}, [&](Project& project) { take(project, option); });
+    if (option.remedy == InkRemedy::OtherPose) {
+        actions_.findPoses->trigger();
+    }
 }
 
 void DipController::takeResult() {

@@ -2,6 +2,7 @@
 // error. Marks results that no longer match the project.
 #pragma once
 
+#include "pipeline/InkOptions.h"
 #include "workbench/accuracy/NumericalErrorCheck.h"
 #include "workbench/dip/DipCacheUpdater.h"
 #include "workbench/dip/DipSession.h"
@@ -41,6 +42,7 @@ private:
     void cancel();
     void checkNumericalError();
     void takeSmallerFilm();
+    void takeInkOption(const InkOption& option);
     void takeResult();
     void showResults();
     void showFreshness();

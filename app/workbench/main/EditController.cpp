@@ -48,6 +48,9 @@ EditController::EditController(const WindowActions& actions, ProjectTree& tree,
     connect(&tree, &ProjectTree::addImmersionAsked, this, &EditController::addSecondImmersion);
     connect(&tree, &ProjectTree::removeImmersionAsked, this, remove);
     connect(&properties, &PropertyPanel::reloadModelAsked, this, &EditController::reloadModel);
+    connect(&properties, &PropertyPanel::tessellationAsked, this, [this](Millimetres tolerance) {
+        retessellate(*session_.document(), tolerance, jobs_, messages_);
+    });
     connect(&properties, &PropertyPanel::replaceModelAsked, this, &EditController::askModel);
     connect(&properties, &PropertyPanel::replaceTextureAsked, this, &EditController::askTexture);
 }

@@ -13,6 +13,7 @@
 #include "workbench/jobs/StartJob.h"
 #include "workbench/jobs/WriteFiles.h"
 #include "workbench/outputs/OutputsDialog.h"
+#include "workbench/printing/PlatesDialog.h"
 #include "workbench/printing/PrintDialog.h"
 #include "workbench/results/StretchPanel.h"
 
@@ -35,6 +36,7 @@ ExportController::ExportController(const WindowActions& actions, const StretchPa
     on(actions.exportCradles, &ExportController::exportCradles);
     on(actions.makeOutputs, &ExportController::makeOutputs);
     on(actions.print, &ExportController::print);
+    on(actions.plates, &ExportController::showPlates);
     connect(&stretch, &StretchPanel::exportAsked, this, &ExportController::exportStretch);
 }
 
@@ -156,6 +158,17 @@ void ExportController::print() {
     }
     connect(dialog, &PrintDialog::printed, &messages_, &Messages::logAndSay);
     dialog->open();
+}
+
+void ExportController::showPlates() {
+    auto* dialog =
+        new PlatesDialog(session_.outcome().result, session_.immersion(), unit_, &window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (!session_.document()->isFresh()) {
+        dialog->warn(tr("These sheets were made before the last changes to the project. Run the "
+                        "dip again to see the current state."));
+    }
+    dialog->show(); // modeless: the user can continue to work
 }
 
 void ExportController::showNumericalError(const std::vector<DipNumericalError>& numericalError,

@@ -25,6 +25,7 @@ public:
 
     void showNumericalError(const std::vector<DipNumericalError>& numericalError, bool outdated,
                             LengthUnit unit);
+    void setPreferences(const Preferences& preferences) { unit_ = preferences.unit; }
     // Asks for a file name and writes the costs of the shown result as CSV.
     void exportCosts();
 
@@ -37,6 +38,7 @@ private:
     void exportStretch(const QString& suffix); // png, csv or vtp
     void makeOutputs();
     void print();
+    void showPlates();
     QString sheetName() const;
     // Asks for a file name and writes the file.
     void exportFile(const QString& title, const QString& name, const QString& suffix,
@@ -48,6 +50,7 @@ private:
     JobRunner& jobs_;
     Messages& messages_;
     QWidget& window_;
+    LengthUnit unit_ = LengthUnit::Millimetre;
 };
 
 } // namespace dipwright

@@ -284,6 +284,7 @@ void MainWindow::applyPreferences() {
     tolerances_.setLengthUnit(preferences.unit);
     viewActions_.setPreferences(preferences);
     dip_.setPreferences(preferences);
+    exports_.setPreferences(preferences);
     actions_.setShortcuts(preferences.shortcuts);
     documents_.setAutosaveInterval(preferences.autosaveSeconds);
     layout_.colourBanners();

@@ -1,5 +1,6 @@
 // The workbench: dipwright [FILE.dipw …]
 #include "base/ProgramName.h"
+#include "base/ShippedFolders.h"
 #include "disk/UnfinishedWrites.h"
 #include "workbench/document/Recovery.h"
 #include "workbench/main/MainWindow.h"
@@ -13,6 +14,7 @@
 
 int main(int argc, char* argv[]) {
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    dipwright::useShippedFonts();
     QApplication application(argc, argv);
     dipwright::nameProgram();
     QApplication::setApplicationDisplayName(QStringLiteral("Dipwright"));

@@ -36,7 +36,6 @@ namespace {
 enum Column { Name, Copies, Columns };
 
 const QString rollFilm = QStringLiteral("roll"), customFilm = QStringLiteral("custom");
-constexpr double mostLength = 3000; // mm
 
 QDoubleSpinBox* lengthBox(const char* name, double least, double most, double value) {
     auto* box = new NumberBox;
@@ -65,11 +64,12 @@ QStringList projectsIn(const QMimeData& data) {
 PackDialog::PackDialog(const SolverRegistry& registry, QWidget* parent)
     : QDialog(parent), registry_(registry), table_(new QTableWidget(0, Columns)),
       film_(new QComboBox), feed_(new QComboBox), shown_(new QComboBox),
-      width_(lengthBox("packWidth", 50, mostLength, 210)),
-      length_(lengthBox("packLength", 50, mostLength, 297)),
+      width_(lengthBox("packWidth", 50, mostFilmLength, 210)),
+      length_(lengthBox("packLength", 50, mostFilmLength, 297)),
       spacing_(lengthBox("packSpacing", 0, 200, 3)),
       margin_(lengthBox("packMargin", leastPieceMargin, 200, leastPieceMargin)),
       turn_(new QCheckBox(tr("&Turn pieces to save film"))),
+      whole_(new QCheckBox(tr("W&hole sheets with cut marks"))),
       preview_(new PicturePanel(tr("Film"), tr("Add projects and lay them out."))),
       told_(new QLabel), progress_(new QProgressBar) {
     setObjectName(QStringLiteral("packDialog"));
@@ -158,6 +158,11 @@ QWidget* PackDialog::makeFilm() {
         "film, and a piece that is cut close to the ink behaves differently near its edge."));
     turn_->setToolTip(
         tr("Turns pieces by 90°, but only if their film swells equally in both directions."));
+    whole_->setObjectName(QStringLiteral("packWhole"));
+    whole_->setToolTip(
+        tr("Places whole sheets with their own marks, for an unattended series on a roll. Cut "
+           "marks and the number of each copy stand in the gaps; 5 to 20 mm are usual. Otherwise "
+           "only the printed parts are placed."));
     auto* box = new QWidget;
     auto* form = new QFormLayout(box);
     form->setContentsMargins(0, 0, 0, 0);
@@ -168,9 +173,14 @@ QWidget* PackDialog::makeFilm() {
     form->addRow(tr("&Spacing between pieces"), spacing_);
     form->addRow(tr("&Bare film"), margin_);
     form->addRow(turn_);
+    form->addRow(whole_);
     connect(film_, &QComboBox::currentIndexChanged, this, &PackDialog::chooseFilm);
     connect(feed_, &QComboBox::currentIndexChanged, this, &PackDialog::changed);
     connect(turn_, &QCheckBox::toggled, this, &PackDialog::changed);
+    connect(whole_, &QCheckBox::toggled, this, [this](bool isWhole) {
+        margin_->setEnabled(!isWhole); // whole sheets have their own
+        changed();
+    });
     for (QDoubleSpinBox* length : {width_, length_, spacing_, margin_}) {
         connect(length, &QDoubleSpinBox::valueChanged, this, &PackDialog::changed);
     }
@@ -288,6 +298,7 @@ PackSettings PackDialog::settings() const {
     settings.film.spacing = Millimetres(spacing_->value());
     settings.film.margin = Millimetres(margin_->value());
     settings.feed = FeedDirection(feed_->currentData().toInt());
+    settings.film.wholeSheets = whole_->isChecked();
     settings.mayTurn = turn_->isChecked();
     return settings;
 }

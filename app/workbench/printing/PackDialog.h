@@ -82,7 +82,7 @@ private:
     QTableWidget* table_;
     QComboBox *film_, *feed_, *shown_;
     QDoubleSpinBox *width_, *length_, *spacing_, *margin_;
-    QCheckBox* turn_;
+    QCheckBox *turn_, *whole_;
     PicturePanel* preview_;
     QLabel* told_;
     QProgressBar* progress_;

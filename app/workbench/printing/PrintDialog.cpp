@@ -1,9 +1,12 @@
 #include "workbench/printing/PrintDialog.h"
 
 #include "base/Error.h"
+#include "pipeline/JobPacking.h"
 #include "pipeline/JobVerdict.h"
 #include "printing/PrintFile.h"
 #include "project/Profiles.h"
+#include "sheet/page/SheetRows.h"
+#include "workbench/printing/PlatesDialog.h"
 #include "workbench/widgets/NoticeBar.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
@@ -206,7 +209,22 @@ QWidget* PrintDialog::makePreview() {
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(preview_, 1);
-    layout->addWidget(proof_);
+    auto* plates = new QPushButton(tr("P&lates…"));
+    plates->setObjectName(QStringLiteral("showPlates"));
+    plates->setAutoDefault(false);
+    plates->setEnabled(proof_->isEnabled());
+    plates->setToolTip(tr("Shows the plates of the sheets, the ink under the cursor, and where "
+                          "there is too much ink. Needs a printer profile with an ICC profile in "
+                          "CMYK."));
+    connect(plates, &QPushButton::clicked, this, [this] {
+        auto* dialog = new PlatesDialog(outcome_.result, shown_, LengthUnit::Millimetre, this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
+    auto* below = new QHBoxLayout;
+    below->addWidget(proof_, 1);
+    below->addWidget(plates);
+    layout->addLayout(below);
     layout->addWidget(gamut_);
     return box;
 }
@@ -240,18 +258,8 @@ void PrintDialog::showSheet(std::size_t number) {
 
 void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int proofing) {
     // Use the film image, not the page preview, whose colours are limited to the screen's.
-    Sheet small = sheet;
     const double scale = page.page.width() / page.size.width();
-    const auto scaled = [size = (page.film.size() * scale).toSize()](const QImage& image) {
-        return image.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    };
-    small.image = scaled(sheet.image);
-    small.plates.clear();
-    if (small.wanted) {
-        small.wanted->image = scaled(sheet.wanted->image);
-        // Unsmoothed, because the pixels are numbers.
-        small.wanted->stretch = sheet.wanted->stretch.scaled(small.image.size());
-    }
+    const Sheet small = scaledSheet(sheet, (page.film.size() * scale).toSize());
     jobs_.start(std::make_unique<ValueJob<PrintProof>>(
         tr("Computing the soft proof"),
         [small, profile = *outcome_.result->project.profiles.printer,
@@ -353,6 +361,7 @@ PrintRequest PrintDialog::request() const {
     request.acceptMonochrome = grey_->isChecked();
     request.acceptClipping = clipped_->isChecked();
     request.acceptOtherPaper = otherPaper_->isChecked();
+    request.turning = turningOnRoll(outcome_.result->project);
     request.source = source_;
     return request;
 }

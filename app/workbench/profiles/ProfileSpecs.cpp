@@ -110,6 +110,50 @@ PropertySection workCosts() {
     return costs;
 }
 
+PropertySection printerFiles() {
+    PropertySection files{Text::tr("PDF and TIFF files"), {}};
+    files.specs = {
+        {.path = QStringLiteral("pdf_target"),
+         .label = Text::tr("PDF for"),
+         .help = Text::tr(
+             "The RIP that reads the CMYK PDF. For Ghostscript, white and spot colours blend as "
+             "transparency, which looks right on every screen, too. For the Adobe PDF Print Engine "
+             "they overprint. For older RIPs they overprint in a PDF/X-1a file. Viewers that "
+             "ignore overprint show white over the colours."),
+         .words = {{QStringLiteral("ghostscript"), Text::tr("Ghostscript, viewers")},
+                   {QStringLiteral("adobe"), Text::tr("Adobe PDF Print Engine")},
+                   {QStringLiteral("older"), Text::tr("Older RIPs")}}},
+        {.path = QStringLiteral("square_pixels"),
+         .label = Text::tr("Square pixels in TIFF"),
+         .help = Text::tr(
+             "Gives TIFF files one resolution. If the scales X and Y differ, the image is "
+             "resampled, which softens it slightly. Without this, the file has two resolutions, "
+             "which some RIPs ignore.")}};
+    return files;
+}
+
+PropertySection printerRolls() {
+    PropertySection rolls{Text::tr("Roll"), {}};
+    rolls.specs = {
+        {.path = QStringLiteral("roll_gap_mm"),
+         .label = Text::tr("Gap in a series"),
+         .help = Text::tr(
+             "Bare film between the sheets of a series, which is printed on the roll as one job, "
+             "with cut marks and the number of each copy in the gap. Usual values are 5 to 20 mm. "
+             "Without it, each sheet is a page of its own."),
+         .unit = Unit::Length,
+         .absent = Text::tr("Single pages"),
+         .whenPresent = 10},
+        {.path = QStringLiteral("roll_width_mm"),
+         .label = Text::tr("Width of the roll"),
+         .help = Text::tr("Width of the loaded roll, as far as it can be printed. Give it if the "
+                          "printer does not report its roll."),
+         .unit = Unit::Length,
+         .absent = Text::tr("As the printer reports"),
+         .whenPresent = 610}};
+    return rolls;
+}
+
 std::vector<PropertySection> printerSections() {
     PropertySection size{{}, {nameSpec()}};
     size.specs.push_back({.path = QStringLiteral("queue"),
@@ -162,7 +206,7 @@ std::vector<PropertySection> printerSections() {
          .unit = Unit::Share,
          .absent = Text::tr("From the ICC profile"),
          .whenPresent = 3}};
-    return {size, colour, inkCosts()};
+    return {size, colour, printerFiles(), printerRolls(), inkCosts()};
 }
 
 PropertySpec material(const char* path) {

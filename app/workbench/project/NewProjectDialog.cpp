@@ -236,6 +236,7 @@ void NewProjectDialog::readSizes() {
         tr("Reading the model"),
         [path, options](const Progress& progress) { return importModel(path, options, progress); },
         [this](const ImportedModel& imported) {
+            namesUnit_ = imported.report.cad.has_value();
             takeSizes(imported.report.box);
             if (!proposeTexture(imported)) {
                 endReading({});
@@ -334,7 +335,7 @@ void NewProjectDialog::resizeEvent(QResizeEvent* event) {
 void NewProjectDialog::takeSizes(const BoundingBox& box) {
     sizes_ = box.sizes().cast<double>();
     if (guesses_) {
-        unit_->setCurrentIndex(unit_->findData(guessedUnit(sizes_->maxCoeff())));
+        unit_->setCurrentIndex(unit_->findData(namesUnit_ ? 1.0 : guessedUnit(sizes_->maxCoeff())));
     }
     showExtent();
 }
@@ -356,7 +357,7 @@ void NewProjectDialog::showExtent() {
         tr("The part measures %1 × %2 × %3")
             .arg(shownLength(size.x(), lengthUnit_), shownLength(size.y(), lengthUnit_),
                  shownLength(size.z(), lengthUnit_));
-    showHint(guesses_ && byUnit_->isChecked()
+    showHint(guesses_ && byUnit_->isChecked() && !namesUnit_
                  ? text + QStringLiteral("; ") + tr("the unit was guessed from the size.")
                  : text + QStringLiteral("."));
 }

@@ -68,6 +68,7 @@ private:
     Reading reading_ = Reading::Done;
     bool isAccepting_ = false; // Create was pressed before the model was read
     QString failure_;          // why the model cannot be read; empty: no failure
+    bool namesUnit_ = false;   // the file names its unit: its sizes are in mm
     bool guesses_ = true;      // guesses the unit until the user chooses
     bool runs_ = false;
     QString proposed_; // model whose texture was proposed, or where the user has chosen one

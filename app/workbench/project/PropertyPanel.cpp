@@ -1,7 +1,11 @@
 #include "workbench/project/PropertyPanel.h"
 
 #include "base/Error.h"
+#include "import/trusted/CadFacts.h"
+#include "model/NamedMaterials.h"
 #include "pipeline/DeeperDip.h"
+#include "pipeline/JobSheet.h"
+#include "project/CadModel.h"
 #include "project/Profiles.h"
 #include "workbench/accuracy/ZoneFields.h"
 #include "workbench/document/ImmersionEdits.h"
@@ -31,6 +35,12 @@ namespace {
 
 constexpr int leastWidth = 290;
 constexpr int leastField = 90; // beside its label, pixels
+
+// Names by which the user can mark surface; none if there is no choice.
+QStringList namesOn(const TexturedMesh& model) {
+    const QStringList names = materialNames(model);
+    return names.size() > 1 ? names : QStringList();
+}
 
 } // namespace
 
@@ -220,9 +230,13 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
 void PropertyPanel::edit(const QString& text, const QString& mergeKey,
                          const std::function<void(Project&)>& change) {
     try {
-        document_->edit(text, mergeKey, change);
+        document_->edit(text, mergeKey, [&](Project& project) {
+            change(project);
+            checkEditedSpots(document_->project(), project);
+        });
     } catch (const Error& error) {
         emit failed(error.sentence());
+        refresh();
     }
 }
 
@@ -253,12 +267,16 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
         if (model.textures.empty()) {
             lines.append(tr("No texture (drop a picture on the window to add one)"));
         }
+        if (const QString cad = cadText(project); !cad.isEmpty()) {
+            lines.append(cad);
+        }
         if (!project.modelOrigin.remarks.isEmpty()) {
             lines.append(project.modelOrigin.remarks);
         }
         facts->setText(lines.join(QLatin1Char('\n')));
     });
     addModelSize(form);
+    addTessellation(form);
     const auto addButton = [this, &form](const QString& iconName, const QString& text,
                                          const QString& help, void (PropertyPanel::*asked)()) {
         auto* button = new QPushButton(icon(iconName), text);
@@ -302,6 +320,34 @@ void PropertyPanel::addModelSize(QFormLayout& form) {
     });
 }
 
+void PropertyPanel::addTessellation(QFormLayout& form) {
+    constexpr int decimals = 3; // in mm, in which CAD programs state it
+    auto* tolerance = new NumberBox;
+    tolerance->setObjectName(QStringLiteral("tessellation"));
+    tolerance->setAccessibleName(tr("Tolerance of triangles"));
+    tolerance->setDecimals(decimals);
+    tolerance->setRange(finestTessellation, coarsestTessellation);
+    tolerance->setSingleStep(0.01);
+    tolerance->setSuffix(unitSuffix(Unit::Length, LengthUnit::Millimetre));
+    tolerance->setKeyboardTracking(false);
+    tolerance->setToolTip(
+        tr("The largest distance of the triangles from the surfaces of the CAD file. A smaller one "
+           "shows curves more exactly and makes more triangles. Usual: 0.01 to 0.1 mm. Zones, "
+           "masks and artwork stay."));
+    form.addRow(tr("Tolerance of triangles"), tolerance);
+    connect(tolerance, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (Millimetres(value) != document_->project().modelOrigin.tessellation) {
+            emit tessellationAsked(Millimetres(value));
+        }
+    });
+    refreshers_.push_back([this, &form, tolerance] {
+        const Project& project = document_->project();
+        const QSignalBlocker quiet(tolerance);
+        tolerance->setValue(project.modelOrigin.tessellation.value());
+        form.setRowVisible(tolerance, !project.cad.name.isEmpty());
+    });
+}
+
 void PropertyPanel::addFilmFacts(QFormLayout& form) {
     auto* facts = new QLabel;
     facts->setObjectName(QStringLiteral("filmFacts"));
@@ -320,9 +366,29 @@ void PropertyPanel::addMarkFields(QFormLayout& form, const QString& heading, Mar
     form.addRow(&fields);
     connect(&fields, &MarkFields::changed, this,
             [this, &fields] { emit brushChanged(fields.brush()); });
+    connect(&fields, &MarkFields::nameChosen, this, [this, &fields](const QString& name) {
+        markByName(materialBrush(fields.brush()), name);
+    });
     connect(&fields, &MarkFields::removeLastAsked, this,
             [this] { removeLastMark<Mark>(*document_); });
     connect(&fields, &MarkFields::removeAllAsked, this, [this] { removeMarks<Mark>(*document_); });
+}
+
+void PropertyPanel::markByName(const MarkBrush& brush, const QString& name) {
+    const std::optional<Eigen::Vector3f> middle =
+        middleOfMaterial(*document_->project().model, name);
+    if (!middle) {
+        return;
+    }
+    std::array<Millimetres, 3> place;
+    for (int axis = 0; axis < 3; ++axis) {
+        place[std::size_t(axis)] = Millimetres(std::round(double((*middle)[axis]) * 1000) / 1000);
+    }
+    try {
+        addMark(*document_, brush, place, name);
+    } catch (const Error& error) {
+        emit failed(error.sentence());
+    }
 }
 
 void PropertyPanel::addSeamFields(QFormLayout& form) {
@@ -371,15 +437,19 @@ void PropertyPanel::addPathKeys(QFormLayout& form) {
 void PropertyPanel::addZoneFields(QFormLayout& form) {
     auto* fields = new ZoneFields(lengthUnit_);
     addMarkFields<ZoneMark>(form, tr("Zones on the part"), *fields);
-    refreshers_.push_back(
-        [this, fields] { fields->setMarkCount(document_->project().tolerance.marks.size()); });
+    refreshers_.push_back([this, fields] {
+        fields->setMarkCount(document_->project().tolerance.marks.size());
+        fields->setNames(namesOn(*document_->project().model));
+    });
 }
 
 void PropertyPanel::addMaskFields(QFormLayout& form) {
     auto* fields = new MaskFields(lengthUnit_);
     addMarkFields<MaskMark>(form, tr("Masks on the part"), *fields);
-    refreshers_.push_back(
-        [this, fields] { fields->setMarkCount(document_->project().masks.size()); });
+    refreshers_.push_back([this, fields] {
+        fields->setMarkCount(document_->project().masks.size());
+        fields->setNames(namesOn(*document_->project().model));
+    });
 }
 
 void PropertyPanel::addTolerancesButton(QFormLayout& form) {

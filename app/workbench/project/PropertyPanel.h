@@ -39,6 +39,7 @@ signals:
     void leastWidthChanging(int width);
     void failed(const QString& sentence);
     void reloadModelAsked();
+    void tessellationAsked(dipwright::Millimetres tolerance);
     void replaceModelAsked();
     void replaceTextureAsked();
     // The print to show on the body. It affects only the view.
@@ -56,6 +57,8 @@ private:
     void addField(QFormLayout& form, const PropertySpec& spec);
     void addModelFacts(QFormLayout& form);
     void addModelSize(QFormLayout& form);
+    void addTessellation(QFormLayout& form);
+    void markByName(const MarkBrush& brush, const QString& name);
     void addFilmFacts(QFormLayout& form);
     template <typename Mark>
     void addMarkFields(QFormLayout& form, const QString& heading, MarkFields& fields);

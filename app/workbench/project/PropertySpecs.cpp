@@ -555,6 +555,17 @@ std::vector<PropertySection> inkProperties() {
            .help = Text::tr("The highest optical density that can be printed. Where more is "
                             "needed, the colour is too pale; the report gives the area."),
            .unit = Unit::Density},
+          {.path = QStringLiteral("ink.densest"),
+           .label = Text::tr("Densest colour"),
+           .help = Text::tr("A tone curve lightens the darkest colours of the texture to this "
+                            "density and keeps them apart, so that the ink suffices on stretched "
+                            "film. Usual: 0.8 to 1.8. At 10 the texture stays as it is."),
+           .unit = Unit::Density},
+          {.path = QStringLiteral("ink.passes"),
+           .label = Text::tr("Passes of ink"),
+           .help = Text::tr("How many times the printer prints each sheet onto the same film. Two "
+                            "passes reach twice the ink limit. The film must not move between "
+                            "the passes, and takes longer to dry. Usual: 1.")},
           specOf(QStringLiteral("ink.exponents"), materialWords(QStringLiteral("ink_exponents"))),
           specOf(QStringLiteral("ink.black_white_exponents"),
                  materialWords(QStringLiteral("ink_black_white_exponents"))),

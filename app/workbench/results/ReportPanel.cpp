@@ -30,6 +30,8 @@ struct Text {
 constexpr std::size_t mostPlaces = 8;                 // unreached places that are listed one by one
 const QString placeScheme = QStringLiteral("place:"); // marks a link to a place of the model
 
+const QString inkScheme = QStringLiteral("ink:"); // marks a link to an option for ink
+
 class Table {
 public:
     void row(const QString& name, const QString& value) {
@@ -223,6 +225,60 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit, PlaceLinks
     return heading(result.immersion.name) + table.html();
 }
 
+constexpr int inkColumns = 5;
+
+QString inkRow(const QStringList& values) {
+    QString html = QStringLiteral("<tr>");
+    for (const QString& value : values) {
+        html += QStringLiteral("<td style='padding:0 0 6px 8px' align='right'>%1</td>")
+                    .arg(value.toHtmlEscaped());
+    }
+    return html + QStringLiteral("</tr>");
+}
+
+// A row of its own, because names of options are long and the page is narrow.
+QString inkTitle(const QString& html) {
+    return QStringLiteral("<tr><td colspan='%1' style='padding:3px 0'>%2</td></tr>")
+        .arg(inkColumns)
+        .arg(html);
+}
+
+QString inkValues(const InkReach& reach) {
+    return inkRow({Text::tr("%1 %").arg(number(100 * reach.shortShare, 2)),
+                   number(reach.missing95, 2), number(reach.mostMissing, 2),
+                   std::isnan(reach.contrast)
+                       ? QStringLiteral("–")
+                       : Text::tr("%1 %").arg(number(100 * reach.contrast, 0)),
+                   number(reach.colourError, 1)});
+}
+
+QString inkOptionsHtml(const InkOptions& found) {
+    QString rows =
+        inkRow({Text::tr("Too pale"), Text::tr("Missing, 95 %"), Text::tr("Missing, most"),
+                Text::tr("Contrast"), Text::tr("Colour error ΔE")}) +
+        inkTitle(Text::tr("Now").toHtmlEscaped()) + inkValues(found.now);
+    for (std::size_t i = 0; i < found.options.size(); ++i) {
+        const InkOption& option = found.options[i];
+        const QString link =
+            QStringLiteral("<a href='%1%2'>%3</a>")
+                .arg(inkScheme, QString::number(i), remedyText(option).toHtmlEscaped());
+        rows +=
+            option.reach
+                ? inkTitle(link) + inkValues(*option.reach)
+                : inkTitle(QStringLiteral("%1: %2").arg(link, optionText(option).toHtmlEscaped()));
+    }
+    return heading(Text::tr("Where ink does not suffice")) +
+           QStringLiteral("<p>%1</p><table width='100%' cellspacing='0'>%2</table>")
+               .arg(
+                   Text::tr("A click on an option changes the project; it can be undone. Too pale: "
+                            "share of the painted surface. Missing: optical density where ink is "
+                            "short now (95 %), and the most anywhere. Contrast: of the texture, "
+                            "where ink is short now. Colour error: mean difference to the texture "
+                            "on the painted surface.")
+                       .toHtmlEscaped(),
+                   rows);
+}
+
 QString costHtml(const std::vector<OrderCost>& costs) {
     QString html = heading(Text::tr("Cost and time"));
     for (const OrderCost& cost : costs) {
@@ -300,9 +356,11 @@ ReportPanel::ReportPanel(QWidget* parent)
 }
 
 void ReportPanel::setResult(std::shared_ptr<const JobResult> result,
-                            std::vector<JobWarning> warnings, LengthUnit unit) {
+                            std::vector<JobWarning> warnings, std::optional<InkOptions> inkOptions,
+                            LengthUnit unit) {
     result_ = std::move(result);
     warnings_ = std::move(warnings);
+    inkOptions_ = std::move(inkOptions);
     unit_ = unit;
     show();
 }
@@ -370,6 +428,9 @@ void ReportPanel::show() {
     if (!warnings_.empty()) {
         html += warningsHtml(warnings_, *result_, unit_, links);
     }
+    if (inkOptions_) {
+        html += inkOptionsHtml(*inkOptions_);
+    }
     if (result_->share) {
         html += shareHtml(*result_, unit_, links);
     }
@@ -400,6 +461,13 @@ void ReportPanel::follow(const QUrl& link) {
     }
     if (target == QLatin1String("prices")) {
         emit pricesAsked();
+        return;
+    }
+    if (target.startsWith(inkScheme)) {
+        const std::size_t number = target.mid(inkScheme.size()).toULong();
+        if (inkOptions_ && number < inkOptions_->options.size()) {
+            emit inkOptionTaken(inkOptions_->options[number]);
+        }
         return;
     }
     if (!target.startsWith(placeScheme)) {

@@ -3,6 +3,7 @@
 
 #include "cost/OrderCost.h"
 #include "marks/SurfaceMask.h"
+#include "pipeline/InkOptions.h"
 #include "pipeline/JobWarnings.h"
 #include "settings/AsBuilt.h"
 #include "workbench/widgets/Units.h"
@@ -25,9 +26,9 @@ public:
     explicit ReportPanel(QWidget* parent = nullptr);
 
     // Shows a result; null if there is none yet. `warnings` is the result of jobWarnings(), or
-    // empty for a draft.
+    // empty for a draft; `inkOptions` that of inkOptions(), or none for a draft.
     void setResult(std::shared_ptr<const JobResult> result, std::vector<JobWarning> warnings,
-                   LengthUnit unit);
+                   std::optional<InkOptions> inkOptions, LengthUnit unit);
     void showWarning(std::size_t number); // scrolls to a warning and selects it
     // Sets one sentence for each zone on how far handling may move the colours. Empty: not
     // computed.
@@ -40,6 +41,7 @@ public:
 signals:
     // The user accepts the film that smallerFilm() finds for the shown result.
     void smallerFilmTaken();
+    void inkOptionTaken(dipwright::InkOption option);
     void costTableAsked();                   // the user wants the costs in a file
     void pricesAsked();                      // the user wants to enter prices
     void placeChosen(Eigen::Vector3f place); // a place of the model that has a link, mm
@@ -53,6 +55,7 @@ private:
     std::shared_ptr<const SurfaceMask> mask_; // `masked_` was computed for it
     MaskedAreas masked_;
     std::vector<JobWarning> warnings_;
+    std::optional<InkOptions> inkOptions_;
     QStringList tolerances_;
     std::vector<OrderCost> costs_;
     std::vector<TankTime> tankTimes_;

@@ -110,7 +110,7 @@ void ResultsPanel::showWarning(std::size_t number) {
 void ResultsPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion) {
     outcome_ = outcome;
     immersion_ = immersion;
-    report_->setResult(outcome.result, outcome.warnings, unit_);
+    report_->setResult(outcome.result, outcome.warnings, outcome.inkOptions, unit_);
     numericalError_->setOutcome(outcome, immersion, unit_);
     if (immersion >= outcome.readings.size()) {
         stretch_->setReading(nullptr);
@@ -166,7 +166,7 @@ void ResultsPanel::showSheet() {
 
 void ResultsPanel::setLengthUnit(LengthUnit unit) {
     unit_ = unit;
-    report_->setResult(outcome_.result, outcome_.warnings, unit);
+    report_->setResult(outcome_.result, outcome_.warnings, outcome_.inkOptions, unit);
     numericalError_->setOutcome(outcome_, immersion_, unit);
 }
 

@@ -119,7 +119,9 @@ void MarkTool::stroke(const ViewRay& ray) {
     const auto place = scene_.modelSurface(ray);
     if (!drawsStrokes(drawn_)) { // marks only the face where the drag begins
         if (place && !lastRay_) {
-            add([&] { addMark(*session_.document(), drawn_, pointAt(*place).place); });
+            add([&] {
+                addMark(*session_.document(), drawn_, pointAt(*place).place, faceAt(*place));
+            });
         }
         lastRay_ = ray;
         return;
@@ -246,6 +248,12 @@ BrushPoint MarkTool::pointAt(const SurfacePoint& place) const {
         point.outward[std::size_t(axis)] = rounded(normal[axis], steps);
     }
     return point;
+}
+
+QString MarkTool::faceAt(const SurfacePoint& place) const {
+    const TexturedMesh& model = *scene_.model();
+    const bool isCad = !session_.document()->project().cad.name.isEmpty();
+    return isCad ? model.materials[model.material[place.triangle]].name : QString();
 }
 
 StrokePatch MarkTool::newPart() const {

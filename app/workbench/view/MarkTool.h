@@ -37,6 +37,9 @@ private:
     void show(std::vector<std::array<Eigen::Vector3f, 3>> triangles, int opacity);
     MarkBrush brushNow() const; // an eraser while Shift is held
     BrushPoint pointAt(const SurfacePoint& place) const;
+    // Name of the CAD face at a place; empty for other models. Marks with it stay on the face when
+    // its triangles are made again.
+    QString faceAt(const SurfacePoint& place) const;
     StrokePatch newPart() const;
 
     DipScene& scene_;

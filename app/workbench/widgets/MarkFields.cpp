@@ -35,7 +35,8 @@ double radiusOf(int step) {
 MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     : QWidget(parent), unit_(unit), form_(new QFormLayout(this)), kind_(new QComboBox),
       radius_(new NumberBox), size_(new QSlider(Qt::Horizontal)),
-      eraser_(new QPushButton(tr("Eraser"))), count_(new QLabel),
+      eraser_(new QPushButton(tr("Eraser"))), byName_(new QWidget), names_(new QComboBox),
+      mark_(new QPushButton(tr("Mark"))), count_(new QLabel),
       removeLast_(new QPushButton(tr("Remove last"))),
       removeAll_(new QPushButton(tr("Remove all"))) {
     kind_->setObjectName(name);
@@ -71,6 +72,7 @@ MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     tools->addWidget(size_, 1);
     tools->addWidget(eraser_);
     form_->addRow(tools);
+    addNames();
     form_->addRow(count_);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(removeLast_);
@@ -92,6 +94,45 @@ MarkFields::MarkFields(const QString& name, LengthUnit unit, QWidget* parent)
     }
     connect(removeLast_, &QPushButton::clicked, this, &MarkFields::removeLastAsked);
     connect(removeAll_, &QPushButton::clicked, this, &MarkFields::removeAllAsked);
+}
+
+void MarkFields::addNames() {
+    names_->setObjectName(kind_->objectName() + QStringLiteral("Name"));
+    names_->setAccessibleName(tr("By name"));
+    names_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    names_->setMinimumContentsLength(8);
+    names_->setEditable(true); // typing finds a name among many
+    names_->setInsertPolicy(QComboBox::NoInsert);
+    names_->setToolTip(tr("A face of the CAD model, or a material, by its name. The mark stays on "
+                          "it when the triangles are made again."));
+    mark_->setObjectName(kind_->objectName() + QStringLiteral("MarkName"));
+    mark_->setToolTip(tr("Marks this face or material as chosen above."));
+    auto* row = new QHBoxLayout(byName_);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(names_, 1);
+    row->addWidget(mark_);
+    form_->addRow(tr("By name"), byName_);
+    form_->setRowVisible(byName_, false);
+    const auto enable = [this] {
+        mark_->setEnabled(kind_->currentData().toInt() != noKind &&
+                          names_->findText(names_->currentText()) >= 0);
+    };
+    enable();
+    connect(kind_, &QComboBox::currentIndexChanged, this, enable);
+    connect(names_, &QComboBox::currentTextChanged, this, enable);
+    connect(mark_, &QPushButton::clicked, this, [this] { emit nameChosen(names_->currentText()); });
+}
+
+void MarkFields::setNames(const QStringList& names) {
+    form_->setRowVisible(byName_, !names.isEmpty());
+    QStringList shown;
+    for (int row = 0; row < names_->count(); ++row) {
+        shown.append(names_->itemText(row));
+    }
+    if (shown != names) {
+        names_->clear();
+        names_->addItems(names);
+    }
 }
 
 Millimetres MarkFields::radius() const {

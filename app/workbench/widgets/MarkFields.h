@@ -27,9 +27,12 @@ public:
     // The brush, which is an eraser if the user asks for one.
     MarkBrush brush() const;
     void setMarkCount(std::size_t count);
+    // Lets the user choose a face or material by its name. Without names, the choice is hidden.
+    void setNames(const QStringList& names);
 
 signals:
-    void changed(); // the brush
+    void changed();                       // the brush
+    void nameChosen(const QString& name); // the user asks to mark it with the brush
     void removeLastAsked();
     void removeAllAsked();
 
@@ -48,6 +51,7 @@ protected:
     static constexpr int radiusRow = 1; // unless rows were inserted above it
 
 private:
+    void addNames();
     void resize(double factor);
     void showRadius();
 
@@ -57,6 +61,9 @@ private:
     QDoubleSpinBox* radius_;
     QSlider* size_; // the radius on a logarithmic scale
     QAbstractButton* eraser_;
+    QWidget* byName_; // the row of names_ and mark_
+    QComboBox* names_;
+    QPushButton* mark_;
     QLabel* count_;
     QPushButton* removeLast_;
     QPushButton* removeAll_;

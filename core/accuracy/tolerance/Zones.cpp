@@ -2,6 +2,7 @@
 
 #include "geometry/SurfaceSpot.h"
 #include "marks/StrokeArea.h"
+#include "model/NamedMaterials.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -80,13 +81,24 @@ void ZonedBody::obey(const ZoneMark& mark) {
         set(trianglesOf(fine_.mesh(), StrokeArea(mark.path, mark.radius)), mark.zone);
         return;
     }
+    const auto material = [&](std::uint32_t piece) {
+        return model_->material[fine_.middle(piece).triangle];
+    };
+    const auto setMaterial = [&](std::size_t marked) {
+        for (std::uint32_t piece = 0; piece < zones_.size(); ++piece) {
+            zones_[piece] = material(piece) == marked ? mark.zone : zones_[piece];
+        }
+    };
+    if (!mark.material.isEmpty()) {
+        for (const std::size_t marked : materialsNamed(*model_, mark.material)) {
+            setMaterial(marked);
+        }
+        return;
+    }
     const SurfacePoint middle = query_.closest(modelPlace(mark.place)).point;
     if (!middle.isValid()) {
         return;
     }
-    const auto material = [&](std::uint32_t piece) {
-        return model_->material[fine_.middle(piece).triangle];
-    };
     switch (mark.extent) {
     case MarkExtent::Spot:
         set(trianglesWithin(fine_.mesh(), middle, float(mark.radius.value())), mark.zone);
@@ -95,11 +107,7 @@ void ZonedBody::obey(const ZoneMark& mark) {
         set(faceAround(fine_.mesh(), middle.triangle), mark.zone);
         break;
     case MarkExtent::Material:
-        for (std::uint32_t piece = 0; piece < zones_.size(); ++piece) {
-            if (material(piece) == material(middle.triangle)) {
-                zones_[piece] = mark.zone;
-            }
-        }
+        setMaterial(material(middle.triangle));
         break;
     case MarkExtent::Stroke:
         break; // see above

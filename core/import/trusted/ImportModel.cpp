@@ -5,6 +5,7 @@
 #include "import/trusted/ReadPictures.h"
 #include "import/trusted/ReaderProcess.h"
 #include "model/MeshRepair.h"
+#include "model/ModelFormats.h"
 #include "model/TextureNotes.h"
 
 #include <QCoreApplication>
@@ -129,7 +130,8 @@ void requireNearOrigin(const TriangleMesh& mesh, double longestEdge, const QStri
     }
 }
 
-void scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QString& path) {
+// Returns the factor by which it scales.
+double scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QString& path) {
     const double edge = longestEdgeOf(mesh);
     if (edge == 0) {
         throw Error(Text::tr("All points of the model coincide; choose another model"), path);
@@ -148,6 +150,7 @@ void scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QStrin
     if (!boundingBox(mesh).sizes().allFinite()) {
         throwTooFar(path);
     }
+    return factor;
 }
 
 void describe(const TexturedMesh& model, ImportReport& report) {
@@ -234,37 +237,90 @@ UntrustedModel readModelFile(const QString& path, ModelFolder& folder, bool with
     }
 }
 
-ImportedModel import(const QString& path, const ImportOptions& options, const Progress& progress) {
-    checkOptions(options);
-    checkFile(path);
-    const QImage texture = replacementTexture(options.texture);
+// Repairs, scales and describes a model as it was read. `fileBytes` limits the time for this.
+ImportedModel finished(UntrustedModel foreign, const QImage& texture, const QString& path,
+                       const ImportOptions& options, qint64 fileBytes, const Progress& progress) {
     ImportedModel result;
     TexturedMesh& model = result.model;
     ImportReport& report = result.report;
-
-    ModelFolder folder(path, options.allowOutside, options.outsideFiles);
-    UntrustedModel foreign = readModelFile(path, folder, texture.isNull(), progress.part(0, 0.7));
     model = std::move(foreign.mesh);
     report.warnings = foreign.warnings;
+    report.cad = foreign.cad;
     if (model.mesh.triangles.empty()) {
         throw Error(Text::tr("The model has no triangles; save it with its surface"), path);
     }
     if (!texture.isNull()) {
         replaceTextures(model, texture);
     }
-    progress(0.7, Text::tr("Checking the model"));
+    progress(0, Text::tr("Checking the model"));
     checkPositions(model.mesh, path);
     dropUnusableCoordinates(model, report.warnings);
-    report.repaired = repair(model, path, repairCheckpoint(path, folder.bytesRead(), progress));
+    report.repaired = repair(model, path, repairCheckpoint(path, fileBytes, progress));
     report.repairs = sentencesOf(report.repaired);
-    scaleAsAsked(model.mesh, options, path);
+    report.unitMillimetres = scaleAsAsked(model.mesh, options, path);
     dropUselessTextures(model, report.warnings);
     report.warnings += colourNotes(model);
-    progress(0.9, Text::tr("Finding the texture's charts"));
+    progress(0.66, Text::tr("Finding the texture's charts"));
     model.chart = findCharts(model);
     describe(model, report);
     progress(1, Text::tr("Checking the model"));
     return result;
+}
+
+// The one file of a CAD model.
+class OneFile : public UntrustedFiles {
+public:
+    explicit OneFile(const QByteArray& content) : content_(content) {}
+
+private:
+    std::optional<QByteArray> fetch(const QString&) override { return content_; }
+
+    QByteArray content_;
+};
+
+ImportedModel cadModel(const QString& path, const QByteArray& content, const ImportOptions& options,
+                       const Progress& progress) {
+    OneFile file(content);
+    Tessellation tessellation;
+    tessellation.tolerance = options.tessellation.value();
+    tessellation.unitMillimetres = options.unitMillimetres;
+    tessellation.longestEdge = options.longestEdge ? options.longestEdge->value() : 0;
+    UntrustedModel foreign = readCadInProcess(path, tessellation, file, progress.part(0, 0.7));
+    // CAD files describe much in few bytes, so the time for repairs counts the triangles' bytes.
+    constexpr qint64 bytesOfTriangle = 50; // as in a binary STL file
+    const qint64 bytes = bytesOfTriangle * qint64(foreign.mesh.mesh.triangles.size());
+    ImportedModel result =
+        finished(std::move(foreign), QImage(), path, options, bytes, progress.part(0.7, 1));
+    result.cadFile = content;
+    return result;
+}
+
+ImportedModel import(const QString& path, const ImportOptions& options, const Progress& progress) {
+    checkOptions(options);
+    checkFile(path);
+    const QImage texture = replacementTexture(options.texture);
+    if (isCadFile(path)) {
+        const std::optional<QByteArray> content = readFile(path);
+        if (!content) {
+            throw Error(Text::tr("The model file cannot be read; check its permissions"), path);
+        }
+        return cadModel(path, *content, options, progress);
+    }
+    ModelFolder folder(path, options.allowOutside, options.outsideFiles);
+    UntrustedModel foreign = readModelFile(path, folder, texture.isNull(), progress.part(0, 0.7));
+    return finished(std::move(foreign), texture, path, options, folder.bytesRead(),
+                    progress.part(0.7, 1));
+}
+
+template <typename Import>
+ImportedModel withinMemory(const QString& path, const Import& import) {
+    try {
+        return import();
+    } catch (const std::bad_alloc&) {
+        throw Error(
+            Text::tr("The model needs more memory than this computer has; simplify the model"),
+            path);
+    }
 }
 
 } // namespace
@@ -300,13 +356,15 @@ TexturedMesh withTexture(const TexturedMesh& model, const QString& path) {
 
 ImportedModel importModel(const QString& path, const ImportOptions& options,
                           const Progress& progress) {
-    try {
-        return import(path, options, progress);
-    } catch (const std::bad_alloc&) {
-        throw Error(
-            Text::tr("The model needs more memory than this computer has; simplify the model"),
-            path);
-    }
+    return withinMemory(path, [&] { return import(path, options, progress); });
+}
+
+ImportedModel importCad(const QString& name, const QByteArray& content,
+                        const ImportOptions& options, const Progress& progress) {
+    return withinMemory(name, [&] {
+        checkOptions(options);
+        return cadModel(name, content, options, progress);
+    });
 }
 
 } // namespace dipwright

@@ -4,6 +4,7 @@
 #include "base/Error.h"
 #include "base/Progress.h"
 #include "base/Units.h"
+#include "import/trusted/CadFacts.h"
 #include "model/MeshRepair.h"
 #include "model/TexturedMesh.h"
 
@@ -17,6 +18,9 @@ struct ImportOptions {
     std::optional<Millimetres> longestEdge;
     double unitMillimetres = 1; // size of the file's unit in mm; used if longestEdge is not set
     QString texture;            // path of a picture that replaces the model's own, or empty
+    // For a CAD file: largest distance of the triangles from the surfaces, on the scaled model. 0:
+    // usualTessellation(). unitMillimetres is then the scale, because CAD files name their unit.
+    Millimetres tessellation{0};
     // Whether all files outside the model's folder may be read.
     bool allowOutside = false;
     // Absolute paths of the files outside the folder that may be read.
@@ -48,7 +52,9 @@ struct ImportReport {
     ModelRepairs repaired;
     // The repairs as sentences, such as "Triangles without area that were removed: 12".
     QStringList repairs;
-    QStringList warnings; // such as "The mesh is not closed: …"
+    QStringList warnings;        // such as "The mesh is not closed: …"
+    std::optional<CadFacts> cad; // of a CAD file
+    double unitMillimetres = 1;  // factor by which the file's lengths were multiplied
 
     // Returns both lists in one line, for ModelOrigin::remarks.
     QString remarks() const { return (warnings + repairs).join(QStringLiteral("; ")); }
@@ -57,6 +63,7 @@ struct ImportReport {
 struct ImportedModel {
     TexturedMesh model;
     ImportReport report;
+    QByteArray cadFile; // content of a CAD file; otherwise empty
 };
 
 // Imports the model file `path`, in one of modelFormats(), with textures beside it or embedded.
@@ -68,6 +75,10 @@ struct ImportedModel {
 // OutsideFiles if the model names files outside its folder that are not allowed.
 ImportedModel importModel(const QString& path, const ImportOptions& options,
                           const Progress& progress);
+
+// Imports a CAD file from its content, as importModel(). `name` is its name, also for messages.
+ImportedModel importCad(const QString& name, const QByteArray& content,
+                        const ImportOptions& options, const Progress& progress);
 
 // Returns the model with all its pictures replaced by the picture of a file. Throws Error if the
 // picture cannot be read or the model has no texture coordinates.

@@ -34,7 +34,9 @@ std::pair<ReaderMessage, qint64> readHeader(const QByteArray& header) {
 
 QByteArray jobBytes(const ReaderJob& job) {
     return streamed([&](QDataStream& stream) {
-        stream << quint8(job.kind) << job.names << job.withTextures << job.language;
+        const Tessellation& cad = job.tessellation;
+        stream << quint8(job.kind) << job.names << job.withTextures << job.language << cad.tolerance
+               << cad.unitMillimetres << cad.longestEdge;
     });
 }
 
@@ -44,7 +46,9 @@ ReaderJob readJob(const QByteArray& bytes) {
     stream.setByteOrder(QDataStream::LittleEndian);
     ReaderJob job;
     quint8 kind = 0;
-    stream >> kind >> job.names >> job.withTextures >> job.language;
+    Tessellation& cad = job.tessellation;
+    stream >> kind >> job.names >> job.withTextures >> job.language >> cad.tolerance >>
+        cad.unitMillimetres >> cad.longestEdge;
     job.kind = ReaderJob::Kind(kind);
     return job;
 }
@@ -62,6 +66,25 @@ PhotoFacts readFacts(const QByteArray& bytes) {
     QByteArray taken;
     stream >> taken >> facts.focalLength;
     facts.taken = QString::fromUtf8(taken);
+    return facts;
+}
+
+QByteArray cadBytes(const CadFacts& facts) {
+    return streamed([&](QDataStream& stream) {
+        stream << facts.unit.toUtf8() << facts.tessellation << qint32(facts.faces);
+    });
+}
+
+CadFacts readCadFacts(const QByteArray& bytes) {
+    QDataStream stream(bytes);
+    stream.setVersion(QDataStream::Qt_6_4);
+    stream.setByteOrder(QDataStream::LittleEndian);
+    CadFacts facts;
+    QByteArray unit;
+    qint32 faces = 0;
+    stream >> unit >> facts.tessellation >> faces;
+    facts.unit = QString::fromUtf8(unit);
+    facts.faces = faces;
     return facts;
 }
 

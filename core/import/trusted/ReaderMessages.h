@@ -4,6 +4,8 @@
 // A message consists of its kind (u8), the length of its data (u64, little-endian) and its data.
 #pragma once
 
+#include "import/trusted/CadFacts.h"
+
 #include <QByteArray>
 #include <QImage>
 #include <QStringList>
@@ -21,6 +23,7 @@ enum class ReaderMessage : quint8 {
     // is wide, and whether its colour note says that inks were assumed. Then the note's clipped
     // share (double) and the rows of pixels without gaps.
     Picture,
+    Cad,   // facts about a CAD model; a Model message follows
     Model, // warnings; a Mesh message follows
     Mesh,  // a mesh in the format of StoredModel
     Failed // message and place of an Error
@@ -31,9 +34,10 @@ constexpr qint64 readerHeaderBytes = 9;
 struct ReaderJob {
     enum class Kind : quint8 { Model, Pictures, Photos };
     Kind kind = Kind::Model;
-    QStringList names;        // name of the model file, or of each picture
-    bool withTextures = true; // whether to read a model's textures
-    QString language;         // language of messages, such as "de"; empty is English
+    QStringList names;              // name of the model file, or of each picture
+    bool withTextures = true;       // whether to read a model's textures
+    QString language;               // language of messages, such as "de"; empty is English
+    Tessellation tessellation = {}; // of a CAD model
 };
 
 // Data that a camera writes into a photo (EXIF 2.3).
@@ -55,6 +59,9 @@ ReaderJob readJob(const QByteArray& bytes);
 
 QByteArray factsBytes(const PhotoFacts& facts);
 PhotoFacts readFacts(const QByteArray& bytes);
+
+QByteArray cadBytes(const CadFacts& facts);
+CadFacts readCadFacts(const QByteArray& bytes);
 
 // Returns the part of a picture's message before its pixels.
 QByteArray pictureHeaderBytes(const QImage& picture);

@@ -25,7 +25,8 @@ struct Text {
 
 constexpr qint64 chunk = 1 << 20;       // bytes of a file per write
 constexpr qint64 longestText = 1 << 16; // bytes of a name or message
-constexpr int pollInterval = 50;        // ms between checks for cancellation
+constexpr qsizetype longestUnit = 20, longestFaceName = 200;
+constexpr int pollInterval = 50; // ms between checks for cancellation
 
 // Passes on only the environment variables that are needed to find and test programs.
 QProcessEnvironment bareEnvironment() {
@@ -47,10 +48,18 @@ QString sanitized(const QByteArray& text) {
     return oneLine(QString::fromUtf8(text.left(longestText))).simplified().left(2000);
 }
 
+qint64 timeout(Budget computing, qint64 fileBytes) {
+    constexpr int busyMachine = 10; // factor on the computing time
+    return busyMachine * budgetLimit(computing, fileBytes);
+}
+
 class ReaderProcess {
 public:
-    ReaderProcess(const QString& where, UntrustedFiles& files, const Progress& progress)
-        : where_(where), files_(files), progress_(progress) {}
+    enum class Reads { Usual, Cad };
+
+    ReaderProcess(const QString& where, UntrustedFiles& files, const Progress& progress,
+                  Reads reads = Reads::Usual)
+        : where_(where), files_(files), progress_(progress), isCad_(reads == Reads::Cad) {}
     // Kills the process: it has returned everything, or its result is no longer needed.
     ~ReaderProcess() {
         process_.kill();
@@ -59,7 +68,14 @@ public:
     }
 
     void start(const ReaderJob& job) {
-        const QString program = readerProgram();
+        const QString program = isCad_ ? cadReaderProgram() : readerProgram();
+        if (program.isEmpty() && isCad_) {
+            throw Error(
+                Text::tr("This Dipwright was built without the reader of CAD files; save "
+                         "the model as %1, or use a Dipwright with CAD (dipwright-cad-reader)")
+                    .arg(anyModelFormat()),
+                where_);
+        }
         if (program.isEmpty()) {
             throw Error(Text::tr("The program that reads models and pictures is missing; "
                                  "reinstall Dipwright"),
@@ -95,6 +111,7 @@ public:
                 fail(readShort(length));
             case ReaderMessage::Photo:
             case ReaderMessage::Picture:
+            case ReaderMessage::Cad:
             case ReaderMessage::Model:
             case ReaderMessage::Mesh:
                 return {kind, length};
@@ -105,7 +122,8 @@ public:
     }
 
     QByteArray read(qint64 length) {
-        if (length > budgetLimit(Budget::Memory, files_.bytesRead())) {
+        const Budget memory = isCad_ ? Budget::CadMemory : Budget::Memory;
+        if (length > budgetLimit(memory, files_.bytesRead())) {
             throwInvalidData();
         }
         QByteArray bytes(length, Qt::Uninitialized);
@@ -116,6 +134,16 @@ public:
     PhotoFacts readFacts(qint64 length) {
         PhotoFacts facts = dipwright::readFacts(readShort(length));
         facts.taken = sanitized(facts.taken.toUtf8());
+        return facts;
+    }
+
+    CadFacts readCadFacts(qint64 length) {
+        CadFacts facts = dipwright::readCadFacts(readShort(length));
+        facts.unit = sanitized(facts.unit.toUtf8()).left(longestUnit);
+        if (!(facts.tessellation >= finestTessellation &&
+              facts.tessellation <= coarsestTessellation)) {
+            throwInvalidData();
+        }
         return facts;
     }
 
@@ -203,15 +231,17 @@ private:
     }
 
     void requireInTime() {
-        const std::chrono::milliseconds patience(readerTimeout(files_.bytesRead()));
+        const std::chrono::milliseconds patience(timeout(time(), files_.bytesRead()));
         if (waited_.look() > patience) {
             throwOutOfTime();
         }
     }
 
     [[noreturn]] void throwOutOfTime() const {
-        throw Error(sentenceOf(Budget::Milliseconds, files_.bytesRead()), where_);
+        throw Error(sentenceOf(time(), files_.bytesRead()), where_);
     }
+
+    Budget time() const { return isCad_ ? Budget::CadMilliseconds : Budget::Milliseconds; }
 
     // Throws if the process can return nothing more: cancelled, out of time or ended.
     void checkAlive() {
@@ -236,6 +266,7 @@ private:
     QString where_;
     UntrustedFiles& files_;
     const Progress& progress_;
+    bool isCad_;
     QProcess process_;
     SuspendAwareTimer waited_;
     qint64 pixels_ = 0;
@@ -249,20 +280,21 @@ QString language() {
 } // namespace
 
 qint64 readerTimeout(qint64 fileBytes) {
-    constexpr int busyMachine = 10; // factor on the computing time
-    return busyMachine * budgetLimit(Budget::Milliseconds, fileBytes);
+    return timeout(Budget::Milliseconds, fileBytes);
 }
 
-UntrustedModel readModelInProcess(const QString& path, bool withTextures, UntrustedFiles& files,
-                                  const Progress& progress) {
-    ReaderProcess reader(path, files, progress);
-    reader.start({ReaderJob::Kind::Model, {path}, withTextures, language()});
+namespace {
+
+// Returns the model that a reader sends. `path` is for messages.
+UntrustedModel receivedModel(ReaderProcess& reader, const QString& path) {
     UntrustedModel model;
     std::vector<QImage> pictures;
     while (true) {
         const auto [kind, length] = reader.nextResult();
         if (kind == ReaderMessage::Picture) {
             pictures.push_back(reader.readPicture(length));
+        } else if (kind == ReaderMessage::Cad) {
+            model.cad = reader.readCadFacts(length);
         } else if (kind == ReaderMessage::Model) {
             const QByteArray warnings = reader.read(length);
             for (const QByteArray& warning : warnings.split('\n')) {
@@ -282,6 +314,29 @@ UntrustedModel readModelInProcess(const QString& path, bool withTextures, Untrus
             return model;
         }
     }
+}
+
+} // namespace
+
+UntrustedModel readModelInProcess(const QString& path, bool withTextures, UntrustedFiles& files,
+                                  const Progress& progress) {
+    ReaderProcess reader(path, files, progress);
+    reader.start({ReaderJob::Kind::Model, {path}, withTextures, language()});
+    return receivedModel(reader, path);
+}
+
+UntrustedModel readCadInProcess(const QString& path, const Tessellation& tessellation,
+                                UntrustedFiles& files, const Progress& progress) {
+    ReaderProcess reader(path, files, progress, ReaderProcess::Reads::Cad);
+    reader.start({ReaderJob::Kind::Model, {path}, false, language(), tessellation});
+    UntrustedModel model = receivedModel(reader, path);
+    if (!model.cad) {
+        reader.throwInvalidData();
+    }
+    for (Material& material : model.mesh.materials) {
+        material.name = sanitized(material.name.toUtf8()).left(longestFaceName);
+    }
+    return model;
 }
 
 std::vector<QImage> readPicturesInProcess(const QStringList& names, UntrustedFiles& files) {

@@ -19,6 +19,11 @@ qint64 readerTimeout(qint64 fileBytes);
 UntrustedModel readModelInProcess(const QString& path, bool withTextures, UntrustedFiles& files,
                                   const Progress& progress);
 
+// Reads a CAD file likewise. Its triangles are in mm as the file says, unscaled. Throws Error also
+// if this program was built without the reader of CAD files.
+UntrustedModel readCadInProcess(const QString& path, const Tessellation& tessellation,
+                                UntrustedFiles& files, const Progress& progress);
+
 // Reads pictures, as RGBA8888 in sRGB or as wide (base/WideGamut.h). `names` are their names in
 // `files` and in messages.
 std::vector<QImage> readPicturesInProcess(const QStringList& names, UntrustedFiles& files);

@@ -1,6 +1,7 @@
 // Defines how readers get untrusted files, and the form in which they return models.
 #pragma once
 
+#include "import/trusted/CadFacts.h"
 #include "model/TexturedMesh.h"
 
 #include <QByteArray>
@@ -13,7 +14,8 @@ namespace dipwright {
 // the file's units. It has the materials and pictures that are used, and no charts.
 struct UntrustedModel {
     TexturedMesh mesh;
-    QStringList warnings; // what was left out, in sentences for the user
+    QStringList warnings;        // what was left out, in sentences for the user
+    std::optional<CadFacts> cad; // of a CAD file, whose materials are its faces
 };
 
 // Gives readers the model file and the files that it names: materials, buffers, pictures. The

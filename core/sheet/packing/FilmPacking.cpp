@@ -1,17 +1,21 @@
 #include "sheet/packing/FilmPacking.h"
 
 #include "base/Error.h"
+#include "base/ImageRows.h"
 #include "base/WideGamut.h"
 #include "sheet/page/InkedPixels.h"
 #include "sheet/page/PieceInk.h"
+#include "sheet/page/SheetLayout.h"
 #include "texture/StretchPlane.h"
 
+#include <QColorSpace>
 #include <QCoreApplication>
 #include <QTransform>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <tuple>
 
 namespace dipwright {
@@ -91,6 +95,9 @@ private:
 };
 
 PieceLayout layoutOf(const PieceToPack& piece, QSize picture, const PackingFilm& film) {
+    if (film.wholeSheets) {
+        return {picture, {{0, 0}, picture}};
+    }
     const Pixels pixels(piece.sheet.settings.resolution);
     const int margin = pixels.of(std::max(film.margin.value(), leastPieceMargin));
     const bool hasFoot = piece.sheet.settings.jobLine;
@@ -98,6 +105,20 @@ PieceLayout layoutOf(const PieceToPack& piece, QSize picture, const PackingFilm&
         std::max(picture.width() + 2 * margin, hasFoot ? pixels.of(leastPieceWidth) : 0);
     const int height = picture.height() + 2 * margin + (hasFoot ? pixels.of(pieceFoot) : 0);
     return {{width, height}, {{(width - picture.width()) / 2, margin}, picture}};
+}
+
+// Throws Error if the film is too wide for an image, or too long for a page.
+QSize filmSizeInPixels(QSizeF size, DotsPerInch resolution) {
+    if (size.height() > mostFilmLength) {
+        throw Error(Text::tr("A film of %1 mm is longer than the limit of %2 mm; choose a shorter "
+                             "film")
+                        .arg(size.height())
+                        .arg(mostFilmLength),
+                    QStringLiteral("film"));
+    }
+    const int width =
+        sheetPixels(Millimetres(size.width()), Millimetres(size.width()), resolution).width();
+    return {width, std::max(int(std::lround(size.height() * Pixels(resolution).unit())), 1)};
 }
 
 void checkPieces(const std::vector<PieceToPack>& pieces) {
@@ -171,20 +192,19 @@ void finish(PlannedFilm& planned, const PackingFilm& film, QSize most, DotsPerIn
     planned.used = area / (double(planned.pixels.width()) * planned.pixels.height());
 }
 
-void copyPixels(QImage& page, QPoint place, const QImage& picture) {
-    const qsizetype bytes = page.depth() / 8;
-    for (int row = 0; row < picture.height(); ++row) {
-        std::memcpy(page.scanLine(place.y() + row) + place.x() * bytes, picture.constScanLine(row),
-                    std::size_t(picture.width() * bytes));
-    }
-}
-
 // Moves a box from the upright piece to the page.
 QRect onPage(const QRect& box, const PlannedPiece& piece) {
     return (piece.turned
                 ? QRect(piece.box.width() - box.bottom() - 1, box.left(), box.height(), box.width())
                 : box)
         .translated(piece.box.topLeft());
+}
+
+// Returns what is printed around the film of a whole sheet.
+std::shared_ptr<const SheetLayout> ownLayout(const Sheet& sheet) {
+    Sheet film = sheet;
+    film.settings.paper = QStringLiteral("film");
+    return std::make_shared<const SheetLayout>(sheetLayout(film));
 }
 
 SheetPiece sheetPiece(const PieceToPack& piece, const PlannedPiece& planned,
@@ -237,18 +257,12 @@ JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
 
 } // namespace
 
-double longestFilm(DotsPerInch resolution) {
-    return std::floor(mostSheetPixels / pixelsPerMillimetre(resolution));
-}
-
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film) {
     checkPieces(pieces);
     refuseMixedWhite(pieces);
     const DotsPerInch resolution = pieces.front().sheet.settings.resolution;
     const Pixels pixels(resolution);
-    const double longest = film.isRoll ? longestFilm(resolution) : film.size.height();
-    const QSize most = sheetPixels(Millimetres(film.size.width()),
-                                   Millimetres(std::min(film.size.height(), longest)), resolution);
+    const QSize most = filmSizeInPixels(film.size, resolution);
     const QRect room = roomOf(film, most, resolution);
     const int spacing = pixels.of(film.spacing.value());
     const QSize between(spacing, spacing); // added to each piece, and once to the room
@@ -257,7 +271,7 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
     std::vector<std::pair<std::size_t, int>> copies;
     for (std::size_t number = 0; number < pieces.size(); ++number) {
         const PieceToPack& piece = pieces[number];
-        const QRect inked = inkedBox(piece.sheet);
+        const QRect inked = film.wholeSheets ? piece.sheet.image.rect() : inkedBox(piece.sheet);
         if (inked.isEmpty()) {
             throw Error(Text::tr("This job's sheet contains no ink; remove the job from the film"),
                         nameOf(piece));
@@ -301,10 +315,115 @@ std::optional<InkSettings> commonInk(const std::vector<PieceToPack>& pieces) {
     return isCommon ? std::optional(first->settings) : std::nullopt;
 }
 
+// A piece's pictures as they lie on the film: cut out, turned and in the film's format.
+struct LaidPictures {
+    QImage colours;
+    std::vector<QImage> tints; // one per plate of the film; null: the piece does not have the plate
+    QImage wanted, stretch;    // null if the film has no wanted colours
+};
+
+// Copies the rows of a picture that lie on the rows of a film that begin with row `first`.
+void layRows(QImage& rows, int first, QPoint place, const QImage& picture) {
+    const qsizetype bytes = rows.depth() / 8;
+    const int from = std::max(place.y(), first);
+    const int end = std::min(place.y() + picture.height(), first + rows.height());
+    for (int y = from; y < end; ++y) {
+        std::memcpy(rows.scanLine(y - first) + place.x() * bytes,
+                    picture.constScanLine(y - place.y()), std::size_t(picture.width() * bytes));
+    }
+}
+
+// Makes rows of a film from the pictures of its pieces. Const members may be used from several
+// threads.
+class FilmPictures {
+public:
+    // `blank` is the film without pictures; its plates have names, and its wanted colours settings.
+    FilmPictures(const Sheet& blank, QSize pixels, bool wide)
+        : blank_(blank), pixels_(pixels),
+          format_(wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888) {}
+
+    void setColours(const QColorSpace& colours) { colours_ = colours; }
+    // Adds the part `inked` of a sheet at a place on the film, turned or not.
+    void add(const Sheet& sheet, const QRect& inked, bool turned, QPoint place) {
+        const auto key = std::pair(&sheet, turned);
+        if (!laid_.contains(key)) {
+            laid_[key] = laidPictures(sheet, inked, turned);
+        }
+        places_.emplace_back(place, &laid_.at(key));
+    }
+
+    // Returns the film's pictures in the rows first … end - 1.
+    Sheet rows(int first, int end) const {
+        const QSize size(pixels_.width(), end - first);
+        Sheet sheet = blank_;
+        const auto blankColours = [&] {
+            QImage image = blankImage(size, format_);
+            image.setColorSpace(colours_);
+            return image;
+        };
+        sheet.image = blankColours();
+        for (SheetPlate& plate : sheet.plates) {
+            plate.tint = blankImage(size, QImage::Format_Grayscale8);
+        }
+        if (sheet.wanted) {
+            sheet.wanted->image = blankColours();
+            sheet.wanted->stretch = unstretched(size);
+        }
+        for (const auto& [place, pictures] : places_) {
+            if (place.y() >= end || place.y() + pictures->colours.height() <= first) {
+                continue;
+            }
+            layRows(sheet.image, first, place, pictures->colours);
+            for (std::size_t plate = 0; plate < sheet.plates.size(); ++plate) {
+                if (!pictures->tints[plate].isNull()) {
+                    layRows(sheet.plates[plate].tint, first, place, pictures->tints[plate]);
+                }
+            }
+            if (sheet.wanted) {
+                layRows(sheet.wanted->image, first, place, pictures->wanted);
+                layRows(sheet.wanted->stretch, first, place, pictures->stretch);
+            }
+        }
+        return sheet;
+    }
+
+private:
+    LaidPictures laidPictures(const Sheet& sheet, const QRect& inked, bool turned) const {
+        const auto cut = [&](const QImage& picture, QImage::Format format) {
+            const QImage part = picture.copy(inked);
+            return (turned ? part.transformed(QTransform().rotate(90)) : part)
+                .convertToFormat(format);
+        };
+        const auto colours = [&](const QImage& picture) {
+            return cut(format_ == QImage::Format_RGBA64 ? inWide(picture) : picture, format_);
+        };
+        LaidPictures laid{colours(sheet.image), {}, {}, {}};
+        for (const SheetPlate& plate : blank_.plates) {
+            const auto own =
+                std::find_if(sheet.plates.begin(), sheet.plates.end(),
+                             [&](const SheetPlate& other) { return other.name == plate.name; });
+            laid.tints.push_back(
+                own == sheet.plates.end() ? QImage() : cut(own->tint, QImage::Format_Grayscale8));
+        }
+        if (blank_.wanted) {
+            laid.wanted = colours(sheet.wanted->image);
+            laid.stretch = cut(sheet.wanted->stretch, QImage::Format_Grayscale16);
+        }
+        return laid;
+    }
+
+    Sheet blank_;
+    QSize pixels_;
+    QImage::Format format_;
+    QColorSpace colours_;
+    std::map<std::pair<const Sheet*, bool>, LaidPictures> laid_;
+    std::vector<std::pair<QPoint, const LaidPictures*>> places_;
+};
+
 } // namespace
 
 Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
-                const FilmPlan& plan, std::size_t number) {
+                const FilmPlan& plan, std::size_t number, qint64 mostKeptPixels) {
     const PlannedFilm& planned = plan.films[number];
     const bool wide = std::any_of(pieces.begin(), pieces.end(), [](const PieceToPack& piece) {
         return isWide(piece.sheet.image);
@@ -315,9 +434,7 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
     sheet.settings = pieces.front().sheet.settings;
     sheet.settings.paper = QStringLiteral("film");
     sheet.settings.landscape = false;
-    sheet.image = QImage(planned.pixels, wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
-    sheet.image.fill(Qt::transparent);
-    sheet.image.setColorSpace(wide ? wideSpace() : pieces.front().sheet.image.colorSpace());
+    sheet.settings.ruler = sheet.settings.ruler && !film.wholeSheets; // they have their own
     for (const PieceToPack& piece : pieces) {
         if (piece.sheet.settings.white != WhiteLayer::None) {
             sheet.settings.white = piece.sheet.settings.white;
@@ -325,41 +442,37 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
         }
     }
     sheet.plates = platesOf(pieces);
-    for (SheetPlate& plate : sheet.plates) {
-        plate.tint = QImage(planned.pixels, QImage::Format_Grayscale8);
-        plate.tint.fill(0);
-    }
     if (const std::optional<InkSettings> ink = commonInk(pieces)) {
-        sheet.wanted = WantedInk{sheet.image, unstretched(planned.pixels), *ink};
+        sheet.wanted = WantedInk{{}, {}, *ink};
     }
+    const auto pictures = std::make_shared<FilmPictures>(sheet, planned.pixels, wide);
+    pictures->setColours(wide ? wideSpace() : pieces.front().sheet.image.colorSpace());
+    std::map<std::size_t, std::shared_ptr<const SheetLayout>> layouts; // of whole sheets
     const QPointF pixel(planned.size.width() / planned.pixels.width(),
                         planned.size.height() / planned.pixels.height());
     for (const PlannedPiece& one : planned.pieces) {
         const PieceToPack& piece = pieces[one.piece];
         const QRect& inked = plan.inked[one.piece];
         const PieceLayout layout = layoutOf(piece, inked.size(), film);
-        const QPoint place = onPage(layout.picture, one).topLeft();
-        const auto lay = [&](QImage& plate, const QImage& part) {
-            const QImage turned = one.turned ? part.transformed(QTransform().rotate(90)) : part;
-            copyPixels(plate, place, turned.convertToFormat(plate.format()));
-        };
-        const auto layColours = [&](QImage& plate, const QImage& picture) {
-            lay(plate, wide ? inWide(picture.copy(inked)) : picture.copy(inked));
-        };
-        layColours(sheet.image, piece.sheet.image);
-        for (const SheetPlate& own : piece.sheet.plates) {
-            const auto plate =
-                std::find_if(sheet.plates.begin(), sheet.plates.end(),
-                             [&](const SheetPlate& other) { return other.name == own.name; });
-            lay(plate->tint, own.tint.copy(inked));
-        }
-        if (sheet.wanted) {
-            layColours(sheet.wanted->image, piece.sheet.wanted->image);
-            lay(sheet.wanted->stretch, piece.sheet.wanted->stretch.copy(inked));
-        }
+        pictures->add(piece.sheet, inked, one.turned, onPage(layout.picture, one).topLeft());
         sheet.pieces.push_back(sheetPiece(piece, one, layout, inked, pixel));
+        if (film.wholeSheets) {
+            std::shared_ptr<const SheetLayout>& own = layouts[one.piece];
+            own = own ? own : ownLayout(piece.sheet);
+            sheet.pieces.back().whole = own;
+            sheet.pieces.back().gap = film.spacing.value();
+        }
     }
     sheet.job = filmJob(sheet, planned, number, plan.films.size());
+    if (qint64(planned.pixels.width()) * planned.pixels.height() > mostKeptPixels) {
+        sheet.rows = std::make_shared<const FilmRows>(FilmRows{
+            planned.pixels, [pictures](int first, int end) { return pictures->rows(first, end); }});
+        return sheet;
+    }
+    Sheet whole = pictures->rows(0, planned.pixels.height());
+    sheet.image = std::move(whole.image);
+    sheet.plates = std::move(whole.plates);
+    sheet.wanted = std::move(whole.wanted);
     return sheet;
 }
 

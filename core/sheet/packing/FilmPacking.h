@@ -12,13 +12,18 @@ namespace dipwright {
 inline constexpr double leastPieceMargin = 7; // mm that the marks need
 inline constexpr int mostPieces = 2000;       // largest number of pieces of all jobs together
 inline constexpr int mostFilms = 99;
+// mm, longest film. A page of a PDF may have 14 400 points (ISO 32000-1, annex C.2).
+inline constexpr double mostFilmLength = 5000;
 
 // The film that takes the pieces.
 struct PackingFilm {
     // Size in mm. For a roll: its width, and the greatest length that may be used; the roll is cut
-    // off after the last piece. The largest image of a sheet limits the length, too.
+    // off after the last piece.
     QSizeF size{210, 297};
     bool isRoll = false;
+    // Whether the pieces are whole sheets with their own marks, and cut marks between them, as for
+    // an unattended series on a roll. Otherwise their inked parts are cut out.
+    bool wholeSheets = false;
     Millimetres spacing{3};               // between two pieces
     Millimetres margin{leastPieceMargin}; // least width of bare film round the inked part
     QMarginsF edges{5, 5, 5, 10};         // mm without pieces, for the ruler and the job line
@@ -51,18 +56,15 @@ struct FilmPlan {
     std::vector<PlannedFilm> films;
 };
 
-// Returns the greatest length of a film that is cut from a roll, in mm: an image at this resolution
-// then has mostSheetPixels rows.
-double longestFilm(DotsPerInch resolution);
-
 // Plans the films. Throws Error if there is no piece, a piece has no ink or is larger than the
 // film, the resolutions differ, or a limit above is exceeded.
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film);
 
 // Returns the film `number`, counted from 0, as a sheet that can be written and printed. Each
-// picture keeps the pixels of its own sheet, turned if the piece is turned. Needs no
-// QGuiApplication.
+// picture keeps the pixels of its own sheet, turned if the piece is turned. The pictures of a film
+// with more than `mostKeptPixels` are made on demand, so that its length does not matter. Needs a
+// QGuiApplication for whole sheets only.
 Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
-                const FilmPlan& plan, std::size_t number);
+                const FilmPlan& plan, std::size_t number, qint64 mostKeptPixels = 32'000'000);
 
 } // namespace dipwright

@@ -2,6 +2,7 @@
 
 #include "sheet/page/InkDistance.h"
 #include "sheet/page/InkedPixels.h"
+#include "sheet/page/SheetRows.h"
 
 #include <QPolygonF>
 #include <algorithm>
@@ -22,24 +23,31 @@ struct InkedPlaces {
     QSize grid;
     std::vector<unsigned char> inked;
 
-    // `mask` has the film's pixels, 0 where there is no ink.
-    InkedPlaces(const QImage& mask, QSizeF film)
-        : size(std::max(finestPlace, std::max(film.width(), film.height()) / mostPlaces)),
+    InkedPlaces(const Sheet& sheet, QSizeF film)
+        : size(std::max(finestPlace, side(sheet, film) / mostPlaces)),
           grid(int(std::ceil(film.width() / size)) + 2, int(std::ceil(film.height() / size)) + 2),
           inked(std::size_t(grid.width()) * std::size_t(grid.height()), 0) {
-        const double across = film.width() / mask.width() / size;
-        const double down = film.height() / mask.height() / size;
-        for (int y = 0; y < mask.height(); ++y) {
-            const uchar* row = mask.constScanLine(y);
-            for (int x = 0; x < mask.width(); ++x) {
-                if (row[x] != 0) {
-                    mark(QRectF(x * across, y * down, across, down));
+        const QSize pixels = filmPixels(sheet);
+        const double across = film.width() / pixels.width() / size;
+        const double down = film.height() / pixels.height() / size;
+        forInkedPixels(sheet, InkedPlates::All, [&](const QImage& mask, int first) {
+            for (int y = 0; y < mask.height(); ++y) {
+                const uchar* row = mask.constScanLine(y);
+                for (int x = 0; x < mask.width(); ++x) {
+                    if (row[x] != 0) {
+                        mark(QRectF(x * across, (first + y) * down, across, down));
+                    }
                 }
             }
-        }
+        });
     }
 
 private:
+    // Returns the length, in mm, that is divided into cells. A long roll has narrow rows of them.
+    static double side(const Sheet& sheet, QSizeF film) {
+        return sheet.rows ? std::sqrt(film.width() * film.height())
+                          : std::max(film.width(), film.height());
+    }
     // Marks every cell that a pixel overlaps.
     void mark(const QRectF& pixel) {
         for (int y = int(pixel.top()); y < pixel.bottom() && y + 2 < grid.height(); ++y) {
@@ -185,7 +193,7 @@ QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout) {
     if (settings.cutLine != CutLine::Ink) {
         return path;
     }
-    const InkedPlaces places(inkedPixels(sheet, sheet.image.rect()), layout.film.size());
+    const InkedPlaces places(sheet, layout.film.size());
     std::vector<float> distances = distancesTo(places.inked, places.grid);
     for (int y = 0; y < places.grid.height(); ++y) {
         for (int x = 0; x < places.grid.width(); ++x) {

@@ -23,7 +23,7 @@ void writeDrawnPdf(const DrawnPage& page, QIODevice& device) {
     if (!page.inks.isEmpty()) {
         settings.outputProfile = page.inks;
         settings.outputName = page.inksName;
-        settings.inks = std::make_shared<const Plates>(); // plates without a picture
+        settings.inks = std::make_shared<const PackedPlates>(); // plates without a picture
     }
     const auto paint = [&](QPainter& painter) {
         correctScale(painter, page.paper, {page.scaleX, page.scaleY});

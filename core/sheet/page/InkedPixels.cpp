@@ -3,6 +3,7 @@
 #include "base/ImageRows.h"
 #include "parallel/ParallelFor.h"
 #include "sheet/page/SheetLayout.h"
+#include "sheet/page/SheetRows.h"
 
 #include <QTransform>
 #include <algorithm>
@@ -39,35 +40,49 @@ void addTints(QImage& mask, const QImage& tints, const QRect& part) {
 }
 
 // Returns the film image's pixels in a box on the page.
-QRect pixelBox(const QImage& image, const QRectF& film, const QRectF& box) {
+QRect pixelBox(QSize image, const QRectF& film, const QRectF& box) {
     if (box.isEmpty()) {
         return {};
     }
     const QTransform toPixels =
         QTransform::fromTranslate(-film.x(), -film.y()) *
         QTransform::fromScale(image.width() / film.width(), image.height() / film.height());
-    return toPixels.mapRect(box).toAlignedRect().intersected(image.rect());
+    return toPixels.mapRect(box).toAlignedRect().intersected(QRect(QPoint(), image));
 }
 
 } // namespace
 
 QImage inkedPixels(const Sheet& sheet, const QRect& part, InkedPlates plates) {
+    const Sheet rows = sheetRows(sheet, part.top(), part.bottom() + 1);
+    const QRect box(part.left(), 0, part.width(), part.height()); // in these rows
     QImage mask = blankImage(part.size(), QImage::Format_Grayscale8);
-    addPicture(mask, sheet.image, part);
+    addPicture(mask, rows.image, box);
     if (plates == InkedPlates::All) {
-        if (sheet.wanted) {
-            addPicture(mask, sheet.wanted->image, part);
+        if (rows.wanted) {
+            addPicture(mask, rows.wanted->image, box);
         }
-        for (const SheetPlate& plate : sheet.plates) {
-            addTints(mask, plate.tint, part);
+        for (const SheetPlate& plate : rows.plates) {
+            addTints(mask, plate.tint, box);
         }
     }
     return mask;
 }
 
+void forInkedPixels(const Sheet& sheet, InkedPlates plates,
+                    const std::function<void(const QImage& mask, int first)>& work) {
+    forSheetRows(sheet, [&](const Sheet& rows, int first) {
+        work(inkedPixels(rows, QRect(QPoint(), filmPixels(rows)), plates), first);
+    });
+}
+
 double inkedShare(const Sheet& sheet, const QRectF& film, const QRectF& box) {
-    const QRect pixels = pixelBox(sheet.image, film, box.intersected(film));
-    if (pixels.isEmpty()) {
+    const QRect pixels = pixelBox(filmPixels(sheet), film, box.intersected(film));
+    const auto& pieces = sheet.pieces;
+    const bool isBesidePieces =
+        !pieces.empty() && std::none_of(pieces.begin(), pieces.end(), [&](const SheetPiece& piece) {
+            return piece.pictureOnPage().intersects(box);
+        });
+    if (pixels.isEmpty() || isBesidePieces) {
         return 0;
     }
     const QImage mask = inkedPixels(sheet, pixels);
@@ -80,7 +95,11 @@ double inkedShare(const Sheet& sheet, const QRectF& film, const QRectF& box) {
 }
 
 QRect inkedBox(const Sheet& sheet, InkedPlates plates) {
-    return markedBox(inkedPixels(sheet, sheet.image.rect(), plates));
+    QRect box;
+    forInkedPixels(sheet, plates, [&](const QImage& mask, int first) {
+        box |= markedBox(mask).translated(0, first);
+    });
+    return box;
 }
 
 QRect markedBox(const QImage& mask) {

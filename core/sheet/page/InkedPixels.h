@@ -13,6 +13,11 @@ enum class InkedPlates { Picture, All };
 // Grayscale8. Uses all cores.
 QImage inkedPixels(const Sheet& sheet, const QRect& part, InkedPlates plates = InkedPlates::All);
 
+// Calls work(mask, first) for the masks of all rows of the film, in bands from top to bottom.
+// `first` is the number of the band's first row.
+void forInkedPixels(const Sheet& sheet, InkedPlates plates,
+                    const std::function<void(const QImage& mask, int first)>& work);
+
 // Returns which share of a box on the page, in mm, gets ink from any plate. `film` is the film's
 // place on the page.
 double inkedShare(const Sheet& sheet, const QRectF& film, const QRectF& box);

@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
+#include <algorithm>
 
 namespace dipwright {
 namespace {
@@ -75,6 +76,37 @@ void paintFoot(QPainter& painter, const SheetPiece& piece) {
     }
 }
 
+// Draws lines outside the corners of a whole sheet, and between it and the next the job's number.
+void paintCutMarks(QPainter& painter, const SheetPiece& piece) {
+    constexpr double off = 0.5; // mm from the corner, so that no line is on the sheet
+    const double length = std::min(tick, piece.gap - off);
+    const QRectF box({0, 0}, piece.size);
+    QPainterPath marks;
+    for (const QPointF& corner :
+         {box.topLeft(), box.topRight(), box.bottomLeft(), box.bottomRight()}) {
+        const QPointF away(corner.x() > 0 ? 1 : -1, corner.y() > 0 ? 1 : -1);
+        for (const QPointF& way : {QPointF(away.x(), 0), QPointF(0, away.y())}) {
+            marks.moveTo(corner + way * off);
+            marks.lineTo(corner + way * (off + length));
+        }
+    }
+    SheetInk(painter, false).stroke(marks);
+    if (piece.gap >= lineHeight + off) {
+        const double left = tick; // beside the mark at the corner
+        paintLine(painter, {left, piece.size.height() + lineHeight}, piece.size.width() - 2 * left,
+                  Text::tr("Job %1 · %2 · copy %3 of %4")
+                      .arg(piece.job.hash.simplified(), nameOnPaper(piece.job.immersion))
+                      .arg(piece.copy)
+                      .arg(piece.copies));
+    }
+}
+
+void paintCutLine(QPainter& painter, const SheetPiece& piece) {
+    painter.setPen(QPen(Qt::black, hairline, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF({0, 0}, piece.size));
+}
+
 } // namespace
 
 QString pieceCode(const SheetPiece& piece) {
@@ -88,9 +120,17 @@ void paintPiece(QPainter& painter, const SheetPiece& piece) {
         painter.translate(piece.size.height(), 0);
         painter.rotate(90);
     }
-    painter.setPen(QPen(Qt::black, hairline, Qt::DashLine));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRectF({0, 0}, piece.size));
+    if (piece.whole) {
+        paintMarks(painter, *piece.whole);
+        if (piece.gap >= leastCutGap) {
+            paintCutMarks(painter, piece);
+        } else {
+            paintCutLine(painter, piece);
+        }
+        painter.restore();
+        return;
+    }
+    paintCutLine(painter, piece);
     if (piece.marks) {
         paintMarksOf(painter, piece);
         paintCentreTicks(painter, piece);

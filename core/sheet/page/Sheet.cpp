@@ -1,11 +1,11 @@
 #include "sheet/page/Sheet.h"
 
 #include "base/Error.h"
-#include "base/ImageRows.h"
 #include "base/Sha256.h"
 #include "base/WideGamut.h"
 #include "sheet/page/CutContour.h"
 #include "sheet/page/SheetInk.h"
+#include "sheet/page/SheetRows.h"
 #include "sheet/pdf/InkedPages.h"
 
 #include <QColorSpace>
@@ -18,6 +18,22 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
+
+// Draws a film whose pictures are made on demand: reduced to the painter's own pixels, or in bands.
+void drawFilmRows(QPainter& painter, const QRectF& film, const Sheet& sheet) {
+    const QSize pixels = filmPixels(sheet);
+    const int width = int(std::ceil(painter.combinedTransform().mapRect(film).width()));
+    if (width < pixels.width()) {
+        painter.drawImage(film, reduced(sheet, std::max(width, 1)));
+        return;
+    }
+    const double row = film.height() / pixels.height();
+    forSheetRows(sheet, [&](const Sheet& rows, int first) {
+        painter.drawImage(
+            QRectF(film.left(), film.top() + first * row, film.width(), rows.image.height() * row),
+            flattened(rows.image));
+    });
+}
 
 } // namespace
 
@@ -53,20 +69,20 @@ QImage flattened(const QImage& filmImage) {
     return page;
 }
 
-QImage reduced(const QImage& filmImage, int width) {
-    const int height =
-        std::max(int(std::lround(double(filmImage.height()) * width / filmImage.width())), 1);
+QImage reduced(const Sheet& sheet, int width) {
+    const QSize film = filmPixels(sheet);
+    const int height = std::max(int(std::lround(double(film.height()) * width / film.width())), 1);
     constexpr int rowsAtOnce = 16;
-    if (filmImage.height() < 2 * height) {
-        return flattened(filmImage).scaled(width, height, Qt::IgnoreAspectRatio,
-                                           Qt::SmoothTransformation);
+    if (film.height() < 2 * height) {
+        return flattened(sheetRows(sheet, 0, film.height()).image)
+            .scaled(width, height, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     }
     QImage picture(width, height, QImage::Format_RGB888);
     QPainter painter(&picture);
-    const auto source = [&](int row) { return int(qint64(row) * filmImage.height() / height); };
+    const auto source = [&](int row) { return int(qint64(row) * film.height() / height); };
     for (int row = 0; row < height; row += rowsAtOnce) {
         const int end = std::min(row + rowsAtOnce, height);
-        const QImage rows = flattened(imageRows(filmImage, source(row), source(end)));
+        const QImage rows = flattened(sheetRows(sheet, source(row), source(end)).image);
         painter.drawImage(
             0, row, rows.scaled(width, end - row, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     }
@@ -82,9 +98,15 @@ void paintSheet(QPainter& painter, const Sheet& sheet) {
     const SheetLayout layout = sheetLayout(sheet);
     painter.save();
     painter.setRenderHint(QPainter::LosslessImageRendering);
-    QImage pixel(1, 1, QImage::Format_RGB888);
-    pixel.fill(Qt::white); // the same in every run
-    painter.drawImage(layout.film, replacesImages(painter) ? pixel : flattened(sheet.image));
+    if (replacesImages(painter)) {
+        QImage pixel(1, 1, QImage::Format_RGB888);
+        pixel.fill(Qt::white); // the same in every run
+        painter.drawImage(layout.film, pixel);
+    } else if (sheet.rows) {
+        drawFilmRows(painter, layout.film, sheet);
+    } else {
+        painter.drawImage(layout.film, flattened(sheet.image));
+    }
     if (isInkedPage(painter)) {
         const SpotInk cutter{sheet.settings.cutName,
                              {0, 1, 0, 0}}; // magenta where the name is unknown

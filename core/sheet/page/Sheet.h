@@ -6,16 +6,21 @@
 
 #include "base/Units.h"
 #include "settings/InkSettings.h"
+#include "settings/PdfTarget.h"
 #include "settings/SheetSettings.h"
 
 #include <QImage>
 #include <QPainter>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace dipwright {
 
 class PrinterColour;
+struct Sheet;
+struct SheetLayout;
 
 // The content of the job line. `hash` identifies image and settings. `date` is the project's own
 // date, not the current one, so that the same project always gives the same sheet.
@@ -34,9 +39,20 @@ struct SheetPiece {
     JobLine job;
     int dip = 1, copy = 1, copies = 1; // counted from 1
     bool marks = true, jobLine = true;
+    // Set for a whole sheet in a series on a roll: what is printed around its film. The sheet is
+    // cut out along its edge, between the cut marks.
+    std::shared_ptr<const SheetLayout> whole = {};
+    double gap = 0; // mm of bare film around a whole sheet, for the cut marks
 
     // The piece's box on the page.
     QRectF box() const { return {corner, turned ? size.transposed() : size}; }
+    // The inked part's box on the page.
+    QRectF pictureOnPage() const {
+        const QRectF upright = turned ? QRectF(size.height() - picture.bottom(), picture.left(),
+                                               picture.height(), picture.width())
+                                      : picture;
+        return upright.translated(corner);
+    }
 };
 
 // A plate besides the four inks: white, varnish or another spot colour.
@@ -54,6 +70,14 @@ struct WantedInk {
     InkSettings settings;
 };
 
+// Makes the pictures of a film that is too large to keep them, such as metres of a roll.
+struct FilmRows {
+    QSize pixels; // size of the film image
+    // Returns a sheet with the rows first … end - 1 of the film image, of all plates and of the
+    // wanted colours. Called from several threads.
+    std::function<Sheet(int first, int end)> make;
+};
+
 // A film image at its printed size, and what is printed around it.
 struct Sheet {
     QImage image;                                // ink side up, the whole film; sRGB or wide
@@ -66,13 +90,17 @@ struct Sheet {
     std::vector<SheetPlate> plates = {};  // in printing order
     std::optional<WantedInk> wanted = {}; // none: print the image as it is
     std::vector<SheetPiece> pieces = {};  // several jobs on the film; empty: a single job
+    // Set if the pictures are made on demand (SheetRows.h). `image`, the plates' tints and the
+    // wanted colours are then null images.
+    std::shared_ptr<const FilmRows> rows = {};
+    int passes = 1; // how many times the sheet is to be printed onto the same film
 };
 
 // Returns the job number of several sheets together: twelve hex digits of a SHA-256. `jobs` holds
 // the sheets' job numbers.
 QString hashOfJobs(const QStringList& jobs);
 
-// Most pixels per side of a sheet, because QImage and QPainter count in 16 bits.
+// Most pixels per side of a film image in memory, because QImage and QPainter count in 16 bits.
 inline constexpr int mostSheetPixels = 32'000;
 // Returns the film image's size in pixels at true size: A4 at 300 dpi is 2480 × 3508. Throws Error
 // if a side has more than mostSheetPixels.
@@ -85,9 +113,9 @@ QImage onWhitePaper(const QImage& filmImage);
 // Returns the film image on white in sRGB (Format_RGB888), for the screen and for printers without
 // an ICC profile.
 QImage flattened(const QImage& filmImage);
-// Returns the picture reduced to `width` pixels in width and proportionally in height. Does not
-// copy a large picture as a whole.
-QImage reduced(const QImage& filmImage, int width);
+// Returns the film image on white in sRGB, reduced to `width` pixels in width and proportionally in
+// height. Does not copy a large image as a whole.
+QImage reduced(const Sheet& sheet, int width);
 // Draws the whole page for PDF, printer and preview. The painter's unit is the millimetre, its
 // origin the page's upper left corner.
 void paintSheet(QPainter& painter, const Sheet& sheet);
@@ -101,6 +129,10 @@ struct PrintCorrection {
     // Limit of total area coverage: the largest sum of the four inks at one place. Full ink of one
     // plate counts as 1. None: no limit.
     std::optional<double> totalInk = {};
+    // The raster image processor that a CMYK PDF is made for.
+    PdfTarget pdfTarget = PdfTarget::Ghostscript;
+    // Whether a TIFF has one resolution in X and Y: if the scales differ, its pixels are resampled.
+    bool squarePixels = false;
     // True if the page is turned by 90°, so that its upper left corner lies in the paper's upper
     // right corner.
     bool acrossPaper = false;

@@ -1,14 +1,10 @@
 #include "sheet/pdf/ImageObject.h"
 
-#include <string>
+#include <qpdf/Pipeline.hh>
 
 namespace dipwright {
 
 QPDFObjectHandle imageObject(QPDF& pdf, const PackedPixels& pixels, const QPDFObjectHandle& space) {
-    std::string bytes;
-    for (const QByteArray& part : pixels.parts) {
-        bytes.append(part.constData(), std::size_t(part.size()));
-    }
     const auto number = [](int value) { return QPDFObjectHandle::newInteger(value); };
     constexpr int pngFilters = 15; // ISO 32000-1, table 10
     QPDFObjectHandle filtered = QPDFObjectHandle::newDictionary();
@@ -17,7 +13,14 @@ QPDFObjectHandle imageObject(QPDF& pdf, const PackedPixels& pixels, const QPDFOb
     filtered.replaceKey("/BitsPerComponent", number(pixels.bits));
     filtered.replaceKey("/Columns", number(pixels.size.width()));
     QPDFObjectHandle stream = QPDFObjectHandle::newStream(&pdf);
-    stream.replaceStreamData(bytes, QPDFObjectHandle::newName("/FlateDecode"), filtered);
+    const auto write = [&pixels](Pipeline* output) {
+        for (const QByteArray& part : pixels.parts) {
+            output->write(reinterpret_cast<const unsigned char*>(part.constData()),
+                          std::size_t(part.size()));
+        }
+        output->finish();
+    };
+    stream.replaceStreamData(write, QPDFObjectHandle::newName("/FlateDecode"), filtered);
     QPDFObjectHandle image = stream.getDict();
     image.replaceKey("/Type", QPDFObjectHandle::newName("/XObject"));
     image.replaceKey("/Subtype", QPDFObjectHandle::newName("/Image"));

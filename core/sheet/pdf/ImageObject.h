@@ -8,7 +8,7 @@
 namespace dipwright {
 
 // Returns the image, stored without loss. The colour space `space` has as many channels as the
-// pixels.
+// pixels. The image refers to `pixels`, which must outlive `pdf`.
 QPDFObjectHandle imageObject(QPDF& pdf, const PackedPixels& pixels, const QPDFObjectHandle& space);
 
 } // namespace dipwright

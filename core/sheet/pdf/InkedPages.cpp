@@ -85,7 +85,9 @@ QByteArray lineStyle(const QPen& pen) {
 // Turns what a painter draws into the operators of a page.
 class InkEngine : public QPaintEngine {
 public:
-    explicit InkEngine(int plates) : QPaintEngine(AllFeatures), plates_(plates) {}
+    // `picture` holds the operators that draw the film's picture into a square of 1 × 1.
+    explicit InkEngine(QByteArray picture)
+        : QPaintEngine(AllFeatures), picture_(std::move(picture)) {}
 
     bool begin(QPaintDevice*) override { return true; }
     bool end() override { return true; }
@@ -155,17 +157,13 @@ private:
         }
         content_ += operators + "Q\n";
     }
-    // Draws the plates' images in the box. In PDF, an image fills a square of 1 × 1, first row on
+    // Draws the film's picture in the box. In PDF, an image fills a square of 1 × 1, first row on
     // top.
     void place(const QRectF& box) {
-        QByteArray draw = plates_ > 1 ? "/Over gs\n" : "";
-        for (int plate = 0; plate < plates_; ++plate) {
-            draw += "/Plate" + QByteArray::number(plate) + " Do\n";
-        }
-        add(matrix(QTransform(box.width(), 0, 0, -box.height(), box.x(), box.bottom())) + draw);
+        add(matrix(QTransform(box.width(), 0, 0, -box.height(), box.x(), box.bottom())) + picture_);
     }
 
-    int plates_; // number of plates: each picture becomes one image per plate
+    QByteArray picture_;
     QByteArray content_;
     std::vector<SpotInk> spots_;
     QRectF trim_, bleed_;
@@ -174,7 +172,7 @@ private:
 // A page in points, with its origin in the upper left corner.
 class InkPage : public QPaintDevice {
 public:
-    InkPage(QSizeF size, int plates) : size_(size), engine_(plates) {}
+    InkPage(QSizeF size, const QByteArray& picture) : size_(size), engine_(picture) {}
     QPaintEngine* paintEngine() const override { return &engine_; }
     InkEngine& engine() const { return engine_; }
 
@@ -240,39 +238,75 @@ QPDFObjectHandle compressed(QPDF& pdf, const QByteArray& bytes) {
     return stream;
 }
 
-// Returns the image object of `bytes`. `format` is any format with as many bytes per pixel as
-// `bytes` has.
-QPDFObjectHandle imageOf(QPDF& pdf, QSize size, const QByteArray& bytes, QImage::Format format,
-                         const QPDFObjectHandle& space) {
-    const int channels = int(bytes.size() / (qsizetype(size.width()) * size.height()));
-    const qsizetype stride = qsizetype(size.width()) * channels;
-    const auto rows = [&](int first, int end) {
-        const auto* pixels = reinterpret_cast<const uchar*>(bytes.constData()) + first * stride;
-        return QImage(pixels, size.width(), end - first, stride, format);
-    };
-    return imageObject(pdf, packedPixels({size, channels, 8, rows}), space);
-}
-
 // Returns the plates' images in printing order.
-std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const Plates& plates) {
+std::vector<QPDFObjectHandle> plateImages(QPDF& pdf, const PackedPlates& plates) {
     std::vector<QPDFObjectHandle> images;
     if (plates.size.isEmpty()) { // pages without a picture
         return images;
     }
     const auto add = [&](bool first) {
-        for (const SpotPlate& plate : plates.spots) {
+        for (const PackedPlates::Spot& plate : plates.spots) {
             if (plate.first == first) {
-                images.push_back(imageOf(pdf, plates.size, plate.tint, QImage::Format_Grayscale8,
-                                         separation(pdf, plate.ink)));
+                images.push_back(imageObject(pdf, plate.tint, separation(pdf, plate.ink)));
             }
         }
     };
     add(true);
-    images.push_back(imageOf(pdf, plates.size, plates.cmyk,
-                             QImage::Format_RGBX8888, // stands for any format of four bytes
-                             QPDFObjectHandle::newName("/DeviceCMYK")));
+    images.push_back(imageObject(pdf, plates.cmyk, QPDFObjectHandle::newName("/DeviceCMYK")));
     add(false);
     return images;
+}
+
+// The film's picture on a page: operators that draw it into a square of 1 × 1, and the objects that
+// they name.
+struct Picture {
+    QByteArray operators;
+    QPDFObjectHandle resources; // a dictionary
+};
+
+QByteArray drawn(std::size_t images) {
+    QByteArray operators = images > 1 ? "/Over gs\n" : "";
+    for (std::size_t plate = 0; plate < images; ++plate) {
+        operators += "/Plate" + QByteArray::number(int(plate)) + " Do\n";
+    }
+    return operators;
+}
+
+// Returns the picture. With the blend mode Multiply, a plate removes no ink of the other plates, on
+// screens and in separations (ISO 32000-1, 11.7.3). The plates blend in a transparency group of
+// their own, so that nothing else on the page is in a group; cutters may not find a contour in
+// flattened transparency. Overprinting needs no group, but many viewers ignore it, and white then
+// hides the other plates. A single image has neither.
+Picture pictureOf(QPDF& pdf, const PackedPlates& plates, PdfTarget target) {
+    const std::vector<QPDFObjectHandle> images = plateImages(pdf, plates);
+    const bool blends = images.size() > 1 && target == PdfTarget::Ghostscript;
+    const bool overprints = images.size() > 1 && !blends;
+    QPDFObjectHandle objects = QPDFObjectHandle::newDictionary();
+    for (std::size_t plate = 0; plate < images.size(); ++plate) {
+        objects.replaceKey("/Plate" + std::to_string(plate), images[plate]);
+    }
+    const std::string over = std::string("/Over << ") + (blends ? "/BM /Multiply " : "") +
+                             (overprints ? "/OP true /op true /OPM 1 " : "") + ">> ";
+    const std::string cut = "/Cut << /OP true /op true /OPM 1 >> ";
+    const auto resources = [](const std::string& states, const QPDFObjectHandle& things) {
+        QPDFObjectHandle made = QPDFObjectHandle::parse("<< /ExtGState << " + states + ">> >>");
+        made.replaceKey("/XObject", things);
+        return made;
+    };
+    if (!blends) {
+        return {drawn(images.size()), resources(over + cut, objects)};
+    }
+    QPDFObjectHandle group = compressed(pdf, drawn(images.size()));
+    QPDFObjectHandle form = group.getDict();
+    form.replaceKey("/Type", QPDFObjectHandle::newName("/XObject"));
+    form.replaceKey("/Subtype", QPDFObjectHandle::newName("/Form"));
+    form.replaceKey("/BBox", QPDFObjectHandle::newFromRectangle({0, 0, 1, 1}));
+    form.replaceKey("/Group",
+                    QPDFObjectHandle::parse("<< /S /Transparency /CS /DeviceCMYK /I true >>"));
+    form.replaceKey("/Resources", resources(over, objects));
+    QPDFObjectHandle groups = QPDFObjectHandle::newDictionary();
+    groups.replaceKey("/Plates", group);
+    return {"/Plates Do\n", resources(cut, groups)};
 }
 
 QPDFObjectHandle boxOf(QSizeF points) {
@@ -308,13 +342,14 @@ void strokeCut(QPainter& painter, const QPainterPath& path, double width, const 
     }
 }
 
-void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& inks) {
+void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const PackedPlates& plates,
+                   PdfTarget target) {
     const QPDFObjectHandle all = separation(pdf, {QStringLiteral("All"), {1, 1, 1, 1}});
-    const std::vector<QPDFObjectHandle> plates = plateImages(pdf, inks);
+    const Picture picture = pictureOf(pdf, plates, target);
     QPDFPageDocumentHelper document(pdf);
     for (const PdfPage& one : pages) {
         const QSizeF size = inPoints(one.size);
-        InkPage drawn(size, int(plates.size()));
+        InkPage drawn(size, picture.operators);
         QPainter painter(&drawn);
         painter.scale(inPoints(QSizeF(1, 1)).width(), inPoints(QSizeF(1, 1)).height());
         one.paint(painter);
@@ -325,29 +360,12 @@ void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& i
             spaces.replaceKey(('/' + drawn.engine().spotName(spot)).toStdString(),
                               separation(pdf, spot));
         }
-        // With the blend mode Multiply, a plate removes no ink of the other plates, on screens and
-        // in separations (ISO 32000-1, 11.7.3). Overprinting is no alternative: many viewers ignore
-        // it, and white would then hide the other plates. The cut contour overprints, because
-        // cutters may not find a contour in flattened transparency. Pages with a single picture
-        // have no transparency at all.
-        const bool blends = plates.size() > 1;
-        QPDFObjectHandle resources = QPDFObjectHandle::parse(
-            std::string("<< /ExtGState << /Over << /BM /Multiply >> /Cut << /OP true /op true "
-                        "/OPM 1 ") +
-            (blends ? "/BM /Multiply " : "") + ">> >> /XObject << >> >>");
+        QPDFObjectHandle resources = picture.resources;
+        resources = resources.shallowCopy(); // each page has its own colour spaces
         resources.replaceKey("/ColorSpace", spaces);
-        for (std::size_t plate = 0; plate < plates.size(); ++plate) {
-            resources.getKey("/XObject")
-                .replaceKey(("/Plate" + QByteArray::number(int(plate))).toStdString(),
-                            plates[plate]);
-        }
         const QByteArray turned = matrix(QTransform(1, 0, 0, -1, 0, size.height()));
         QPDFObjectHandle page = QPDFObjectHandle::parse("<< /Type /Page >>");
         setBoxes(page, size, drawn.engine());
-        if (blends) {
-            page.replaceKey("/Group",
-                            QPDFObjectHandle::parse("<< /S /Transparency /CS /DeviceCMYK >>"));
-        }
         page.replaceKey("/Resources", resources);
         page.replaceKey("/Contents", compressed(pdf, turned + drawn.engine().content()));
         document.addPage(pdf.makeIndirectObject(page), false);

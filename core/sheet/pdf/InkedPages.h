@@ -15,7 +15,9 @@ inline const QColor registrationBlack = QColor::fromCmyk(255, 255, 255, 255);
 // Adds the pages, drawn by their painters, to a document. Greys become black ink only, CMYK colours
 // stay as they are, and registrationBlack becomes the separation All. `plates` replaces any image
 // that a page draws.
-void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const Plates& plates);
+// They print over each other as `target` needs it, and must outlive `pdf`.
+void addInkedPages(QPDF& pdf, const std::vector<PdfPage>& pages, const PackedPlates& plates,
+                   PdfTarget target);
 
 // Tells whether the painter draws on a page of addInkedPages().
 bool isInkedPage(const QPainter& painter);

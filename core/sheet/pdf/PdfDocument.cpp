@@ -8,6 +8,7 @@
 #include "sheet/pdf/PdfX.h"
 
 #include <QColorSpace>
+#include <qpdf/Pl_Function.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <qpdf/QPDFWriter.hh>
@@ -59,15 +60,30 @@ void setRgbSpace(QPDF& pdf, const QByteArray& profile) {
     }
 }
 
-QByteArray written(QPDF& pdf) {
+// Writes the document piece by piece with `write`.
+void writeBy(QPDF& pdf, const char* version,
+             const std::function<void(const char* bytes, qint64 count)>& write) {
+    Pl_Function output("document", nullptr, [&](const unsigned char* bytes, std::size_t count) {
+        write(reinterpret_cast<const char*>(bytes), qint64(count));
+    });
     QPDFWriter writer(pdf);
-    writer.setOutputMemory();
+    writer.setOutputPipeline(&output);
     writer.setDeterministicID(true);
     writer.setStreamDataMode(qpdf_s_preserve);
-    writer.setMinimumPDFVersion("1.6"); // the first version with PrintScaling
+    writer.setMinimumPDFVersion(version);
     writer.write();
-    const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
-    return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
+}
+
+constexpr char withPrintScaling[] = "1.6"; // the first version with PrintScaling
+
+const char* versionFor(const PdfSettings& settings) {
+    return isForOlderRip(settings) ? "1.4" : withPrintScaling; // older processors ignore the entry
+}
+
+QByteArray written(QPDF& pdf, const char* version) {
+    QByteArray bytes;
+    writeBy(pdf, version, [&](const char* more, qint64 count) { bytes.append(more, count); });
+    return bytes;
 }
 
 // Adds RGB pages that Qt has drawn. `picture` replaces their images; null: the images stay.
@@ -102,19 +118,16 @@ void addInformation(QPDF& pdf, const QString& title) {
     pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(info));
 }
 
-} // namespace
-
-bool replacesImages(const QPainter& painter) {
-    return isInkedPage(painter) || drawsImagesLater(painter);
-}
-
-QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
+// Makes the document and calls write(pdf) with it.
+template <typename Write>
+void makeDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings,
+                  const Write& write) {
     const QByteArray drawn =
         settings.inks ? QByteArray() : drawnPdf(pages, settings.title, settings.picture != nullptr);
     QPDF pdf; // reads from `drawn` on demand
     if (settings.inks) {
         pdf.emptyPDF();
-        addInkedPages(pdf, pages, *settings.inks);
+        addInkedPages(pdf, pages, *settings.inks, settings.pdfTarget);
         addInformation(pdf, settings.title);
     } else {
         addDrawnPages(pdf, pages, drawn, settings.picture.get());
@@ -135,7 +148,30 @@ QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& set
     if (isOutputDevice(profile)) {
         declarePdfX(pdf, settings);
     }
-    return written(pdf);
+    write(pdf);
+}
+
+} // namespace
+
+bool replacesImages(const QPainter& painter) {
+    return isInkedPage(painter) || drawsImagesLater(painter);
+}
+
+QByteArray pdfDocument(const std::vector<PdfPage>& pages, const PdfSettings& settings) {
+    QByteArray bytes;
+    makeDocument(pages, settings, [&](QPDF& pdf) { bytes = written(pdf, versionFor(settings)); });
+    return bytes;
+}
+
+void writePdf(const std::vector<PdfPage>& pages, const PdfSettings& settings, QIODevice& device,
+              const QString& message, const QString& where) {
+    makeDocument(pages, settings, [&](QPDF& pdf) {
+        writeBy(pdf, versionFor(settings), [&](const char* bytes, qint64 count) {
+            if (device.write(bytes, count) != count) {
+                throw Error(message.arg(device.errorString()), where);
+            }
+        });
+    });
 }
 
 QByteArray repeatedPdf(const QByteArray& document, int copies) {
@@ -152,7 +188,7 @@ QByteArray repeatedPdf(const QByteArray& document, int copies) {
             helper.addPage(QPDFPageObjectHelper(page).shallowCopyPage(), false);
         }
     }
-    return written(pdf);
+    return written(pdf, pdf.getPDFVersion().c_str());
 }
 
 } // namespace dipwright

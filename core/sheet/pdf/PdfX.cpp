@@ -10,7 +10,11 @@
 namespace dipwright {
 namespace {
 
-const char* const version = "PDF/X-4";
+// PDF/X-1a allows only profiles up to version 2 (ICC.1, 7.2.4), as PDF 1.4 knows them.
+const char* versionFor(const PdfSettings& settings) {
+    return isForOlderRip(settings) && settings.outputProfile.at(8) <= 2 ? "PDF/X-1a:2003"
+                                                                        : "PDF/X-4";
+}
 
 // XMP namespaces (ISO 16684-1) and their prefixes.
 struct Vocabulary {
@@ -95,7 +99,12 @@ bool isOutputDevice(const QByteArray& profile) {
     return profile.mid(12, 4) == "prtr"; // ICC.1, 7.2.5
 }
 
+bool isForOlderRip(const PdfSettings& settings) {
+    return settings.inks && settings.pdfTarget == PdfTarget::OlderRip;
+}
+
 void declarePdfX(QPDF& pdf, const PdfSettings& settings) {
+    const char* const version = versionFor(settings);
     QPDFObjectHandle info = pdf.getTrailer().getKey("/Info");
     const QString title = settings.title.isEmpty() ? QStringLiteral("Dipwright") : settings.title;
     const auto text = [](const QString& words) {

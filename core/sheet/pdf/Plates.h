@@ -2,6 +2,8 @@
 // include qpdf as C++17.
 #pragma once
 
+#include "base/PackedPixels.h"
+
 #include <QByteArray>
 #include <QSize>
 #include <QString>
@@ -31,6 +33,18 @@ struct Plates {
     std::vector<SpotPlate> spots; // in printing order
 
     int channels() const { return 4 + int(spots.size()); }
+};
+
+// The same, compressed plate by plate. A picture of any length fits, because it is made row by row.
+struct PackedPlates {
+    struct Spot {
+        SpotInk ink;
+        bool first = false; // printed before the four inks, else after them
+        PackedPixels tint;  // one byte per pixel
+    };
+    QSize size;              // size of the picture, pixels; empty: pages without a picture
+    PackedPixels cmyk;       // four bytes per pixel
+    std::vector<Spot> spots; // in printing order
 };
 
 } // namespace dipwright

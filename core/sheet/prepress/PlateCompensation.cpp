@@ -40,7 +40,8 @@ double PlateCompensation::InkTable::amount(float density) const {
     return double(above - densities.begin()) - 1 + double((density - low) / (*above - low));
 }
 
-PlateCompensation::PlateCompensation(const PrinterColour& colour, const InkSettings& settings) {
+PlateCompensation::PlateCompensation(const PrinterColour& colour, const InkSettings& settings)
+    : passes_(float(settings.printedPasses())) {
     for (int ink = 0; ink < 4; ++ink) {
         inks_.push_back({Thinning(settings.law, inkOrder[ink]), colour.inkDensities(ink), {}});
     }
@@ -58,8 +59,10 @@ void PlateCompensation::fill(InkTable& ink, float limit) const {
                 continue;
             }
             const float density = shows * ink.law.byShown(std::log(shows), stretchAt(step));
-            const auto amount = float(ink.amount(std::min(density, std::max(limit, shows))));
-            ink.printed.push_back(density > shows ? std::max(amount, float(wanted)) : amount);
+            const auto amount =
+                float(ink.amount(std::min(density / passes_, std::max(limit, shows))));
+            const bool isMore = passes_ == 1 && density > shows;
+            ink.printed.push_back(isMore ? std::max(amount, float(wanted)) : amount);
         }
     }
 }
@@ -75,7 +78,7 @@ std::uint8_t PlateCompensation::printed(int ink, std::uint8_t wanted, float area
 
 double PlateCompensation::shown(int ink, double printed, float areaStretch) const {
     const InkTable& one = inks_[std::size_t(ink)];
-    const float density = one.density(printed);
+    const float density = passes_ * one.density(printed);
     return density > 0 ? one.amount(density / one.law.byPrinted(std::log(density), areaStretch))
                        : printed;
 }

@@ -1,6 +1,6 @@
 // Compensates each of a printer's four inks for the stretch of the film, by the ink's own law
 // (docs/film-model.md, "Ink"). The compensation is done after the separation, and changes the
-// amount of each ink.
+// amount of each ink. Printed amounts are those of one pass; all passes lie on one another.
 #pragma once
 
 #include "settings/InkSettings.h"
@@ -42,6 +42,7 @@ private:
     };
     void fill(InkTable& ink, float limit) const;
 
+    float passes_;
     std::vector<InkTable> inks_;
 };
 

@@ -4,6 +4,7 @@
 #include "parallel/ParallelFor.h"
 #include "sheet/page/InkDistance.h"
 #include "sheet/page/InkedPixels.h"
+#include "sheet/page/SheetRows.h"
 #include "sheet/prepress/PlateCompensation.h"
 #include "sheet/prepress/PrinterColour.h"
 #include "texture/Bleed.h"
@@ -61,17 +62,22 @@ QImage choked(const QImage& tint, double choke) {
 
 namespace {
 
+SpotInk spotInk(const SheetPlate& plate, const PrinterColour& colour) {
+    SpotInk ink{plate.name, {}};
+    if (plate.alternate.isValid()) {
+        QImage pixel(1, 1, QImage::Format_RGB888);
+        pixel.fill(plate.alternate);
+        const QByteArray inks = colour.cmyk(pixel);
+        std::transform(inks.begin(), inks.end(), ink.alternate.begin(),
+                       [](char share) { return uchar(share) / 255.0; });
+    }
+    return ink;
+}
+
 std::vector<SpotPlate> spotsOf(const Sheet& sheet, const PrinterColour& colour) {
     std::vector<SpotPlate> spots;
     for (const SheetPlate& plate : sheet.plates) {
-        SpotPlate spot{{plate.name, {}}, plate.first, {}};
-        if (plate.alternate.isValid()) {
-            QImage pixel(1, 1, QImage::Format_RGB888);
-            pixel.fill(plate.alternate);
-            const QByteArray inks = colour.cmyk(pixel);
-            std::transform(inks.begin(), inks.end(), spot.ink.alternate.begin(),
-                           [](char ink) { return uchar(ink) / 255.0; });
-        }
+        SpotPlate spot{spotInk(plate, colour), plate.first, {}};
         for (int y = 0; y < plate.tint.height(); ++y) {
             spot.tint.append(reinterpret_cast<const char*>(plate.tint.constScanLine(y)),
                              plate.tint.width());
@@ -107,25 +113,52 @@ QImage continuedTint(const QImage& tint, double radius) {
     return tintOf(picture);
 }
 
+// Continues all plates by `radius` pixels.
+void continuePlates(Sheet& sheet, double radius) {
+    continueColour(sheet.image, radius);
+    for (SheetPlate& plate : sheet.plates) {
+        plate.tint = continuedTint(plate.tint, radius);
+    }
+    if (sheet.wanted) {
+        QImage stretch = pictureOfStretch(sheet.wanted->stretch, sheet.wanted->image);
+        continueColour(stretch, radius);
+        sheet.wanted->stretch = stretchOfPicture(stretch);
+        continueColour(sheet.wanted->image, radius);
+    }
+}
+
 // Continues all plates of the sheet past the cut contour.
 Sheet withCutBleed(const Sheet& sheet) {
     const SheetSettings& settings = sheet.settings;
     if (settings.cutLine != CutLine::Ink || settings.cutBleed.value() <= 0) {
         return sheet;
     }
-    const double radius = (settings.cutDistance + settings.cutBleed).value() * sheet.image.width() /
-                          sheet.filmWidth.value();
+    const double radius = (settings.cutDistance + settings.cutBleed).value() *
+                          filmPixels(sheet).width() / sheet.filmWidth.value();
     Sheet wider = sheet;
-    continueColour(wider.image, radius);
-    for (SheetPlate& plate : wider.plates) {
-        plate.tint = continuedTint(plate.tint, radius);
+    if (!sheet.rows) {
+        continuePlates(wider, radius);
+        return wider;
     }
-    if (wider.wanted) {
-        QImage stretch = pictureOfStretch(wider.wanted->stretch, wider.wanted->image);
-        continueColour(stretch, radius);
-        wider.wanted->stretch = stretchOfPicture(stretch);
-        continueColour(wider.wanted->image, radius);
-    }
+    const auto rows = [inner = sheet.rows, radius](int first, int end) {
+        const int reach = int(std::ceil(radius));
+        const int from = std::max(first - reach, 0);
+        Sheet more = inner->make(from, std::min(end + reach, inner->pixels.height()));
+        continuePlates(more, radius);
+        const auto crop = [&](QImage& image) {
+            image = image.copy(0, first - from, image.width(), end - first);
+        };
+        crop(more.image);
+        for (SheetPlate& plate : more.plates) {
+            crop(plate.tint);
+        }
+        if (more.wanted) {
+            crop(more.wanted->image);
+            crop(more.wanted->stretch);
+        }
+        return more;
+    };
+    wider.rows = std::make_shared<const FilmRows>(FilmRows{sheet.rows->pixels, rows});
     return wider;
 }
 
@@ -174,27 +207,30 @@ QByteArray inksOf(const QImage& picture, const std::optional<WantedInk>& wanted,
     return cmyk;
 }
 
-std::optional<PlateCompensation> lawOf(const Sheet& sheet, const PrintCorrection& correction) {
-    return sheet.wanted ? std::optional<PlateCompensation>(std::in_place, *correction.colour,
-                                                           sheet.wanted->settings)
-                        : std::nullopt;
+std::unique_ptr<const PlateCompensation> lawOf(const Sheet& sheet,
+                                               const PrintCorrection& correction) {
+    return sheet.wanted ? std::make_unique<const PlateCompensation>(*correction.colour,
+                                                                    sheet.wanted->settings)
+                        : nullptr;
+}
+
+// Returns the picture of bytes that a copy of their own keeps. `format` is any format with as many
+// bytes per pixel.
+QImage pictureOf(const QByteArray& bytes, QSize size, QImage::Format format) {
+    const qsizetype stride = bytes.size() / size.height();
+    return QImage(reinterpret_cast<const uchar*>(bytes.constData()), size.width(), size.height(),
+                  stride, format)
+        .copy();
 }
 
 // The sums of the tints of cyan, magenta, yellow and black, 255 for full tint of a pixel.
 using TintSums = std::array<quint64, 4>;
 
 TintSums separatedTints(const Sheet& sheet, const PrintCorrection& correction) {
-    const std::optional<PlateCompensation> law = lawOf(sheet, correction);
+    const std::unique_ptr<const PlateCompensation> law = lawOf(sheet, correction);
     TintSums sums{};
-    forImageRows(sheet.image, [&](const QImage& rows, int first) {
-        const int end = first + rows.height();
-        std::optional<WantedInk> wanted;
-        if (sheet.wanted) {
-            wanted =
-                WantedInk{imageRows(sheet.wanted->image, first, end),
-                          imageRows(sheet.wanted->stretch, first, end), sheet.wanted->settings};
-        }
-        const QByteArray inks = inksOf(rows, wanted, correction, law ? &*law : nullptr);
+    forSheetRows(sheet, [&](const Sheet& rows, int) {
+        const QByteArray inks = inksOf(rows.image, rows.wanted, correction, law.get());
         for (qsizetype byte = 0; byte < inks.size(); ++byte) {
             sums[std::size_t(byte % 4)] += uchar(inks[byte]);
         }
@@ -202,10 +238,10 @@ TintSums separatedTints(const Sheet& sheet, const PrintCorrection& correction) {
     return sums;
 }
 
-TintSums estimatedTints(const QImage& picture) {
+TintSums estimatedTints(const Sheet& sheet) {
     TintSums sums{};
-    forImageRows(picture, [&](const QImage& rows, int) {
-        const QImage opaque = flattened(rows);
+    forSheetRows(sheet, [&](const Sheet& rows, int) {
+        const QImage opaque = flattened(rows.image);
         for (int y = 0; y < opaque.height(); ++y) {
             const uchar* row = opaque.constScanLine(y);
             for (int x = 0; x < opaque.width(); ++x, row += 3) {
@@ -218,12 +254,16 @@ TintSums estimatedTints(const QImage& picture) {
     return sums;
 }
 
-quint64 tintSum(const QImage& tint) {
+// Returns the sum of the tints of one of the sheet's plates.
+quint64 tintSum(const Sheet& sheet, std::size_t plate) {
     quint64 sum = 0;
-    for (int y = 0; y < tint.height(); ++y) {
-        const uchar* row = tint.constScanLine(y);
-        sum = std::accumulate(row, row + tint.width(), sum);
-    }
+    forSheetRows(sheet, [&](const Sheet& rows, int) {
+        const QImage& tint = rows.plates[plate].tint;
+        for (int y = 0; y < tint.height(); ++y) {
+            const uchar* row = tint.constScanLine(y);
+            sum = std::accumulate(row, row + tint.width(), sum);
+        }
+    });
     return sum;
 }
 
@@ -234,16 +274,17 @@ std::vector<InkArea> inkAreas(const Sheet& original, const PrintCorrection& corr
                                        QStringLiteral("Yellow"), QStringLiteral("Black")};
     const bool isSeparated = correction.colour && correction.colour->isCmyk();
     const Sheet sheet = isSeparated ? withCutBleed(original) : original;
-    const double unit = sheet.filmWidth.value() * sheet.filmHeight.value() /
-                        (255.0 * sheet.image.width() * sheet.image.height());
-    const TintSums sums =
-        isSeparated ? separatedTints(sheet, correction) : estimatedTints(sheet.image);
+    const QSize pixels = filmPixels(sheet);
+    const double unit = sheet.passes * sheet.filmWidth.value() * sheet.filmHeight.value() /
+                        (255.0 * pixels.width() * pixels.height());
+    const TintSums sums = isSeparated ? separatedTints(sheet, correction) : estimatedTints(sheet);
     std::vector<InkArea> inks;
     const auto addSpots = [&](bool first) {
-        for (const SheetPlate& plate : sheet.plates) {
+        for (std::size_t i = 0; i < sheet.plates.size(); ++i) {
+            const SheetPlate& plate = sheet.plates[i];
             if (isSeparated && plate.first == first) {
-                inks.push_back({plate.name, unit * double(tintSum(plate.tint)), -1,
-                                !plate.alternate.isValid()});
+                inks.push_back(
+                    {plate.name, unit * double(tintSum(sheet, i)), -1, !plate.alternate.isValid()});
             }
         }
     };
@@ -267,12 +308,41 @@ std::array<char, 4> bareInks(const PrinterColour& colour) {
     return {inks[0], inks[1], inks[2], inks[3]};
 }
 
-Plates separate(const Sheet& original, const PrintCorrection& correction) {
-    const Sheet sheet = withCutBleed(original);
-    Plates plates{sheet.image.size(), {}, spotsOf(sheet, *correction.colour)};
-    const std::optional<PlateCompensation> law = lawOf(sheet, correction);
-    plates.cmyk = inksOf(sheet.image, sheet.wanted, correction, law ? &*law : nullptr);
-    return plates;
+RowSeparation::RowSeparation(const Sheet& sheet, const PrintCorrection& correction)
+    : sheet_(withCutBleed(sheet)), correction_(correction), law_(lawOf(sheet, correction)) {}
+
+RowSeparation::~RowSeparation() = default;
+
+QByteArray RowSeparation::cmyk(const Sheet& rows) const {
+    return inksOf(rows.image, rows.wanted, correction_, law_.get());
+}
+
+Plates RowSeparation::plates(int first, int end) const {
+    const Sheet rows = sheetRows(sheet_, first, end);
+    return {rows.image.size(), cmyk(rows), spotsOf(rows, *correction_.colour)};
+}
+
+PackedPlates RowSeparation::packed() const {
+    const QSize size = filmPixels(sheet_);
+    PackedPlates packed{size, {}, {}};
+    packed.cmyk = packedPixels({size, 4, 8, [&](int first, int end) {
+                                    const Sheet rows = sheetRows(sheet_, first, end);
+                                    return pictureOf(cmyk(rows), rows.image.size(),
+                                                     QImage::Format_RGBX8888); // any of four bytes
+                                }});
+    for (std::size_t i = 0; i < sheet_.plates.size(); ++i) {
+        const SheetPlate& plate = sheet_.plates[i];
+        packed.spots.push_back(
+            {spotInk(plate, *correction_.colour), plate.first,
+             packedPixels({size, 1, 8, [&](int first, int end) {
+                               return sheetRows(sheet_, first, end).plates[i].tint;
+                           }})});
+    }
+    return packed;
+}
+
+Plates separate(const Sheet& sheet, const PrintCorrection& correction) {
+    return RowSeparation(sheet, correction).plates(0, filmPixels(sheet).height());
 }
 
 double inkShortfall(const Sheet& sheet, const PrintCorrection& correction) {
@@ -280,24 +350,24 @@ double inkShortfall(const Sheet& sheet, const PrintCorrection& correction) {
         return 0;
     }
     const PlateCompensation law(*correction.colour, sheet.wanted->settings);
-    const QImage& stretch = sheet.wanted->stretch;
-    std::vector<double> rows(std::size_t(stretch.height()), 0);
-    forImageRows(sheet.wanted->image, [&](const QImage& image, int first) {
-        const QImage grownBy = imageRows(stretch, first, first + image.height());
-        PerInk inks({image, grownBy, sheet.wanted->settings}, correction, law);
+    const QSize pixels = filmPixels(sheet);
+    std::vector<double> sums(std::size_t(pixels.height()), 0); // of each row
+    forSheetRows(sheet, [&](const Sheet& rows, int first) {
+        PerInk inks(*rows.wanted, correction, law);
         const auto* wanted = reinterpret_cast<const uchar*>(inks.wanted.constData());
-        forPixels(inks.printed, grownBy, [&](qsizetype pixel, const uchar* printed, float grown) {
-            for (int ink = 0; ink < 4; ++ink) {
-                if (law.fallsShort(ink, wanted[4 * pixel + ink], printed[ink], grown)) {
-                    rows[std::size_t(first + pixel / stretch.width())] += double(grown);
-                    break;
-                }
-            }
-        });
+        forPixels(inks.printed, rows.wanted->stretch,
+                  [&](qsizetype pixel, const uchar* printed, float grown) {
+                      for (int ink = 0; ink < 4; ++ink) {
+                          if (law.fallsShort(ink, wanted[4 * pixel + ink], printed[ink], grown)) {
+                              sums[std::size_t(first + pixel / pixels.width())] += double(grown);
+                              break;
+                          }
+                      }
+                  });
     });
     const double pixelArea = sheet.filmWidth.value() * sheet.filmHeight.value() /
-                             (double(stretch.width()) * stretch.height());
-    return pixelArea * std::accumulate(rows.begin(), rows.end(), 0.0);
+                             (double(pixels.width()) * pixels.height());
+    return pixelArea * std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 } // namespace dipwright

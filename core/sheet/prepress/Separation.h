@@ -4,13 +4,36 @@
 #include "sheet/page/Sheet.h"
 #include "sheet/pdf/Plates.h"
 
+#include <memory>
+
 namespace dipwright {
+
+class PlateCompensation;
 
 // Separates the sheet's film on white paper into the inks of `correction`, within its limit of
 // total area coverage, and into the sheet's spot inks. The colour of `correction` must be CMYK. If
 // the sheet has the film's stretch, the wanted colours are separated first, and then each ink is
 // compensated by its own law (PlateCompensation). Uses all cores.
 Plates separate(const Sheet& sheet, const PrintCorrection& correction);
+
+// Separates some rows of a sheet's film, as separate() does. Const members may be used from several
+// threads.
+class RowSeparation {
+public:
+    // Keeps a reference to `correction`.
+    RowSeparation(const Sheet& sheet, const PrintCorrection& correction);
+    ~RowSeparation();
+
+    Plates plates(int first, int end) const; // of the rows first … end - 1
+    PackedPlates packed() const;             // of all rows
+
+private:
+    QByteArray cmyk(const Sheet& rows) const;
+
+    Sheet sheet_; // with its plates continued past the cut contour
+    const PrintCorrection& correction_;
+    std::unique_ptr<const PlateCompensation> law_; // null: the sheet has no wanted colours
+};
 
 // Returns the area of the part, in mm², that stays visibly paler than wanted. There, full ink does
 // not compensate the stretch, or one of the two ink limits forbids more ink. 0 if the sheet does
@@ -25,10 +48,10 @@ struct InkArea {
     bool isWhite = false; // the white layer
     bool operator==(const InkArea&) const = default;
 };
-// Returns the inks of the sheet's picture in printing order; marks and lettering are not counted.
-// If `correction` has a CMYK colour, they are the inks of separate(). Otherwise the printer's
-// driver makes the plates, and the inks are estimated: cyan is 1 − red, magenta 1 − green and
-// yellow 1 − blue of the sRGB values, without black. Uses all cores; deterministic.
+// Returns the inks of the sheet's picture, of all passes, in printing order; marks and lettering
+// are not counted. If `correction` has a CMYK colour, they are the inks of separate(). Otherwise
+// the printer's driver makes the plates, and the inks are estimated: cyan is 1 − red, magenta 1 −
+// green and yellow 1 − blue of the sRGB values, without black. Uses all cores; deterministic.
 std::vector<InkArea> inkAreas(const Sheet& sheet, const PrintCorrection& correction);
 // Tells whether inkAreas() estimated these inks.
 bool areEstimated(const std::vector<InkArea>& inks);

@@ -109,6 +109,41 @@ private slots:
         QVERIFY(shortfall(in("with")).toDouble() >= 0);
     }
 
+    void print_plates_areThoseOfThePdf() {
+        const QString job = in("plates.dipw");
+        QStringList create{"new",       job, "--model", sampleFolder("/models/turtle.obj"),
+                           "--size-mm", "60"};
+        for (const char* value :
+             {"film.points=40x57", "sheet.dpi=60", "sheet.marks=false", "sheet.ruler=false",
+              "sheet.job_line=false", "sheet.white=last"}) {
+            create << "--set" << value;
+        }
+        QCOMPARE(cli(create).exitCode, 0);
+        const Outcome refused = cli({"print", job, "--plates", in("proof")});
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY(refused.err.contains("ICC profile in CMYK"));
+        const Outcome printed = cli({"print", job, "--profile", "Press", "--plates", in("proof"),
+                                     "--to", in("plates.pdf"), "--quiet"});
+        QCOMPARE(printed.exitCode, 0);
+        QVERIFY(printed.out.contains("above the limit of 240.0 %: 0.0 mm²"));
+        output("gs", {"-q", "-dNOPAUSE", "-dBATCH", "-dSAFER", "-sDEVICE=tiffsep", "-r60", "-o",
+                      in("plates.tif"), in("plates.pdf")});
+        int number = 0;
+        for (const char* ink : {"Cyan", "Magenta", "Yellow", "Black", "White"}) {
+            const QImage own(in(QString("proof/plate-%1-%2.png").arg(++number).arg(ink)));
+            const QImage page(in(QString("plates(%1).tif").arg(ink)));
+            QVERIFY2(!own.isNull() && !page.isNull(), ink);
+            qint64 differing = 0;
+            for (int y = 0; y < std::min(own.height(), page.height()); ++y) {
+                for (int x = 0; x < std::min(own.width(), page.width()); ++x) {
+                    differing += std::abs(qGray(own.pixel(x, y)) - qGray(page.pixel(x, y))) > 2;
+                }
+            }
+            QVERIFY2(differing * 200 < qint64(own.width()) * own.height(), ink);
+        }
+        QVERIFY(QFile::exists(in("proof/total-ink.png")));
+    }
+
 private:
     QString in(const QString& name) const { return folder_.filePath(name); }
 

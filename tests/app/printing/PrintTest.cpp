@@ -124,6 +124,8 @@ private slots:
     void print_printerPrintsTooSmall_marksStayOnPaper();
     void print_largeSheet_arrivesInTiles();
     void print_rollPrinter_getsItsOwnSize();
+    void print_seriesOnRoll_isOnePageWithCutMarks();
+    void print_filmWithWebAcross_isTurnedOnRoll();
     void print_printerMargins_marksStayInside();
     void planPrint_unknownPrinter_isRefused();
     void planPrint_stoppedPrinter_isRefused();
@@ -433,6 +435,56 @@ void PrintTest::print_rollPrinter_getsItsOwnSize() {
              QSizeF(500, 700));
     const QString sentence = refusal(*system_, chessSheet("Top", {650, 700}), to("roll"));
     QVERIFY2(sentence.contains("any size from 100 × 50 mm to 610 × 3000 mm"), qPrintable(sentence));
+}
+
+// With a gap for rolls, all copies of both sheets go to the roll as one page.
+void PrintTest::print_seriesOnRoll_isOnePageWithCutMarks() {
+    QVERIFY(cups_->addFileQueue("series", rollPpd()));
+    PrintRequest request = to("series");
+    request.profile = PrinterProfile{};
+    request.profile->rollGap = Millimetres(10);
+    request.copies = 3;
+    request.turning = Turning::Never;
+    const std::vector<Sheet> sheets{chessSheet("Top"), chessSheet("Bottom")};
+    const std::vector<PrintPlan> plans = planPrints(*system_, sheets, request);
+    QCOMPARE(plans.size(), std::size_t(1));
+    QCOMPARE(plans[0].task.pages, 1);
+    QVERIFY(std::abs(plans[0].task.media.size.width() - 610) < 0.5);
+    // Two sheets lie side by side, in three rows with gaps between them.
+    const double length = plans[0].task.media.size.height();
+    QVERIFY2(std::abs(length - (5 + 3 * 297 + 2 * 10 + 10)) < 2,
+             qPrintable(QString::number(length)));
+    QCOMPARE(followJob(*system_, system_->submit(plans[0].task), {}), JobState::HandedOver);
+    const QString paper = cups_->filePrinted("series");
+    QVERIFY(std::abs(pdfPage(paper).width() - 610) < 0.5);
+    QVERIFY(std::abs(pdfPage(paper).height() - length) < 0.5);
+    const QString words = pdfWords(paper);
+    for (const char* copy : {"Top · copy 1 of 3", "Top · copy 3 of 3", "Bottom · copy 2 of 3"}) {
+        QVERIFY2(words.contains(QString::fromUtf8(copy)), qPrintable(words));
+    }
+    // Longer series continue on a further page, because the printer's longest has 3000 mm.
+    request.copies = 12;
+    const std::vector<PrintPlan> more = planPrints(*system_, sheets, request);
+    QCOMPARE(more.size(), std::size_t(2));
+    QVERIFY(more[0].task.media.size.height() <= 3000.5);
+    // A narrower roll takes one sheet beside the other no longer.
+    request.copies = 1;
+    request.profile->rollWidth = Millimetres(300);
+    const std::vector<PrintPlan> narrow = planPrints(*system_, sheets, request);
+    QCOMPARE(narrow.size(), std::size_t(1));
+    QVERIFY(std::abs(narrow[0].task.media.size.width() - 300) < 0.5);
+    QVERIFY(narrow[0].task.media.size.height() > 600);
+}
+
+// The web of a film that was computed for its long edge first runs across the sheet.
+void PrintTest::print_filmWithWebAcross_isTurnedOnRoll() {
+    PrintRequest request = to("roll");
+    const Sheet sheet = chessSheet("Top", {300, 420});
+    QCOMPARE(planPrint(*system_, sheet, request).task.media.size, QSizeF(300, 420));
+    request.turning = Turning::Always;
+    QCOMPARE(planPrint(*system_, sheet, request).task.media.size, QSizeF(420, 300));
+    request.turning = Turning::Never;
+    QVERIFY(!refusal(*system_, chessSheet("Top", {700, 500}), request).isEmpty());
 }
 
 void PrintTest::print_printerMargins_marksStayInside() {

@@ -89,7 +89,7 @@ private slots:
         QVERIFY(isFalse([&] { return take(most); }));
         constexpr qint64 fileBytes = 100 << 20;
         QVERIFY(isTrue([&] {
-            raiseLimits(fileBytes);
+            raiseLimits({}, fileBytes);
             return take(most);
         }));
     }
@@ -181,7 +181,7 @@ private:
         const pid_t child = ::fork();
         if (child == 0) {
             before();
-            if (!enterSandbox()) {
+            if (!enterSandbox({})) {
                 ::_exit(unconfined);
             }
             ::_exit(question() ? yes : no);

@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QToolButton>
@@ -182,6 +183,22 @@ private slots:
         driver_->trigger("undo");
         driver_->trigger("undo");
         QCOMPARE(artwork(), before);
+    }
+
+    void artwork_spotNamedAsTheWhiteInk_isRefused() {
+        driver_->find<QListWidget>("artworkLayers")->setCurrentRow(0); // the logo
+        const Artwork before = artwork();
+        window_->session().document()->edit(
+            "White", {}, [](Project& project) { project.sheet.white = WhiteLayer::Last; });
+        auto* name = driver_->find<QLineEdit>("layerSpot");
+        name->setText(QStringLiteral("white"));
+        QTest::keyClick(name, Qt::Key_Return);
+        QCOMPARE(artwork(), before);
+        QVERIFY(name->text() != QLatin1String("white")); // the field shows what is stored
+        auto* reason = driver_->find<QMessageBox>("failure");
+        QVERIFY(reason && reason->text().contains("rename the white ink"));
+        reason->close();
+        driver_->trigger("undo");
     }
 
     void layerList_keys_hideMoveAndRemoveLayers() {

@@ -10,6 +10,7 @@
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -89,6 +90,24 @@ private slots:
 
         qobject_cast<NumberBox*>(table->cellWidget(0, 1))->setValue(20);
         QTRY_VERIFY_WITH_TIMEOUT(films->count() > 1, patience());
+    }
+
+    void packDialog_wholeSheets_becomeASeriesOnTheRoll() {
+        PackDialog dialog(registry_);
+        dialog.add({ball(QStringLiteral("Series"))});
+        part<QComboBox>(dialog, "packFilm")->setCurrentText(QStringLiteral("Roll"));
+        part<QDoubleSpinBox>(dialog, "packWidth")->setValue(140);
+        part<QDoubleSpinBox>(dialog, "packSpacing")->setValue(10);
+        part<QCheckBox>(dialog, "packWhole")->click();
+        QVERIFY(!part<QDoubleSpinBox>(dialog, "packMargin")->isEnabled());
+        qobject_cast<NumberBox*>(dialog.findChild<QTableWidget*>()->cellWidget(0, 1))->setValue(2);
+        part<QPushButton>(dialog, "packLayOut")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(part<QPushButton>(dialog, "packExport")->isEnabled(), patience());
+        auto* films = part<QComboBox>(dialog, "packShown");
+        QCOMPARE(films->count(), 1);
+        // Two films of 120 mm, the gap between them, and the roll's edges of 5 and 10 mm.
+        QVERIFY2(films->currentText().contains(QStringLiteral("140 × 265")),
+                 qPrintable(films->currentText()));
     }
 
     void packDialog_exportAndPrint_deliversFilm() {

@@ -8,6 +8,7 @@
 #include "dip/Pose.h"
 #include "geometry/Shapes.h"
 #include "pipeline/JobSearch.h"
+#include "pipeline/JobSheet.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 #include "pipeline/ValidateJob.h"
@@ -147,6 +148,40 @@ private slots:
         const JobResult result = runJob(bare, *registry_, {}, &spotted_, {});
         QCOMPARE(result.immersions[0].texture->image, bare_.immersions[0].texture->image);
         QCOMPARE(result.immersions[0].sheet.job.hash, bare_.immersions[0].sheet.job.hash);
+    }
+
+    void checkSpots_nameOfAnotherInk_isRefusedWithItsLayer() {
+        const auto refusal = [](const Project& before, const Project& after) {
+            try {
+                checkEditedSpots(before, after);
+            } catch (const Error& error) {
+                return error.sentence();
+            }
+            return QString();
+        };
+        Project project = spottedJob();
+        project.sheet.white = WhiteLayer::Last;
+        Project edited = project;
+        edited.artwork.layers[0].name = QStringLiteral("Logo");
+        edited.artwork.layers[0].spot = QStringLiteral("white");
+        const QString sentence = refusal(project, edited);
+        QVERIFY2(sentence.contains("Logo") && sentence.contains("rename the white ink"),
+                 qPrintable(sentence));
+        QVERIFY(refusal(edited, edited).isEmpty()); // an old fault does not stop other edits
+        edited.sheet.white = WhiteLayer::None;
+        QVERIFY(refusal(project, edited).isEmpty());
+        edited.sheet.cutLine = CutLine::Ink;
+        edited.sheet.cutName = QStringLiteral("WHITE");
+        QVERIFY(refusal(project, edited).contains("cut contour"));
+        edited = project;
+        edited.sheet.cutLine = CutLine::Ink;
+        edited.sheet.cutName = QStringLiteral("White");
+        QVERIFY(refusal(project, edited).contains("both named White"));
+        edited = project;
+        edited.artwork.layers.push_back(edited.artwork.layers[0]);
+        edited.artwork.layers[0].spot = QStringLiteral("Gloss");
+        edited.artwork.layers[1].spot = QStringLiteral("gloss");
+        QVERIFY(refusal(project, edited).contains("capital letters"));
     }
 
     void runJob_unchangedArtwork_reusesThePaintedModel() {

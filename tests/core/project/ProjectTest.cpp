@@ -2,6 +2,7 @@
 #include "SampleProject.h"
 
 #include "base/Error.h"
+#include "project/ProjectValues.h"
 #include "project/Schema.h"
 
 #include <QJsonArray>
@@ -340,6 +341,31 @@ private slots:
             }
             QVERIFY2(project == expected || toJson(project) == toJson(expected),
                      qPrintable(field.path));
+        }
+    }
+
+    void projectValues_ofAProject_areThoseThatCanBeSet() {
+        Project project = sampleProject();
+        const std::vector<ProjectValue> values = projectValues(project);
+        QVERIFY(values.size() > projectFields().size());
+        for (const ProjectValue& value : values) {
+            QVERIFY2(!value.path.startsWith("model."), qPrintable(value.path));
+            QCOMPARE(valueByPath(project, value.path).value, value.value);
+        }
+        setByPath(project, "immersions[1].name", "Second");
+        QCOMPARE(valueByPath(project, "immersions[1].name").value, QJsonValue("Second"));
+        QCOMPARE(valueByPath(project, "film.size_mm").rule.unit, QStringLiteral("mm"));
+        QVERIFY(valueByPath(project, "masks").value.isArray());
+    }
+
+    void valueByPath_unknownPath_isRefusedAsBySetting() {
+        for (const QString path : {"film.nothing", "immersions[9].name", "model.unit_mm", ""}) {
+            try {
+                valueByPath(sampleProject(), path);
+                QFAIL(qPrintable(path));
+            } catch (const Error& error) {
+                QCOMPARE(error.sentence(), refusal(path, QStringLiteral("1")));
+            }
         }
     }
 

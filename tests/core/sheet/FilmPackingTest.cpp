@@ -1,19 +1,26 @@
 // Tests several jobs packed on one film, compared with each job alone.
 #include "PaperMeasure.h"
+#include "TestProfiles.h"
 
+#include "base/Bytes.h"
 #include "base/Error.h"
 #include "sheet/packing/FilmPacking.h"
+#include "sheet/page/SheetRows.h"
+#include "sheet/prepress/PrinterColour.h"
 #include "sheet/prepress/SheetFiles.h"
 #include "texture/StretchPlane.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTransform>
 #include <QtTest>
 
 #include <algorithm>
+#include <cstdint>
 #include <random>
+#include <tiffio.h>
 
 using namespace dipwright;
 
@@ -297,6 +304,119 @@ private slots:
                                 .arg(sheet.filmHeight.value())));
         QCOMPARE(sheetPixels(sheet.filmWidth, sheet.filmHeight, sheet.settings.resolution),
                  sheet.image.size());
+    }
+
+    // A film that is too large for memory gives the same files as a film in memory.
+    void filmSheet_madeInRows_givesTheSameFiles() {
+        std::vector<PieceToPack> parts{part("Turned", {40, 50, 20, 30}),
+                                       part("Upright", {60, 70, 30, 20}, 2)};
+        parts[0].turning = Turning::Always;
+        PackingFilm film;
+        film.size = {120, 150};
+        for (PieceToPack& piece : parts) {
+            Sheet& own = piece.sheet;
+            own.settings.white = WhiteLayer::Last;
+            own.settings.cutLine = CutLine::Ink;
+            QImage white = own.image.convertToFormat(QImage::Format_Grayscale8);
+            own.plates = {{own.settings.whiteName, white}};
+        }
+        const FilmPlan plan = planFilms(parts, film);
+        const Sheet whole = filmSheet(parts, film, plan, 0);
+        const Sheet rows = filmSheet(parts, film, plan, 0, 0);
+        QVERIFY(!whole.rows && rows.rows && rows.image.isNull());
+        QCOMPARE(filmPixels(rows), whole.image.size());
+        QCOMPARE(sheetRows(rows, 500, 900).image,
+                 whole.image.copy(0, 500, whole.image.width(), 400));
+        const PrinterColour inks(simpleCmykProfile(0.002), RenderingIntent::RelativeColorimetric,
+                                 false, "inks.icc");
+        for (const PrinterColour* colour : {static_cast<const PrinterColour*>(nullptr), &inks}) {
+            const PrintCorrection correction{.scaleX = 0.97, .scaleY = 1.02, .colour = colour};
+            for (const auto& write : {writeSheetPdf, writeSheetTiff}) {
+                const QByteArray bytes =
+                    bytesOf([&](QIODevice& device) { write(whole, device, correction); });
+                QVERIFY(bytes.size() > 10'000);
+                QVERIFY(bytes ==
+                        bytesOf([&](QIODevice& device) { write(rows, device, correction); }));
+            }
+        }
+    }
+
+    // 3 m at 600 dpi have 70 866 rows, more than an image in memory may have.
+    void filmSheet_longRoll_isOneFilm() {
+        PieceToPack piece;
+        Sheet& own = piece.sheet;
+        own.filmWidth = own.filmHeight = Millimetres(30);
+        own.settings.resolution = DotsPerInch(600);
+        own.settings.jobLine = false;
+        own.image = QImage(709, 709, QImage::Format_RGBA8888);
+        own.image.fill(Qt::transparent);
+        for (int y = 100; y < 500; ++y) {
+            for (int x = 200; x < 600; ++x) {
+                own.image.setPixel(x, y, qRgb(x % 251, y % 241, (x + y) % 239));
+            }
+        }
+        piece.copies = 85;
+        PackingFilm roll;
+        roll.isRoll = true;
+        roll.size = {50, 3000};
+        const FilmPlan plan = planFilms({piece}, roll);
+        QCOMPARE(plan.films.size(), std::size_t(1));
+        const Sheet sheet = filmSheet({piece}, roll, plan, 0);
+        QVERIFY2(sheet.filmHeight.value() > 2900, qPrintable(sheet.job.film));
+        const QString path =
+            save(bytesOf([&](QIODevice& device) { writeSheetTiff(sheet, device); }), "roll.tif");
+        TIFF* tiff = TIFFOpen(qPrintable(path), "r");
+        QVERIFY(tiff);
+        const auto close = qScopeGuard([&] { TIFFClose(tiff); });
+        std::uint32_t width = 0, height = 0;
+        TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &width);
+        TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &height);
+        QCOMPARE(int(width), 1181);
+        QCOMPARE(int(height), int(std::lround(sheet.filmHeight.value() * 600 / 25.4)));
+        // The last copy has the pixels of its own sheet.
+        const QPoint corner =
+            (sheet.pieces.back().pictureOnPage().topLeft() * 600 / 25.4).toPoint();
+        std::vector<uchar> row(std::size_t(TIFFScanlineSize(tiff)));
+        for (int y = 0; y < 400; y += 57) {
+            for (int line = y == 0 ? 0 : corner.y() + y - 56; line <= corner.y() + y; ++line) {
+                QCOMPARE(TIFFReadScanline(tiff, row.data(), std::uint32_t(line)), 1);
+            }
+            for (int x = 0; x < 400; x += 31) {
+                const uchar* pixel = row.data() + 3 * (corner.x() + x);
+                QCOMPARE(qRgb(pixel[0], pixel[1], pixel[2]), own.image.pixel(200 + x, 100 + y));
+            }
+        }
+    }
+
+    // Whole sheets keep their size and their own marks. Cut marks stand in the gap between them.
+    void filmSheet_wholeSheets_haveCutMarksInTheirGaps() {
+        PackingFilm roll;
+        roll.isRoll = roll.wholeSheets = true;
+        roll.size = {300, 3000};
+        roll.spacing = Millimetres(10);
+        const std::vector<PieceToPack> parts{part("Shell", {40, 50, 30, 40}, 3)};
+        const FilmPlan plan = planFilms(parts, roll);
+        QCOMPARE(plan.films.size(), std::size_t(1));
+        const Sheet sheet = filmSheet(parts, roll, plan, 0);
+        QVERIFY(std::abs(sheet.filmHeight.value() - (5 + 3 * 297 + 2 * 10 + 10)) < 0.5);
+        for (const SheetPiece& piece : sheet.pieces) {
+            QVERIFY(std::abs(piece.box().width() - 210) < 0.1);
+            QVERIFY(std::abs(piece.box().height() - 297) < 0.1);
+        }
+        const QString path = save(pdfOf(sheet), QStringLiteral("series.pdf"));
+        const QString words = pdfWords(path);
+        QCOMPARE(words.count("Job " + jobNumber("Shell")), 6); // on each sheet, and in each gap
+        QVERIFY2(words.contains("copy 2 of 3"), qPrintable(words));
+        // Across the gap after the first sheet, a mark at its lower edge and one at the next.
+        const QRectF first = sheet.pieces[0].box();
+        constexpr int dpi = 600;
+        const QImage gap =
+            renderedPage(path, dpi, QRectF(first.left() - 3, first.bottom() - 5, 2.3, 20));
+        const std::vector<double> lines = darkMiddles(gap, false, gap.width() / 2);
+        QCOMPARE(lines.size(), std::size_t(2));
+        QVERIFY2(std::abs((lines[1] - lines[0]) * 25.4 / dpi - 10) < 0.1,
+                 qPrintable(QString::number((lines[1] - lines[0]) * 25.4 / dpi)));
+        QVERIFY(std::abs(lines[0] * 25.4 / dpi - 5) < 0.1);
     }
 
     void writeSheetPdf_packedSquares_measure17mm() {

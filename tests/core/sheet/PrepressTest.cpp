@@ -139,6 +139,10 @@ private slots:
     void cutBleed_continuesColourPastTheCut();
     void white_isASeparatePlate_data();
     void white_isASeparatePlate();
+    void pdfTarget_keepsAllPlates_data();
+    void pdfTarget_keepsAllPlates();
+    void squarePixels_tiff_hasOneResolution_data();
+    void squarePixels_tiff_hasOneResolution();
     void spotPlates_keepNamesAndOrder();
     void writeSheetTiff_white_isANamedSample();
     void choked_white_isSmallerOnAllSides();
@@ -493,6 +497,123 @@ void PrepressTest::white_isASeparatePlate() {
     const QByteArray page = output("qpdf", {"--qdf", "--stream-data=uncompress", path, "-"});
     const QByteArray order = page.mid(page.indexOf("/Plate0 Do"));
     QVERIFY(order.indexOf("/Plate1 Do") > 0);
+}
+
+void PrepressTest::pdfTarget_keepsAllPlates_data() {
+    QTest::addColumn<PdfTarget>("target");
+    QTest::addColumn<bool>("blends");
+    QTest::addColumn<QByteArray>("version");
+    QTest::newRow("Ghostscript") << PdfTarget::Ghostscript << true << QByteArray("PDF/X-4");
+    QTest::newRow("Adobe") << PdfTarget::AdobePrintEngine << false << QByteArray("PDF/X-4");
+    QTest::newRow("older") << PdfTarget::OlderRip << false << QByteArray("PDF/X-1a:2003");
+}
+
+// Whatever a raster image processor expects, white and varnish remove no ink of other plates, and
+// the cut contour is outside the transparency group.
+void PrepressTest::pdfTarget_keepsAllPlates() {
+    QFETCH(PdfTarget, target);
+    QFETCH(bool, blends);
+    QFETCH(QByteArray, version);
+    Sheet sheet = patchSheet();
+    sheet.image.fill(QColor(200, 60, 60)); // under the white, and over it
+    sheet.settings.ruler = sheet.settings.jobLine = sheet.settings.marks = false;
+    const Separations without = separations(pdfOf(sheet, {.colour = &inks_}), 150);
+    QImage varnish(sheet.image.size(), QImage::Format_Grayscale8);
+    varnish.fill(100);
+    sheet.plates = {{QStringLiteral("Varnish"), varnish, true, QColor(250, 250, 250)},
+                    {QStringLiteral("White"), cornerOfWhite(sheet)}};
+    sheet.settings.cutLine = CutLine::Film;
+    QByteArray icc = simpleCmykProfile(0.002);
+    icc[8] = 2; // PDF/X-1a knows no profiles of version 4
+    const PrinterColour inks(icc, RenderingIntent::RelativeColorimetric, false, "inks.icc");
+    const QString path = pdfOf(sheet, {.colour = &inks, .pdfTarget = target});
+    QVERIFY(!output("qpdf", {"--check", path}).isEmpty());
+    const Separations plates = separations(path, 150);
+    QCOMPARE(plates.size(), std::size_t(7));
+    const QRect inside = without.begin()->second.rect().adjusted(2, 2, -2, -2); // without the cut
+    for (const auto& [name, plate] : without) {
+        QCOMPARE(plates.at(name).copy(inside), plate.copy(inside));
+    }
+    QVERIFY(std::abs(ink(plates, "Varnish", {300, 300}) - 100 / 255.0) < 0.01);
+    QVERIFY(std::abs(ink(plates, "White", {30, 30}) - 128 / 255.0) < 0.01);
+    QCOMPARE(ink(plates, "White", {300, 300}), 0.0);
+    QVERIFY(inkedPixels(plates.at("CutContour")) > 500);
+    const QByteArray document = output(
+        "qpdf", {"--qdf", "--object-streams=disable", "--stream-data=uncompress", path, "-"});
+    QCOMPARE(document.contains("/BM /Multiply"), blends);
+    QCOMPARE(document.count("/S /Transparency"), qsizetype(blends));
+    QCOMPARE(document.count("/OPM 1"), 1 + qsizetype(!blends)); // the cut contour, the plates
+    QVERIFY(document.contains("/GTS_PDFXVersion (" + version + ")"));
+    QCOMPARE(document.startsWith("%PDF-1.4"), target == PdfTarget::OlderRip);
+    // The contour is drawn by the page itself, after the plates.
+    const QByteArray picture = blends ? "/Plates Do" : "/Plate2 Do";
+    const qsizetype place = document.indexOf(picture);
+    QVERIFY(place > 0);
+    const qsizetype end = document.indexOf("endstream", place);
+    QVERIFY(document.mid(place, end - place).contains("/Cut gs"));
+    if (blends) { // a viewer shows the colour
+        QVERIFY(qGray(renderedPage(path, 100, QRectF(5, 5, 2, 2)).pixel(3, 3)) < 160);
+    }
+}
+
+void PrepressTest::squarePixels_tiff_hasOneResolution_data() {
+    QTest::addColumn<bool>("cmyk");
+    QTest::newRow("RGB") << false;
+    QTest::newRow("CMYK") << true;
+}
+
+// On a printer that prints 3 % too small across and 2 % too large along, the patches have their
+// true size if the file is printed at its one resolution.
+void PrepressTest::squarePixels_tiff_hasOneResolution() {
+    QFETCH(bool, cmyk);
+    Sheet sheet = patchSheet();
+    sheet.settings.ruler = sheet.settings.jobLine = sheet.settings.marks = false;
+    PrintCorrection correction{.scaleX = 0.97, .scaleY = 1.02, .squarePixels = true};
+    correction.colour = cmyk ? &inks_ : nullptr;
+    const QString path = written(
+        "square.tif", [&](QIODevice& device) { writeSheetTiff(sheet, device, correction); });
+    TIFF* tiff = TIFFOpen(qPrintable(path), "r");
+    QVERIFY(tiff);
+    const auto close = qScopeGuard([&] { TIFFClose(tiff); });
+    float x = 0, y = 0;
+    std::uint32_t width = 0, height = 0;
+    TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &x);
+    TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &y);
+    TIFFGetField(tiff, TIFFTAG_IMAGEWIDTH, &width);
+    TIFFGetField(tiff, TIFFTAG_IMAGELENGTH, &height);
+    QCOMPARE(x, 150.0f);
+    QCOMPARE(y, 150.0f);
+    const double unit = 150 / 25.4;
+    QCOMPARE(int(width), int(std::lround(100 / 0.97 * unit)));
+    QCOMPARE(int(height), int(std::lround(80 / 1.02 * unit)));
+    // The six patches of 10 mm together, as printed.
+    const int channels = cmyk ? 4 : 3;
+    std::vector<uchar> row(std::size_t(TIFFScanlineSize(tiff)));
+    QRect inked;
+    for (std::uint32_t line = 0; line < height; ++line) {
+        QCOMPARE(TIFFReadScanline(tiff, row.data(), line), 1);
+        for (int column = 0; column < int(width); ++column) {
+            const uchar* pixel = row.data() + column * channels;
+            const int most = *std::max_element(pixel, pixel + channels);
+            const int least = *std::min_element(pixel, pixel + channels);
+            if (cmyk ? most > 60 : least < 180) {
+                inked |= QRect(column, int(line), 1, 1);
+            }
+        }
+    }
+    QVERIFY2(std::abs(inked.width() * 0.97 / unit - 60) < 0.35,
+             qPrintable(QString::number(inked.width() * 0.97 / unit)));
+    QVERIFY2(std::abs(inked.height() * 1.02 / unit - 10) < 0.35,
+             qPrintable(QString::number(inked.height() * 1.02 / unit)));
+    correction.scaleY = correction.scaleX; // already square: nothing is resampled
+    TIFF* same = TIFFOpen(
+        qPrintable(written("same.tif",
+                           [&](QIODevice& device) { writeSheetTiff(sheet, device, correction); })),
+        "r");
+    QVERIFY(same);
+    TIFFGetField(same, TIFFTAG_IMAGEWIDTH, &width);
+    TIFFClose(same);
+    QCOMPARE(int(width), sheet.image.width());
 }
 
 // The file keeps the names and the printing order of a varnish that is printed first, a spot colour

@@ -1,0 +1,134 @@
+#include "import/cad/CadFile.h"
+
+#include "base/Error.h"
+
+#include <QCoreApplication>
+
+#include <IGESCAFControl_Reader.hxx>
+#include <IGESData_IGESModel.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <XCAFApp_Application.hxx>
+
+#include <cstdio>
+#include <sstream>
+#include <utility>
+
+namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
+};
+
+bool isStep(const QByteArray& bytes) {
+    constexpr qsizetype longestPrologue = 1000;
+    return bytes.left(longestPrologue).trimmed().startsWith("ISO-10303-21");
+}
+
+// Each line of an IGES file has 80 columns. Column 73 of the first line has the letter of the start
+// section, or of a flag section.
+bool isIges(const QByteArray& bytes) {
+    constexpr qsizetype sectionColumn = 72;
+    return bytes.size() > sectionColumn &&
+           (bytes[sectionColumn] == 'S' || bytes[sectionColumn] == 'F');
+}
+
+template <typename Reader>
+void chooseContents(Reader& reader) {
+    reader.SetColorMode(true);
+    reader.SetNameMode(true);
+    reader.SetLayerMode(false);
+}
+
+void requireRead(IFSelect_ReturnStatus status, const QString& path) {
+    if (status != IFSelect_RetDone) {
+        throwDamagedCad(Text::tr("it is damaged"), path);
+    }
+}
+
+void requireTransferred(bool isDone, const QString& path) {
+    if (!isDone) {
+        throwDamagedCad(Text::tr("it has no geometry"), path);
+    }
+}
+
+void readStep(const QByteArray& bytes, const QString& path, CadDocument& result) {
+    STEPCAFControl_Reader reader;
+    chooseContents(reader);
+    reader.SetPropsMode(false);
+    reader.SetGDTMode(false);
+    reader.SetMatMode(false);
+    reader.SetViewMode(false);
+    std::istringstream stream(bytes.toStdString());
+    requireRead(reader.ChangeReader().ReadStream("model.step", stream), path);
+    TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
+    reader.ChangeReader().FileUnits(lengths, angles, solidAngles);
+    if (!lengths.IsEmpty()) {
+        result.unit = QString::fromUtf8(lengths.First().ToCString()).toLower();
+    }
+    requireTransferred(reader.Transfer(result.document), path);
+    result.session = reader.Reader().WS();
+}
+
+// OpenCASCADE reads IGES only from named files, or from standard input without a name. In the
+// sandbox there are no files, so standard input is replaced by the bytes.
+void readIges(const QByteArray& bytes, const QString& path, CadDocument& result) {
+#if defined(Q_OS_WIN)
+    throwDamagedCad(Text::tr("IGES cannot be read on Windows"), path);
+#else
+    IGESCAFControl_Reader reader;
+    chooseContents(reader);
+    QByteArray content = bytes;
+    // OpenCASCADE closes it.
+    std::FILE* const before =
+        std::exchange(stdin, fmemopen(content.data(), std::size_t(content.size()), "r"));
+    const IFSelect_ReturnStatus status = reader.ReadFile("");
+    stdin = before;
+    requireRead(status, path);
+    const auto model = Handle(IGESData_IGESModel)::DownCast(reader.WS()->Model());
+    if (!model.IsNull() && !model->GlobalSection().UnitName().IsNull()) {
+        result.unit = QString::fromUtf8(model->GlobalSection().UnitName()->ToCString()).toLower();
+    }
+    requireTransferred(reader.Transfer(result.document), path);
+    result.session = reader.WS();
+    result.isSewn = false;
+#endif
+}
+
+// Units under the names that everybody knows.
+QString plainUnit(const QString& unit) {
+    return unit == QLatin1String("millimetre") || unit == QLatin1String("millimeter")
+               ? QStringLiteral("mm")
+           : unit == QLatin1String("centimetre") || unit == QLatin1String("centimeter")
+               ? QStringLiteral("cm")
+           : unit == QLatin1String("metre") || unit == QLatin1String("meter") ? QStringLiteral("m")
+           : unit == QLatin1String("in") ? QStringLiteral("inch")
+                                         : unit.simplified().left(20);
+}
+
+} // namespace
+
+void throwDamagedCad(const QString& reason, const QString& path) {
+    throw Error(Text::tr("The CAD file cannot be read: %1; save it again as STEP (AP214 or AP242) "
+                         "in the CAD program")
+                    .arg(reason),
+                path);
+}
+
+CadDocument cadDocument(const QByteArray& bytes, const QString& path) {
+    CadDocument result;
+    XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", result.document);
+    if (isStep(bytes)) {
+        readStep(bytes, path, result);
+    } else if (isIges(bytes)) {
+        readIges(bytes, path, result);
+    } else {
+        throwDamagedCad(Text::tr("it is neither STEP nor IGES"), path);
+    }
+    result.unit = plainUnit(result.unit);
+    return result;
+}
+
+} // namespace dipwright

@@ -1,0 +1,58 @@
+// Named parts, by which the program and its modules gain abilities without breaking older modules.
+//
+// A part is a small structure of functions with a name and a version. A published version never
+// changes. What is new becomes another part, or another version beside the old one. So a module
+// that was built earlier finds everything as it was, and one that was built later can ask what is
+// there. Both sides have parts:
+//
+// - Of the program: a module may export dipwrightUseProgram. The program calls it once, after
+//   loading the module, with a function that returns its parts.
+// - Of a module: it may export dipwrightSolverPart, which returns its parts. The program asks for
+//   the parts that it knows. The solver itself (FilmSolver.h) is the part of every module. It is
+//   returned by dipwrightSolverModule; versions 3 and 4 are supported.
+//
+// Whoever asks for a part that the other side lacks gets nullptr, and does without it. Parts belong
+// to the side that returns them, and live as long as the process.
+#pragma once
+
+#include <dipwright/FilmSolver.h>
+
+#include <cstddef>
+
+namespace dipwright::solver {
+
+// Returns a part by its name and version, or nullptr. Any thread may call it.
+using GetPart = const void* (*)(const char* name, int version);
+
+// Returns the part of a type that has a `name` and a `version`, such as ProgramPart; or nullptr.
+template <typename Part>
+const Part* part(GetPart getPart) {
+    return getPart == nullptr ? nullptr
+                              : static_cast<const Part*>(getPart(Part::name, Part::version));
+}
+
+// Of the program: which program loaded the module.
+struct ProgramPart {
+    static constexpr const char* name = "program";
+    static constexpr int version = 1;
+
+    const char* (*programName)();    // "Dipwright"
+    const char* (*programVersion)(); // "1.0.0"
+};
+
+// Of a module: what its solver can do at most. The program then refuses larger films with a
+// sentence, and does not begin them.
+struct LimitsPart {
+    static constexpr const char* name = "limits";
+    static constexpr int version = 1;
+
+    std::size_t (*mostPoints)(); // of a film; 0: any number
+};
+
+} // namespace dipwright::solver
+
+// Symbols that a module may export with C linkage, and their types.
+#define DIPWRIGHT_USE_PROGRAM_ENTRY "dipwrightUseProgram"
+using DipwrightUseProgramEntry = void(dipwright::solver::GetPart getPart);
+#define DIPWRIGHT_SOLVER_PART_ENTRY "dipwrightSolverPart"
+using DipwrightSolverPartEntry = const void*(const char* name, int version);
