@@ -988,6 +988,14 @@
         <source>At the tank</source>
         <translation>Am Becken</translation>
     </message>
+    <message>
+        <source>File ▸ Plates</source>
+        <translation>Datei ▸ Platten</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Send to server</source>
+        <translation>Tauchen ▸ An Server senden</translation>
+    </message>
 </context>
 <context>
     <name>ImmersionEdits</name>
@@ -1022,6 +1030,41 @@
     <message>
         <source>Remove pose from path</source>
         <translation>Lage aus dem Weg entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>InkOptions</name>
+    <message>
+        <source>Comparing the options for ink</source>
+        <translation>Möglichkeiten für die Tinte werden verglichen</translation>
+    </message>
+    <message>
+        <source>Lighten the darkest colours to density %1</source>
+        <translation>Die dunkelsten Farben bis zur Dichte %1 aufhellen</translation>
+    </message>
+    <message>
+        <source>Print white beneath the colours</source>
+        <translation>Weiß unter die Farben drucken</translation>
+    </message>
+    <message>
+        <source>Print the ink in %1 passes</source>
+        <translation>Die Tinte in %1 Durchgängen drucken</translation>
+    </message>
+    <message>
+        <source>Search for a pose with less stretch</source>
+        <translation>Eine Lage mit weniger Dehnung suchen</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted surface too pale; missing density where it is short now: %2 (95 %), %3 at most; mean colour error ΔE %4</source>
+        <translation>%1 % der bemalten Fläche zu blass; fehlende Dichte, wo sie jetzt nicht reicht: %2 (95 %), höchstens %3; mittlerer Farbfehler ΔE %4</translation>
+    </message>
+    <message>
+        <source>; %1 % of the contrast there</source>
+        <translation>; dort %1 % des Kontrasts</translation>
+    </message>
+    <message>
+        <source>ink suffices where the area of the film grows at most %1 times</source>
+        <translation>die Tinte reicht, wo die Fläche des Films höchstens auf das %1-Fache wächst</translation>
     </message>
 </context>
 <context>
@@ -1180,6 +1223,14 @@
         <source>Replace texture</source>
         <translation>Textur ersetzen</translation>
     </message>
+    <message>
+        <source>Change tolerance</source>
+        <translation>Toleranz ändern</translation>
+    </message>
+    <message>
+        <source>Making the triangles again</source>
+        <translation>Die Dreiecke werden neu gemacht</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -1280,6 +1331,14 @@
     <message>
         <source>There is no output set of this name; the project has %1. A list of outputs is also possible: %2</source>
         <translation>Es gibt keinen Ausgabesatz mit diesem Namen; das Projekt hat %1. Möglich ist auch eine Liste von Ausgaben: %2</translation>
+    </message>
+    <message>
+        <source>Proof to share</source>
+        <translation>Vorschau zum Weitergeben</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Kunde</translation>
     </message>
 </context>
 <context>
@@ -1567,10 +1626,6 @@
         <translation>Ergebnisse werden in ihren Ordner verschoben</translation>
     </message>
     <message>
-        <source>White ink, cut contour and spot colours must have different names, but two of them are named %1; rename one</source>
-        <translation>Weiß, Schneidkontur und Sonderfarben müssen verschieden heißen, aber zwei davon heißen %1; benennen Sie eine um</translation>
-    </message>
-    <message>
         <source>The artwork has %1 spot colours, more than the limit of %2; remove some</source>
         <translation>Die Gestaltung hat %1 Sonderfarben, mehr als die höchstens %2; entfernen Sie einige</translation>
     </message>
@@ -1627,16 +1682,36 @@
         <translation>Das Filmmodell der Veröffentlichung erlaubt nur gerade Tauchvorgänge; wählen Sie den Produktionsfilm oder einen geraden Weg</translation>
     </message>
     <message>
-        <source>The roll is cut into films of at most %1 mm, because an image at %2 dpi has at most %3 pixels per side; a lower resolution allows longer films</source>
-        <translation>Die Rolle wird in Folien von höchstens %1 mm geschnitten, weil ein Bild mit %2 dpi höchstens %3 Pixel je Seite hat; eine kleinere Auflösung erlaubt längere Folien</translation>
-    </message>
-    <message>
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
     </message>
     <message>
         <source>There is nothing to write</source>
         <translation>Es gibt nichts zu schreiben</translation>
+    </message>
+    <message>
+        <source>The white ink and the cut contour are both named %1; rename one of them under Sheet, Spot colours</source>
+        <translation>Weiß und Schneidkontur heißen beide %1; benennen Sie unter Blatt, Sonderfarben eine der beiden um</translation>
+    </message>
+    <message>
+        <source>The layer&apos;s spot colour has the name of the sheet&apos;s white ink, %1; give the layer another spot colour, or rename the white ink under Sheet, Spot colours</source>
+        <translation>Die Sonderfarbe der Ebene heißt wie das Weiß des Blatts, %1; geben Sie der Ebene eine andere Sonderfarbe, oder benennen Sie das Weiß unter Blatt, Sonderfarben um</translation>
+    </message>
+    <message>
+        <source>The layer&apos;s spot colour has the name of the cut contour, %1; give the layer another spot colour, or rename the cut contour under Sheet, Spot colours</source>
+        <translation>Die Sonderfarbe der Ebene heißt wie die Schneidkontur, %1; geben Sie der Ebene eine andere Sonderfarbe, oder benennen Sie die Schneidkontur unter Blatt, Sonderfarben um</translation>
+    </message>
+    <message>
+        <source>The spot colours %1 and %2 differ only in capital letters; write both alike, or give the layer another spot colour</source>
+        <translation>Die Sonderfarben %1 und %2 unterscheiden sich nur in der Groß- und Kleinschreibung; schreiben Sie beide gleich, oder geben Sie der Ebene eine andere Sonderfarbe</translation>
+    </message>
+    <message>
+        <source>A zone, mask or layer names the face or material “%1”, which the model does not have; choose another name</source>
+        <translation>Eine Zone, Maske oder Ebene nennt die Fläche oder das Material „%1“, die das Modell nicht hat; wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>Writing the proof to share</source>
+        <translation>Vorschau zum Weitergeben wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -2326,6 +2401,86 @@
         <source>The currency of all prices, for example EUR.</source>
         <translation>Die Währung aller Preise, zum Beispiel EUR.</translation>
     </message>
+    <message>
+        <source>PDF and TIFF files</source>
+        <translation>PDF- und TIFF-Dateien</translation>
+    </message>
+    <message>
+        <source>PDF for</source>
+        <translation>PDF für</translation>
+    </message>
+    <message>
+        <source>The RIP that reads the CMYK PDF. For Ghostscript, white and spot colours blend as transparency, which looks right on every screen, too. For the Adobe PDF Print Engine they overprint. For older RIPs they overprint in a PDF/X-1a file. Viewers that ignore overprint show white over the colours.</source>
+        <translation>Der RIP, der das CMYK-PDF liest. Für Ghostscript werden Weiß und Sonderfarben als Transparenz überlagert, was auch auf jedem Bildschirm richtig aussieht. Für die Adobe PDF Print Engine überdrucken sie. Für ältere RIPs überdrucken sie in einer PDF/X-1a-Datei. Betrachter, die das Überdrucken nicht beachten, zeigen Weiß über den Farben.</translation>
+    </message>
+    <message>
+        <source>Ghostscript, viewers</source>
+        <translation>Ghostscript, Betrachter</translation>
+    </message>
+    <message>
+        <source>Adobe PDF Print Engine</source>
+        <translation>Adobe PDF Print Engine</translation>
+    </message>
+    <message>
+        <source>Older RIPs</source>
+        <translation>Ältere RIPs</translation>
+    </message>
+    <message>
+        <source>Square pixels in TIFF</source>
+        <translation>Quadratische Pixel im TIFF</translation>
+    </message>
+    <message>
+        <source>Gives TIFF files one resolution. If the scales X and Y differ, the image is resampled, which softens it slightly. Without this, the file has two resolutions, which some RIPs ignore.</source>
+        <translation>Gibt TIFF-Dateien eine einzige Auflösung. Sind die Maßstäbe X und Y verschieden, wird das Bild neu abgetastet und dadurch etwas weicher. Sonst hat die Datei zwei Auflösungen, die manche RIPs nicht beachten.</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Gap in a series</source>
+        <translation>Abstand in einer Serie</translation>
+    </message>
+    <message>
+        <source>Bare film between the sheets of a series, which is printed on the roll as one job, with cut marks and the number of each copy in the gap. Usual values are 5 to 20 mm. Without it, each sheet is a page of its own.</source>
+        <translation>Freier Film zwischen den Blättern einer Serie, die in einem Auftrag auf die Rolle gedruckt wird, mit Schnittmarken und der Nummer jedes Exemplars im Abstand. Üblich sind 5 bis 20 mm. Ohne Abstand ist jedes Blatt eine eigene Seite.</translation>
+    </message>
+    <message>
+        <source>Single pages</source>
+        <translation>Einzelne Seiten</translation>
+    </message>
+    <message>
+        <source>Width of the roll</source>
+        <translation>Breite der Rolle</translation>
+    </message>
+    <message>
+        <source>Width of the loaded roll, as far as it can be printed. Give it if the printer does not report its roll.</source>
+        <translation>Breite der eingelegten Rolle, soweit sie bedruckt werden kann. Geben Sie sie an, wenn der Drucker seine Rolle nicht meldet.</translation>
+    </message>
+    <message>
+        <source>As the printer reports</source>
+        <translation>Wie der Drucker meldet</translation>
+    </message>
+    <message>
+        <source>Pure inks</source>
+        <translation>Reine Tinten</translation>
+    </message>
+    <message>
+        <source>What is printed in one ink alone instead of a mixture. “Black”: greys of RGB pictures, and black alone in CMYK pictures. “All”: cyan, magenta and yellow alone, too. Keeps text and lines sharp. CMYK pictures in the printer&apos;s own ICC profile always keep their amounts of ink.</source>
+        <translation>Was in einer einzigen Tinte statt in einer Mischung gedruckt wird. „Schwarz“: Grautöne von RGB-Bildern und reines Schwarz in CMYK-Bildern. „Alle“: auch reines Cyan, Magenta und Gelb. Hält Text und Linien scharf. CMYK-Bilder im ICC-Profil des Druckers behalten immer ihre Tintenmengen.</translation>
+    </message>
+    <message>
+        <source>As the ICC profile mixes them</source>
+        <translation>Wie das ICC-Profil sie mischt</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -2675,6 +2830,233 @@
     <message>
         <source>There is no such setting</source>
         <translation>Diese Einstellung gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>Proof</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>Bedruckt</translation>
+    </message>
+    <message>
+        <source>The part as it is expected to come out</source>
+        <translation>Das Teil, wie es voraussichtlich herauskommt</translation>
+    </message>
+    <message>
+        <source>After dip 1</source>
+        <translation>Nach Tauchvorgang 1</translation>
+    </message>
+    <message>
+        <source>The part after %1</source>
+        <translation>Das Teil nach %1</translation>
+    </message>
+    <message>
+        <source>Artwork</source>
+        <translation>Motiv</translation>
+    </message>
+    <message>
+        <source>The picture that was asked for</source>
+        <translation>Das gewünschte Bild</translation>
+    </message>
+    <message>
+        <source>bare</source>
+        <translation>blank</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mehr</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>How many times longer the film becomes on the part</source>
+        <translation>Wievielmal länger der Film auf dem Teil wird</translation>
+    </message>
+    <message>
+        <source>Numerical error</source>
+        <translation>Numerischer Fehler</translation>
+    </message>
+    <message>
+        <source>How far the picture may be off by computing, in mm. Limit: %1 mm</source>
+        <translation>Wie weit das Bild durch die Rechnung daneben liegen kann, in mm. Grenze: %1 mm</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>How far handling may move the picture, ± mm</source>
+        <translation>Wie weit die Handhabung das Bild verschieben kann, ± mm</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Dips</source>
+        <translation>Tauchvorgänge</translation>
+    </message>
+    <message>
+        <source>Painted by all dips together</source>
+        <translation>Von allen Tauchvorgängen zusammen bedeckt</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Length of the seam</source>
+        <translation>Länge der Naht</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Tauchvorgang %1: %2</translation>
+    </message>
+    <message>
+        <source>Painted</source>
+        <translation>Bedeckt</translation>
+    </message>
+    <message>
+        <source>Stretch: mean, 95 % below, largest</source>
+        <translation>Dehnung: Mittel, 95 % darunter, größte</translation>
+    </message>
+    <message>
+        <source>Numerical error, 95 % within</source>
+        <translation>Numerischer Fehler, 95 % innerhalb von</translation>
+    </message>
+    <message>
+        <source>Read-back error, 95 % within</source>
+        <translation>Rücklesefehler, 95 % innerhalb von</translation>
+    </message>
+    <message>
+        <source>Tolerance of handling, 95 % within ±</source>
+        <translation>Toleranz der Handhabung, 95 % innerhalb von ±</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Eingeschlossene Luft</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm, job %3</source>
+        <translation>%1 × %2 mm, Auftrag %3</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Urteil: %1</translation>
+    </message>
+    <message>
+        <source>The surface shown here is within %1 mm of the part.</source>
+        <translation>Die gezeigte Oberfläche liegt höchstens %1 mm neben dem Teil.</translation>
+    </message>
+    <message>
+        <source>The surface shown here has all triangles of the part.</source>
+        <translation>Die gezeigte Oberfläche hat alle Dreiecke des Teils.</translation>
+    </message>
+    <message>
+        <source>Screens show colours differently; the print decides.</source>
+        <translation>Bildschirme zeigen Farben verschieden; es gilt der Druck.</translation>
+    </message>
+    <message>
+        <source>Making the proof to share</source>
+        <translation>Vorschau zum Weitergeben wird erzeugt</translation>
+    </message>
+    <message>
+        <source>This program was built without three.js, which shows the proof in a browser. Build it with the package libjs-three installed, or share proof.png</source>
+        <translation>Dieses Programm wurde ohne three.js gebaut, das die Vorschau im Browser zeigt. Bauen Sie es mit dem Paket libjs-three, oder geben Sie proof.png weiter</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Below</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Job %1</source>
+        <translation>Auftrag %1</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>The part. Arrow keys turn it, plus and minus zoom, 0 resets</source>
+        <translation>Das Teil. Pfeiltasten drehen es, Plus und Minus zoomen, 0 setzt zurück</translation>
+    </message>
+    <message>
+        <source>Drag to turn. Wheel or two fingers zoom and move. Arrow keys turn, + and − zoom.</source>
+        <translation>Ziehen dreht. Mausrad oder zwei Finger zoomen und verschieben. Pfeiltasten drehen, + und − zoomen.</translation>
+    </message>
+    <message>
+        <source>This browser cannot draw in 3D (WebGL). The picture shows the part from six sides.</source>
+        <translation>Dieser Browser kann nicht in 3D zeichnen (WebGL). Das Bild zeigt das Teil von sechs Seiten.</translation>
+    </message>
+    <message>
+        <source>The part from six sides</source>
+        <translation>Das Teil von sechs Seiten</translation>
+    </message>
+    <message>
+        <source>Sheets, ink side up</source>
+        <translation>Blätter, Farbseite oben</translation>
+    </message>
+    <message>
+        <source>Made by %1. The viewer is three.js.</source>
+        <translation>Erzeugt mit %1. Die Darstellung macht three.js.</translation>
+    </message>
+    <message>
+        <source>Licence of the viewer</source>
+        <translation>Lizenz der Darstellung</translation>
     </message>
 </context>
 <context>
@@ -3390,10 +3772,6 @@
         <translation>Grenze für den Aufwand</translation>
     </message>
     <message>
-        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells. This limits the work of one dip: the number of film points times the number of steps, in millions. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
-        <translation>Ist der numerische Fehler zu groß, um ein Blatt zu drucken, wird der Tauchvorgang mit kleineren Zellen wiederholt. Dieser Wert begrenzt den Aufwand eines Tauchvorgangs: Zahl der Filmpunkte mal Zahl der Schritte, in Millionen. 60 dauern auf zwei Kernen etwa 20 s. 0: Der Tauchvorgang wird nicht wiederholt.</translation>
-    </message>
-    <message>
         <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice connects each point only with its horizontal and vertical neighbours, as in the publication of 2020.</source>
         <translation>Isotroper Film widersteht Scherung; das Ergebnis hängt nicht von der Richtung des Gitters ab. Das strukturelle Gitter verbindet jeden Punkt nur mit seinen waagerechten und senkrechten Nachbarn, wie in der Veröffentlichung von 2020.</translation>
     </message>
@@ -3641,6 +4019,26 @@
         <source>The number of good parts that are ordered. Report, queue and traveller give the cost and the time of the order. Sheets do not depend on it.</source>
         <translation>Zahl der guten Teile, die bestellt sind. Bericht, Warteschlange und Laufkarte geben Kosten und Zeit der Bestellung an. Blätter hängen nicht davon ab.</translation>
     </message>
+    <message>
+        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells. This limits the work of one dip: the number of film points times the number of steps, in millions. 100 takes about 20 s on two cores. 0: the dip is not repeated.</source>
+        <translation>Ist der numerische Fehler zu groß, um ein Blatt zu drucken, wird der Tauchvorgang mit kleineren Zellen wiederholt. Dieser Wert begrenzt den Aufwand eines Tauchvorgangs: Zahl der Filmpunkte mal Zahl der Schritte, in Millionen. 100 dauern auf zwei Kernen etwa 20 s. 0: Der Tauchvorgang wird nicht wiederholt.</translation>
+    </message>
+    <message>
+        <source>Densest colour</source>
+        <translation>Dichteste Farbe</translation>
+    </message>
+    <message>
+        <source>A tone curve lightens the darkest colours of the texture to this density and keeps them apart, so that the ink suffices on stretched film. Usual: 0.8 to 1.8. At 10 the texture stays as it is.</source>
+        <translation>Eine Gradationskurve hellt die dunkelsten Farben der Textur bis zu dieser Dichte auf und hält sie auseinander, damit die Tinte auf gedehntem Film reicht. Üblich: 0,8 bis 1,8. Bei 10 bleibt die Textur, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Passes of ink</source>
+        <translation>Durchgänge der Tinte</translation>
+    </message>
+    <message>
+        <source>How many times the printer prints each sheet onto the same film. Two passes reach twice the ink limit. The film must not move between the passes, and takes longer to dry. Usual: 1.</source>
+        <translation>Wie oft der Drucker jedes Blatt auf denselben Film druckt. Zwei Durchgänge erreichen das doppelte Tintenlimit. Der Film darf sich zwischen den Durchgängen nicht bewegen und trocknet länger. Üblich: 1.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3824,6 +4222,109 @@
         <source>Too pale: more ink than allowed</source>
         <translation>Zu blass: mehr Tinte als erlaubt</translation>
     </message>
+    <message>
+        <source>Too pale</source>
+        <translation>Zu blass</translation>
+    </message>
+    <message>
+        <source>Missing, 95 %</source>
+        <translation>Fehlt, 95 %</translation>
+    </message>
+    <message>
+        <source>Missing, most</source>
+        <translation>Fehlt, größte</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Colour error ΔE</source>
+        <translation>Farbfehler ΔE</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Where ink does not suffice</source>
+        <translation>Wo die Tinte nicht reicht</translation>
+    </message>
+    <message>
+        <source>A click on an option changes the project; it can be undone. Too pale: share of the painted surface. Missing: optical density where ink is short now (95 %), and the most anywhere. Contrast: of the texture, where ink is short now. Colour error: mean difference to the texture on the painted surface.</source>
+        <translation>Ein Klick auf eine Möglichkeit ändert das Projekt; das lässt sich rückgängig machen. Zu blass: Anteil der bemalten Fläche. Fehlt: optische Dichte, wo die Tinte jetzt nicht reicht (95 %), und die größte überhaupt. Kontrast: der Textur, wo die Tinte jetzt nicht reicht. Farbfehler: mittlerer Unterschied zur Textur auf der bemalten Fläche.</translation>
+    </message>
+</context>
+<context>
+    <name>Serving</name>
+    <message>
+        <source>Write the path of a socket, such as /run/user/1000/dipwright.sock, or a port of this computer, such as 127.0.0.1:8137</source>
+        <translation>Schreiben Sie den Pfad eines Sockets, etwa /run/user/1000/dipwright.sock, oder einen Port dieses Rechners, etwa 127.0.0.1:8137</translation>
+    </message>
+    <message>
+        <source>Only addresses of this computer are possible, because the connection is not encrypted. Reach another computer through an SSH tunnel: ssh -L 8137:127.0.0.1:8137 USER@COMPUTER</source>
+        <translation>Nur Adressen dieses Rechners sind möglich, denn die Verbindung ist nicht verschlüsselt. Erreichen Sie einen anderen Rechner durch einen SSH-Tunnel: ssh -L 8137:127.0.0.1:8137 BENUTZER@RECHNER</translation>
+    </message>
+    <message>
+        <source>The server does not answer (%1). Check that it runs, and the address</source>
+        <translation>Der Server antwortet nicht (%1). Prüfen Sie, ob er läuft, und die Adresse</translation>
+    </message>
+    <message>
+        <source>The server&apos;s answer is too long</source>
+        <translation>Die Antwort des Servers ist zu lang</translation>
+    </message>
+    <message>
+        <source>The server refused the request (%1)</source>
+        <translation>Der Server hat die Anfrage abgelehnt (%1)</translation>
+    </message>
+    <message>
+        <source>The server says: %1</source>
+        <translation>Der Server meldet: %1</translation>
+    </message>
+    <message>
+        <source>The project cannot be read: %1</source>
+        <translation>Das Projekt kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>The project has %1 MB, and the server allows %2 MB</source>
+        <translation>Das Projekt hat %1 MB, und der Server erlaubt %2 MB</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>The server has no file %1</source>
+        <translation>Der Server hat keine Datei %1</translation>
+    </message>
+    <message>
+        <source>The server&apos;s file %1 is too large</source>
+        <translation>Die Datei %1 des Servers ist zu groß</translation>
+    </message>
+    <message>
+        <source>The server could not run the job: %1</source>
+        <translation>Der Server konnte den Auftrag nicht ausführen: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the server</source>
+        <translation>Warten auf den Server</translation>
+    </message>
+    <message>
+        <source>On the server: %1</source>
+        <translation>Auf dem Server: %1</translation>
+    </message>
+    <message>
+        <source>Sending the project</source>
+        <translation>Projekt wird gesendet</translation>
+    </message>
+    <message>
+        <source>Fetching the results</source>
+        <translation>Ergebnisse werden geholt</translation>
+    </message>
+    <message>
+        <source>The server&apos;s results do not fit this program. Install the same version of Dipwright on both computers</source>
+        <translation>Die Ergebnisse des Servers passen nicht zu diesem Programm. Installieren Sie auf beiden Rechnern dieselbe Version von Dipwright</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>
@@ -4004,10 +4505,6 @@
         <translation>Seine Beschreibungsdatei ist zu groß</translation>
     </message>
     <message>
-        <source>It was built for solver interface %1, but this program has %2; get the plugin for this version of the program, or build it again</source>
-        <translation>Er wurde für die Solverschnittstelle %1 gebaut, dieses Programm hat aber %2; besorgen Sie das Plugin für diese Version des Programms, oder bauen Sie es neu</translation>
-    </message>
-    <message>
         <source>Its description file does not describe a solver</source>
         <translation>Seine Beschreibungsdatei beschreibt keinen Solver</translation>
     </message>
@@ -4026,6 +4523,14 @@
     <message>
         <source>Its module does not match this program&apos;s solver interface %1, although its description file says that it does; build it again</source>
         <translation>Sein Modul passt nicht zur Solverschnittstelle %1 dieses Programms, obwohl seine Beschreibungsdatei das angibt; bauen Sie es neu</translation>
+    </message>
+    <message>
+        <source>It handles films of at most %1 points, but this film has %2; choose another solver, or a coarser film</source>
+        <translation>Er verarbeitet Filme mit höchstens %1 Punkten, aber dieser Film hat %2; wählen Sie einen anderen Solver oder einen gröberen Film</translation>
+    </message>
+    <message>
+        <source>It was built for solver interface %1, but this program has %2 to %3; get the plugin for this version of the program, or build it again</source>
+        <translation>Er wurde für die Solverschnittstelle %1 gebaut, dieses Programm hat aber %2 bis %3; besorgen Sie das Plugin für diese Version des Programms, oder bauen Sie es neu</translation>
     </message>
 </context>
 <context>
@@ -4470,6 +4975,10 @@
         <source>Compare the part with the picture on the traveller: the colours are in place, and nothing is torn or folded.</source>
         <translation>Vergleichen Sie das Teil mit dem Bild auf der Laufkarte: Die Farben sind an ihrem Ort, und nichts ist gerissen oder gefaltet.</translation>
     </message>
+    <message>
+        <source>Lay sheet %1, which must have been printed in %2 passes, on the water, ink side up.</source>
+        <translation>Das Blatt %1, das in %2 Durchgängen gedruckt sein muss, mit der Farbseite nach oben auf das Wasser legen.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -4720,6 +5229,10 @@
     <message>
         <source>The font %2 of the text “%1” is not installed on this computer, so another font replaces it; install it, or choose an installed font</source>
         <translation>Die Schrift %2 des Textes „%1“ ist auf diesem Rechner nicht installiert und wird durch eine andere ersetzt; installieren Sie sie, oder wählen Sie eine installierte Schrift</translation>
+    </message>
+    <message>
+        <source>The model has no face or material of this name; its names are %1</source>
+        <translation>Das Modell hat keine Fläche und kein Material dieses Namens; seine Namen sind %1</translation>
     </message>
 </context>
 <context>
@@ -5011,6 +5524,18 @@
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
     </message>
+    <message>
+        <source>Only on</source>
+        <translation>Nur auf</translation>
+    </message>
+    <message>
+        <source>whole part</source>
+        <translation>ganzem Teil</translation>
+    </message>
+    <message>
+        <source>The face of the CAD model, or the material, on which the layer shows. A decal moves to its middle.</source>
+        <translation>Die Fläche des CAD-Modells oder das Material, auf dem die Ebene erscheint. Ein Abziehbild rückt in die Mitte der Fläche.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ArtworkPainter</name>
@@ -5153,6 +5678,22 @@
     <message>
         <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller, or save it again in the program that created it</source>
         <translation>Die Datei zu lesen dauert länger als %1 Sekunden, viel zu lange für ihre Größe; verkleinern Sie die Datei, oder speichern Sie sie in dem Programm neu, das sie erzeugt hat</translation>
+    </message>
+    <message>
+        <source>The CAD model has more than %1 faces; save only the part that is dipped, without its inner parts</source>
+        <translation>Das CAD-Modell hat mehr als %1 Flächen; speichern Sie nur das Teil, das getaucht wird, ohne innere Teile</translation>
+    </message>
+    <message>
+        <source>The CAD model would have more than %1 million triangles; choose a larger tolerance for its triangles</source>
+        <translation>Das CAD-Modell hätte mehr als %1 Millionen Dreiecke; wählen Sie eine größere Toleranz der Dreiecke</translation>
+    </message>
+    <message>
+        <source>Reading the CAD file takes more than %1 MB of memory; choose a larger tolerance for its triangles, or save only the part that is dipped</source>
+        <translation>Das Lesen der CAD-Datei braucht mehr als %1 MB Speicher; wählen Sie eine größere Toleranz der Dreiecke, oder speichern Sie nur das Teil, das getaucht wird</translation>
+    </message>
+    <message>
+        <source>Reading the CAD file takes more than %1 seconds; choose a larger tolerance for its triangles, or save only the part that is dipped</source>
+        <translation>Das Lesen der CAD-Datei dauert länger als %1 Sekunden; wählen Sie eine größere Toleranz der Dreiecke, oder speichern Sie nur das Teil, das getaucht wird</translation>
     </message>
 </context>
 <context>
@@ -5318,6 +5859,21 @@
     <message>
         <source>The job already contains the part in these photos; a part may be added only once</source>
         <translation>Der Auftrag enthält das Teil auf diesen Fotos schon; ein Teil darf nur einmal hinzugefügt werden</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CadModel</name>
+    <message>
+        <source>CAD file %1 in %2, faces: %3, tolerance of the triangles: %4 mm</source>
+        <translation>CAD-Datei %1 in %2, Flächen: %3, Toleranz der Dreiecke: %4 mm</translation>
+    </message>
+    <message>
+        <source>mm (its unit is unknown)</source>
+        <translation>mm (ihre Einheit ist unbekannt)</translation>
+    </message>
+    <message>
+        <source>Only a model from a CAD file (STEP, IGES) can be cut into other triangles; import such a file</source>
+        <translation>Nur ein Modell aus einer CAD-Datei (STEP, IGES) kann in andere Dreiecke zerlegt werden; importieren Sie eine solche Datei</translation>
     </message>
 </context>
 <context>
@@ -5966,6 +6522,10 @@
     <message>
         <source>%1 costs</source>
         <translation>%1 Kosten</translation>
+    </message>
+    <message>
+        <source>These sheets were made before the last changes to the project. Run the dip again to see the current state.</source>
+        <translation>Diese Blätter stammen aus der Zeit vor den letzten Änderungen am Projekt. Rechnen Sie den Tauchvorgang neu, um den jetzigen Stand zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -7014,6 +7574,54 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <source>The model lies too far from its origin; move it to the origin and save it again</source>
         <translation>Das Modell liegt zu weit von seinem Ursprung; schieben Sie es in den Ursprung und speichern Sie es neu</translation>
     </message>
+    <message>
+        <source>it has no surfaces</source>
+        <translation>sie hat keine Flächen</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>sie ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it has no geometry</source>
+        <translation>sie hat keine Geometrie</translation>
+    </message>
+    <message>
+        <source>IGES cannot be read on Windows</source>
+        <translation>IGES kann unter Windows nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>The CAD file cannot be read: %1; save it again as STEP (AP214 or AP242) in the CAD program</source>
+        <translation>Die CAD-Datei kann nicht gelesen werden: %1; speichern Sie sie im CAD-Programm noch einmal als STEP (AP214 oder AP242)</translation>
+    </message>
+    <message>
+        <source>it is neither STEP nor IGES</source>
+        <translation>sie ist weder STEP noch IGES</translation>
+    </message>
+    <message>
+        <source>Reading the CAD file</source>
+        <translation>Die CAD-Datei wird gelesen</translation>
+    </message>
+    <message>
+        <source>its geometry is invalid (%1)</source>
+        <translation>ihre Geometrie ist ungültig (%1)</translation>
+    </message>
+    <message>
+        <source>Cutting the surfaces into triangles</source>
+        <translation>Die Flächen werden in Dreiecke zerlegt</translation>
+    </message>
+    <message>
+        <source>Faces that are missing, because they cannot be cut into triangles: %1 (%2)</source>
+        <translation>Flächen, die fehlen, weil sie nicht in Dreiecke zerlegt werden können: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>its surfaces have no extent</source>
+        <translation>ihre Flächen haben keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>its surfaces cannot be cut into triangles</source>
+        <translation>ihre Flächen können nicht in Dreiecke zerlegt werden</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -7286,6 +7894,22 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <source>Strokes on the part take the area out of the marks. Hold Shift to erase with a single stroke.</source>
         <translation>Striche auf dem Teil nehmen die Fläche aus den Markierungen heraus. Mit gehaltener Umschalttaste radiert ein einzelner Strich.</translation>
     </message>
+    <message>
+        <source>Mark</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>By name</source>
+        <translation>Nach Namen</translation>
+    </message>
+    <message>
+        <source>A face of the CAD model, or a material, by its name. The mark stays on it when the triangles are made again.</source>
+        <translation>Eine Fläche des CAD-Modells oder ein Material, nach dem Namen. Die Markierung bleibt darauf, wenn die Dreiecke neu gemacht werden.</translation>
+    </message>
+    <message>
+        <source>Marks this face or material as chosen above.</source>
+        <translation>Markiert diese Fläche oder dieses Material, wie oben gewählt.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::MaskFields</name>
@@ -7298,12 +7922,12 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Maskiert eine ganze Fläche</translation>
     </message>
     <message>
-        <source>Masks a whole material</source>
-        <translation>Maskiert ein ganzes Material</translation>
-    </message>
-    <message>
         <source>What a click or drag on the part does. Masked surface must stay free of film: it is covered with tape, the sheet stays blank there, and the cradle may touch it.</source>
         <translation>Was ein Klick oder ein Ziehen auf dem Teil bewirkt. Maskierte Fläche muss frei von Film bleiben: Sie wird mit Klebeband abgedeckt, das Blatt bleibt dort leer, und die Halterung darf sie berühren.</translation>
+    </message>
+    <message>
+        <source>Masks a whole material or CAD face</source>
+        <translation>Maskiert ein ganzes Material oder eine CAD-Fläche</translation>
     </message>
 </context>
 <context>
@@ -8064,6 +8688,14 @@ zuerst eintaucht</translation>
         <source>How many copies of the project are placed on the film.</source>
         <translation>Wie viele Kopien des Projekts auf den Film gelegt werden.</translation>
     </message>
+    <message>
+        <source>W&amp;hole sheets with cut marks</source>
+        <translation>&amp;Ganze Blätter mit Schnittmarken</translation>
+    </message>
+    <message>
+        <source>Places whole sheets with their own marks, for an unattended series on a roll. Cut marks and the number of each copy stand in the gaps; 5 to 20 mm are usual. Otherwise only the printed parts are placed.</source>
+        <translation>Legt ganze Blätter mit ihren eigenen Marken, für eine unbeaufsichtigte Serie auf einer Rolle. In den Abständen stehen Schnittmarken und die Nummer jedes Exemplars; 5 bis 20 mm sind üblich. Sonst werden nur die bedruckten Teile gelegt.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PaintArtwork</name>
@@ -8417,6 +9049,183 @@ zuerst eintaucht</translation>
     <message>
         <source>True size</source>
         <translation>Wahre Größe</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PlatesDialog</name>
+    <message>
+        <source>Cyan</source>
+        <translation>Cyan</translation>
+    </message>
+    <message>
+        <source>Magenta</source>
+        <translation>Magenta</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Platten</translation>
+    </message>
+    <message>
+        <source>Plates need a printer profile with an ICC profile in CMYK. Choose one under Sheet, and run the dip again.</source>
+        <translation>Platten brauchen ein Druckerprofil mit einem ICC-Profil in CMYK. Wählen Sie eines unter Blatt und rechnen Sie den Tauchvorgang neu.</translation>
+    </message>
+    <message>
+        <source>&amp;All plates</source>
+        <translation>&amp;Alle Platten</translation>
+    </message>
+    <message>
+        <source>&amp;Only this plate</source>
+        <translation>&amp;Nur diese Platte</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>Wheel or + and − zoom, dragging or the arrow keys move the picture. Ctrl and the arrow keys move the place whose ink is shown, by one pixel; with Shift by ten.</source>
+        <translation>Mausrad oder + und − vergrößern und verkleinern, Ziehen oder die Pfeiltasten verschieben das Bild. Strg und die Pfeiltasten bewegen die Stelle, deren Tinte angezeigt wird, um ein Pixel; mit Umschalt um zehn.</translation>
+    </message>
+    <message>
+        <source>Stops the computation. Choose another view or sheet to start again.</source>
+        <translation>Hält die Berechnung an. Wählen Sie eine andere Ansicht oder ein anderes Blatt, um neu zu beginnen.</translation>
+    </message>
+    <message>
+        <source>The dip whose sheet is shown.</source>
+        <translation>Der Tauchvorgang, dessen Blatt gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Ticked plates in ink colours</source>
+        <translation>Angehakte Platten in Farbe</translation>
+    </message>
+    <message>
+        <source>Selected plate in grey</source>
+        <translation>Gewählte Platte in Grau</translation>
+    </message>
+    <message>
+        <source>Total ink of the four inks</source>
+        <translation>Gesamtfarbauftrag der vier Tinten</translation>
+    </message>
+    <message>
+        <source>What the picture shows. In grey, black is full ink. Total ink is the sum of cyan, magenta, yellow and black; red is above the limit.</source>
+        <translation>Was das Bild zeigt. In Grau ist Schwarz volle Tinte. Der Gesamtfarbauftrag ist die Summe von Cyan, Magenta, Gelb und Schwarz; Rot liegt über der Grenze.</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Colour of the part</source>
+        <translation>Farbe des Teils</translation>
+    </message>
+    <message>
+        <source>What lies beneath the inks in the picture. White ink shows only on another ground than white.</source>
+        <translation>Was im Bild unter den Tinten liegt. Weiße Tinte sieht man nur auf einem anderen Untergrund als Weiß.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>The largest sum of the four inks that the film carries. Places above it are marked and measured. It starts at the printer profile&apos;s total area coverage. Usual: 200 to 300 %. The print does not change.</source>
+        <translation>Die größte Summe der vier Tinten, die der Film trägt. Stellen darüber werden markiert und gemessen. Anfangs steht hier der Gesamtfarbauftrag des Druckerprofils. Üblich: 200 bis 300 %. Der Druck ändert sich nicht.</translation>
+    </message>
+    <message>
+        <source>S&amp;heet</source>
+        <translation>&amp;Blatt</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>An&amp;sicht</translation>
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation>&amp;Untergrund</translation>
+    </message>
+    <message>
+        <source>Total ink &amp;limit</source>
+        <translation>&amp;Größter Auftrag</translation>
+    </message>
+    <message>
+        <source>Plates in printing order</source>
+        <translation>Platten in Druckreihenfolge</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Cursor %</source>
+        <translation>Zeiger %</translation>
+    </message>
+    <message>
+        <source>Largest %</source>
+        <translation>Größte %</translation>
+    </message>
+    <message>
+        <source>Full ink</source>
+        <translation>Volle Tinte</translation>
+    </message>
+    <message>
+        <source>The ink under the cursor, as a share of full ink.</source>
+        <translation>Die Tinte unter dem Mauszeiger als Anteil voller Tinte.</translation>
+    </message>
+    <message>
+        <source>The largest share of ink on the film.</source>
+        <translation>Der größte Anteil von Tinte auf dem Film.</translation>
+    </message>
+    <message>
+        <source>How much ink the plate takes, as the area that it would cover at full ink.</source>
+        <translation>Wie viel Tinte die Platte braucht, als Fläche, die sie mit voller Tinte decken würde.</translation>
+    </message>
+    <message>
+        <source>Tick the plates that the picture shows. Space changes the selected plate, a double-click shows only that plate.</source>
+        <translation>Haken Sie die Platten an, die das Bild zeigt. Die Leertaste ändert die gewählte Platte, ein Doppelklick zeigt nur diese Platte.</translation>
+    </message>
+    <message>
+        <source>Making the plates</source>
+        <translation>Platten werden gemacht</translation>
+    </message>
+    <message>
+        <source>Measuring the plates</source>
+        <translation>Platten werden gemessen</translation>
+    </message>
+    <message>
+        <source>Drawing the plates</source>
+        <translation>Platten werden gezeichnet</translation>
+    </message>
+    <message>
+        <source>Four inks</source>
+        <translation>Vier Tinten</translation>
+    </message>
+    <message>
+        <source>All plates</source>
+        <translation>Alle Platten</translation>
+    </message>
+    <message>
+        <source>Above the limit of %1 %: %2, %3 % of the inked film.
+95 % of the inked film carries at most %4 %. The figures are those of the film&apos;s picture; marks and lettering are printed besides it.</source>
+        <translation>Über der Grenze von %1 %: %2, das sind %3 % des bedruckten Films.
+95 % des bedruckten Films tragen höchstens %4 %. Die Zahlen gelten für das Bild auf dem Film; Marken und Schrift kommen dazu.</translation>
+    </message>
+    <message>
+        <source>The sheet is printed %1 times; the figures are those of one pass.</source>
+        <translation>Das Blatt wird %1-mal gedruckt; die Zahlen gelten für einen Durchgang.</translation>
+    </message>
+    <message>
+        <source>%1 &gt; limit</source>
+        <translation>%1 &gt; Grenze</translation>
     </message>
 </context>
 <context>
@@ -8839,6 +9648,18 @@ Unterschiede</translation>
         <source>Sent to the print queue of %1</source>
         <translation>An die Druckwarteschlange von %1 gesendet</translation>
     </message>
+    <message>
+        <source>P&amp;lates…</source>
+        <translation>P&amp;latten…</translation>
+    </message>
+    <message>
+        <source>This film is too long to show its plates. Look at the plates of the single jobs.</source>
+        <translation>Dieser Film ist zu lang, um seine Platten zu zeigen. Sehen Sie sich die Platten der einzelnen Aufträge an.</translation>
+    </message>
+    <message>
+        <source>Shows the plates of the sheets, the ink under the cursor, and where there is too much ink. Needs a printer profile with an ICC profile in CMYK.</source>
+        <translation>Zeigt die Platten der Blätter, die Tinte unter dem Mauszeiger und wo zu viel Tinte liegt. Braucht ein Druckerprofil mit einem ICC-Profil in CMYK.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PrintFields</name>
@@ -9019,6 +9840,10 @@ Unterschiede</translation>
     <message>
         <source>This ICC profile does not belong to an RGB or CMYK printer; choose the printer&apos;s output profile</source>
         <translation>Dieses ICC-Profil gehört zu keinem RGB- oder CMYK-Drucker; wählen Sie das Ausgabeprofil des Druckers</translation>
+    </message>
+    <message>
+        <source>This file is not an ICC device link from RGB or CMYK to CMYK, or it is damaged; choose another file</source>
+        <translation>Diese Datei ist kein ICC-Device-Link von RGB oder CMYK nach CMYK, oder sie ist beschädigt; wählen Sie eine andere Datei</translation>
     </message>
 </context>
 <context>
@@ -9255,6 +10080,14 @@ Unterschiede</translation>
         <source>any size from %1 to %2</source>
         <translation>jede Größe von %1 bis %2</translation>
     </message>
+    <message>
+        <source>Each sheet must be printed %1 times onto the same film, without moving it: the project prints its ink in %1 passes</source>
+        <translation>Jedes Blatt muss %1-mal auf denselben Film gedruckt werden, ohne ihn zu verschieben: Das Projekt druckt seine Tinte in %1 Durchgängen</translation>
+    </message>
+    <message>
+        <source>Series on the roll, %1, with cut marks; sheets: %2</source>
+        <translation>Serie auf der Rolle, %1, mit Schnittmarken; Blätter: %2</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
@@ -9408,6 +10241,38 @@ Unterschiede</translation>
     <message>
         <source>%1, copy</source>
         <translation>%1, Kopie</translation>
+    </message>
+    <message>
+        <source>None (the ICC profile converts all pictures)</source>
+        <translation>Keiner (das ICC-Profil wandelt alle Bilder um)</translation>
+    </message>
+    <message>
+        <source>For pictures in CMYK</source>
+        <translation>Für Bilder in CMYK</translation>
+    </message>
+    <message>
+        <source>For pictures in RGB</source>
+        <translation>Für Bilder in RGB</translation>
+    </message>
+    <message>
+        <source>Device link</source>
+        <translation>Device-Link</translation>
+    </message>
+    <message>
+        <source>An ICC device link from RGB or CMYK to the printer&apos;s CMYK. It converts pictures of its kind in place of the ICC profile, for example to keep black text in black ink. Used only with a CMYK ICC profile.</source>
+        <translation>Ein ICC-Device-Link von RGB oder CMYK in das CMYK des Druckers. Er wandelt Bilder seiner Art anstelle des ICC-Profils um, zum Beispiel damit schwarzer Text in schwarzer Tinte bleibt. Nur mit einem CMYK-ICC-Profil verwendet.</translation>
+    </message>
+    <message>
+        <source>Choose a device link</source>
+        <translation>Device-Link wählen</translation>
+    </message>
+    <message>
+        <source>No device link</source>
+        <translation>Kein Device-Link</translation>
+    </message>
+    <message>
+        <source>A device link needs the printer&apos;s ICC profile, too; choose that first</source>
+        <translation>Ein Device-Link braucht auch das ICC-Profil des Druckers; wählen Sie zuerst dieses</translation>
     </message>
 </context>
 <context>
@@ -9650,6 +10515,14 @@ Unterschiede</translation>
         <source>Masks on the part</source>
         <translation>Masken auf dem Teil</translation>
     </message>
+    <message>
+        <source>Tolerance of triangles</source>
+        <translation>Toleranz der Dreiecke</translation>
+    </message>
+    <message>
+        <source>The largest distance of the triangles from the surfaces of the CAD file. A smaller one shows curves more exactly and makes more triangles. Usual: 0.01 to 0.1 mm. Zones, masks and artwork stay.</source>
+        <translation>Der größte Abstand der Dreiecke von den Flächen der CAD-Datei. Eine kleinere Toleranz zeigt Rundungen genauer und macht mehr Dreiecke. Üblich: 0,01 bis 0,1 mm. Zonen, Masken und Bilder bleiben.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::QueueDialog</name>
@@ -9824,6 +10697,10 @@ Ergebnisse: %2</translation>
     <message>
         <source>The file was not read, because it made the file reader crash; save it again (a model as %1, a picture as PNG)</source>
         <translation>Die Datei wurde nicht gelesen, weil sie das Leseprogramm zum Absturz brachte; speichern Sie sie neu (ein Modell als %1, ein Bild als PNG)</translation>
+    </message>
+    <message>
+        <source>This Dipwright was built without the reader of CAD files; save the model as %1, or use a Dipwright with CAD (dipwright-cad-reader)</source>
+        <translation>Dieses Dipwright wurde ohne den Leser für CAD-Dateien gebaut; speichern Sie das Modell als %1, oder verwenden Sie ein Dipwright mit CAD (dipwright-cad-reader)</translation>
     </message>
 </context>
 <context>
@@ -10309,6 +11186,60 @@ mm je mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::ServerController</name>
+    <message>
+        <source>Running on the server</source>
+        <translation>Lauf auf dem Server</translation>
+    </message>
+    <message>
+        <source>The project was changed while the server ran it. Send it again.</source>
+        <translation>Das Projekt wurde geändert, während der Server rechnete. Senden Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The server has simulated the dips.</source>
+        <translation>Der Server hat die Tauchvorgänge simuliert.</translation>
+    </message>
+    <message>
+        <source>Send to server</source>
+        <translation>An Server senden</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ServerDialog</name>
+    <message>
+        <source>Paste the server&apos;s token, or write the path of its file</source>
+        <translation>Fügen Sie das Token des Servers ein, oder schreiben Sie den Pfad seiner Datei</translation>
+    </message>
+    <message>
+        <source>Send to server</source>
+        <translation>An Server senden</translation>
+    </message>
+    <message>
+        <source>Where dipwright-cli serve listens: a port of this computer, such as 127.0.0.1:8137, or the path of a socket. Another computer is reached through an SSH tunnel.</source>
+        <translation>Wo dipwright-cli serve erreichbar ist: ein Port dieses Rechners, etwa 127.0.0.1:8137, oder der Pfad eines Sockets. Einen anderen Rechner erreichen Sie durch einen SSH-Tunnel.</translation>
+    </message>
+    <message>
+        <source>The token that the server asks for, or the path of the file that holds it. Only the path is remembered.</source>
+        <translation>Das Token, das der Server verlangt, oder der Pfad der Datei, in der es steht. Nur der Pfad wird gemerkt.</translation>
+    </message>
+    <message>
+        <source>The server simulates the dips of this project. Its results then appear here like those of a run on this computer.</source>
+        <translation>Der Server simuliert die Tauchvorgänge dieses Projekts. Seine Ergebnisse erscheinen dann hier wie die eines Laufs auf diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>&amp;Adresse</translation>
+    </message>
+    <message>
+        <source>&amp;Token or its file</source>
+        <translation>&amp;Token oder seine Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>&amp;Senden</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::Sheet</name>
     <message>
         <source>The sheet&apos;s PDF cannot be written: %1</source>
@@ -10405,6 +11336,14 @@ mm je mm</translation>
     <message>
         <source>Job %1 · row %2 of %3, column %4 of %5 · %6 · %7 · cut along the dashed lines</source>
         <translation>Auftrag %1 · Zeile %2 von %3, Spalte %4 von %5 · %6 · %7 · an den gestrichelten Linien schneiden</translation>
+    </message>
+    <message>
+        <source>A film of %1 mm is longer than the limit of %2 mm; choose a shorter film</source>
+        <translation>Ein Film von %1 mm ist länger als die Grenze von %2 mm; wählen Sie einen kürzeren Film</translation>
+    </message>
+    <message>
+        <source>Job %1 · %2 · copy %3 of %4</source>
+        <translation>Auftrag %1 · %2 · Exemplar %3 von %4</translation>
     </message>
 </context>
 <context>
@@ -11849,6 +12788,22 @@ mm je mm</translation>
         <source>Click two places on the part to measure the straight distance between them, and the distance along the surface</source>
         <translation>Zwei Stellen auf dem Teil anklicken, um ihren geraden Abstand und den Abstand entlang der Oberfläche zu messen</translation>
     </message>
+    <message>
+        <source>Plates…</source>
+        <translation>Platten…</translation>
+    </message>
+    <message>
+        <source>Show the plates of the sheets, the ink under the cursor, and where there is too much ink</source>
+        <translation>Zeigt die Platten der Blätter, die Tinte unter dem Mauszeiger und wo zu viel Tinte liegt</translation>
+    </message>
+    <message>
+        <source>Send to ser&amp;ver…</source>
+        <translation>An Ser&amp;ver senden…</translation>
+    </message>
+    <message>
+        <source>Simulate the dips on another computer, such as one with a GPU, and show the results here</source>
+        <translation>Die Tauchvorgänge auf einem anderen Rechner simulieren, etwa einem mit GPU, und die Ergebnisse hier zeigen</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WindowLayout</name>
@@ -12009,10 +12964,6 @@ mm je mm</translation>
         <translation>Ganze Fläche</translation>
     </message>
     <message>
-        <source>Whole material</source>
-        <translation>Ganzes Material</translation>
-    </message>
-    <message>
         <source>The zone that a click or drag on the part sets. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
         <translation>Die Zone, die ein Klick oder Ziehen auf dem Teil setzt. Zone A muss am genauesten bemalt werden. Die Fläche ohne Marke ist Zone C.</translation>
     </message>
@@ -12023,6 +12974,10 @@ mm je mm</translation>
     <message>
         <source>What a click marks: the surface under the brush, the face up to its edges, or everything with the same material in the model.</source>
         <translation>Was ein Klick markiert: die Oberfläche unter dem Pinsel, die Fläche bis zu ihren Kanten oder alles, was im Modell dasselbe Material hat.</translation>
+    </message>
+    <message>
+        <source>Whole material or CAD face</source>
+        <translation>Ganzes Material oder CAD-Fläche</translation>
     </message>
 </context>
 <context>

@@ -988,6 +988,14 @@
         <source>At the tank</source>
         <translation>No tanque</translation>
     </message>
+    <message>
+        <source>File ▸ Plates</source>
+        <translation>Arquivo ▸ Chapas</translation>
+    </message>
+    <message>
+        <source>Dip ▸ Send to server</source>
+        <translation>Imersão ▸ Enviar ao servidor</translation>
+    </message>
 </context>
 <context>
     <name>ImmersionEdits</name>
@@ -1022,6 +1030,41 @@
     <message>
         <source>Remove pose from path</source>
         <translation>Remover pose do percurso</translation>
+    </message>
+</context>
+<context>
+    <name>InkOptions</name>
+    <message>
+        <source>Comparing the options for ink</source>
+        <translation>Comparando as opções para a tinta</translation>
+    </message>
+    <message>
+        <source>Lighten the darkest colours to density %1</source>
+        <translation>Clarear as cores mais escuras até a densidade %1</translation>
+    </message>
+    <message>
+        <source>Print white beneath the colours</source>
+        <translation>Imprimir branco sob as cores</translation>
+    </message>
+    <message>
+        <source>Print the ink in %1 passes</source>
+        <translation>Imprimir a tinta em %1 passadas</translation>
+    </message>
+    <message>
+        <source>Search for a pose with less stretch</source>
+        <translation>Buscar uma pose com menos estiramento</translation>
+    </message>
+    <message>
+        <source>%1 % of the painted surface too pale; missing density where it is short now: %2 (95 %), %3 at most; mean colour error ΔE %4</source>
+        <translation>%1 % da superfície pintada clara demais; densidade que falta onde não basta agora: %2 (95 %), no máximo %3; erro de cor médio ΔE %4</translation>
+    </message>
+    <message>
+        <source>; %1 % of the contrast there</source>
+        <translation>; %1 % do contraste ali</translation>
+    </message>
+    <message>
+        <source>ink suffices where the area of the film grows at most %1 times</source>
+        <translation>a tinta basta onde a área da película cresce no máximo %1 vezes</translation>
     </message>
 </context>
 <context>
@@ -1180,6 +1223,14 @@
         <source>Replace texture</source>
         <translation>Trocar textura</translation>
     </message>
+    <message>
+        <source>Change tolerance</source>
+        <translation>Alterar tolerância</translation>
+    </message>
+    <message>
+        <source>Making the triangles again</source>
+        <translation>Refazendo os triângulos</translation>
+    </message>
 </context>
 <context>
     <name>Motion</name>
@@ -1280,6 +1331,14 @@
     <message>
         <source>There is no output set of this name; the project has %1. A list of outputs is also possible: %2</source>
         <translation>Não há conjunto de saídas com este nome; o projeto tem %1. Também é possível uma lista de saídas: %2</translation>
+    </message>
+    <message>
+        <source>Proof to share</source>
+        <translation>Prova para compartilhar</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Cliente</translation>
     </message>
 </context>
 <context>
@@ -1567,10 +1626,6 @@
         <translation>Movendo os resultados para a pasta deles</translation>
     </message>
     <message>
-        <source>White ink, cut contour and spot colours must have different names, but two of them are named %1; rename one</source>
-        <translation>O branco, o contorno de corte e as cores especiais devem ter nomes diferentes, mas dois deles se chamam %1; mude um dos nomes</translation>
-    </message>
-    <message>
         <source>The artwork has %1 spot colours, more than the limit of %2; remove some</source>
         <translation>A arte tem %1 cores especiais, mais que o limite de %2; remova algumas</translation>
     </message>
@@ -1627,16 +1682,36 @@
         <translation>O modelo de película do artigo só permite imersões retas; escolha a película de produção ou um percurso reto</translation>
     </message>
     <message>
-        <source>The roll is cut into films of at most %1 mm, because an image at %2 dpi has at most %3 pixels per side; a lower resolution allows longer films</source>
-        <translation>O rolo é cortado em películas de no máximo %1 mm, porque uma imagem com %2 dpi tem no máximo %3 pixels por lado; uma resolução menor permite películas mais longas</translation>
-    </message>
-    <message>
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
     </message>
     <message>
         <source>There is nothing to write</source>
         <translation>Não há nada para gravar</translation>
+    </message>
+    <message>
+        <source>The white ink and the cut contour are both named %1; rename one of them under Sheet, Spot colours</source>
+        <translation>O branco e o contorno de corte se chamam ambos %1; mude o nome de um deles em Folha, Cores especiais</translation>
+    </message>
+    <message>
+        <source>The layer&apos;s spot colour has the name of the sheet&apos;s white ink, %1; give the layer another spot colour, or rename the white ink under Sheet, Spot colours</source>
+        <translation>A cor especial da camada tem o nome do branco da folha, %1; dê à camada outra cor especial ou mude o nome do branco em Folha, Cores especiais</translation>
+    </message>
+    <message>
+        <source>The layer&apos;s spot colour has the name of the cut contour, %1; give the layer another spot colour, or rename the cut contour under Sheet, Spot colours</source>
+        <translation>A cor especial da camada tem o nome do contorno de corte, %1; dê à camada outra cor especial ou mude o nome do contorno em Folha, Cores especiais</translation>
+    </message>
+    <message>
+        <source>The spot colours %1 and %2 differ only in capital letters; write both alike, or give the layer another spot colour</source>
+        <translation>As cores especiais %1 e %2 diferem só nas maiúsculas; escreva as duas do mesmo modo ou dê à camada outra cor especial</translation>
+    </message>
+    <message>
+        <source>A zone, mask or layer names the face or material “%1”, which the model does not have; choose another name</source>
+        <translation>Uma zona, máscara ou camada indica a face ou o material “%1”, que o modelo não tem; escolha outro nome</translation>
+    </message>
+    <message>
+        <source>Writing the proof to share</source>
+        <translation>Gravando a prova para compartilhar</translation>
     </message>
 </context>
 <context>
@@ -2326,6 +2401,86 @@
         <source>The currency of all prices, for example EUR.</source>
         <translation>A moeda de todos os preços, por exemplo BRL.</translation>
     </message>
+    <message>
+        <source>PDF and TIFF files</source>
+        <translation>Arquivos PDF e TIFF</translation>
+    </message>
+    <message>
+        <source>PDF for</source>
+        <translation>PDF para</translation>
+    </message>
+    <message>
+        <source>The RIP that reads the CMYK PDF. For Ghostscript, white and spot colours blend as transparency, which looks right on every screen, too. For the Adobe PDF Print Engine they overprint. For older RIPs they overprint in a PDF/X-1a file. Viewers that ignore overprint show white over the colours.</source>
+        <translation>O RIP que lê o PDF em CMYK. Para o Ghostscript, o branco e as cores especiais se sobrepõem como transparência, o que também aparece certo em qualquer tela. Para o Adobe PDF Print Engine eles sobreimprimem. Para RIPs mais antigos eles sobreimprimem em um arquivo PDF/X-1a. Visualizadores que ignoram a sobreimpressão mostram o branco sobre as cores.</translation>
+    </message>
+    <message>
+        <source>Ghostscript, viewers</source>
+        <translation>Ghostscript, visualizadores</translation>
+    </message>
+    <message>
+        <source>Adobe PDF Print Engine</source>
+        <translation>Adobe PDF Print Engine</translation>
+    </message>
+    <message>
+        <source>Older RIPs</source>
+        <translation>RIPs mais antigos</translation>
+    </message>
+    <message>
+        <source>Square pixels in TIFF</source>
+        <translation>Pixels quadrados no TIFF</translation>
+    </message>
+    <message>
+        <source>Gives TIFF files one resolution. If the scales X and Y differ, the image is resampled, which softens it slightly. Without this, the file has two resolutions, which some RIPs ignore.</source>
+        <translation>Dá aos arquivos TIFF uma só resolução. Se as escalas X e Y forem diferentes, a imagem é reamostrada, o que a suaviza um pouco. Sem isto, o arquivo tem duas resoluções, que alguns RIPs ignoram.</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rolo</translation>
+    </message>
+    <message>
+        <source>Gap in a series</source>
+        <translation>Espaço em uma série</translation>
+    </message>
+    <message>
+        <source>Bare film between the sheets of a series, which is printed on the roll as one job, with cut marks and the number of each copy in the gap. Usual values are 5 to 20 mm. Without it, each sheet is a page of its own.</source>
+        <translation>Película livre entre as folhas de uma série, que é impressa no rolo em um só trabalho, com marcas de corte e o número de cada cópia no espaço. Valores usuais são de 5 a 20 mm. Sem ele, cada folha é uma página própria.</translation>
+    </message>
+    <message>
+        <source>Single pages</source>
+        <translation>Páginas separadas</translation>
+    </message>
+    <message>
+        <source>Width of the roll</source>
+        <translation>Largura do rolo</translation>
+    </message>
+    <message>
+        <source>Width of the loaded roll, as far as it can be printed. Give it if the printer does not report its roll.</source>
+        <translation>Largura do rolo carregado, até onde pode ser impresso. Indique-a se a impressora não informa o seu rolo.</translation>
+    </message>
+    <message>
+        <source>As the printer reports</source>
+        <translation>Como a impressora informa</translation>
+    </message>
+    <message>
+        <source>Pure inks</source>
+        <translation>Tintas puras</translation>
+    </message>
+    <message>
+        <source>What is printed in one ink alone instead of a mixture. “Black”: greys of RGB pictures, and black alone in CMYK pictures. “All”: cyan, magenta and yellow alone, too. Keeps text and lines sharp. CMYK pictures in the printer&apos;s own ICC profile always keep their amounts of ink.</source>
+        <translation>O que é impresso em uma única tinta em vez de uma mistura. “Preto”: cinzas de imagens RGB e preto puro em imagens CMYK. “Todas”: também ciano, magenta e amarelo puros. Mantém textos e linhas nítidos. Imagens CMYK no perfil ICC da própria impressora sempre mantêm suas quantidades de tinta.</translation>
+    </message>
+    <message>
+        <source>As the ICC profile mixes them</source>
+        <translation>Como o perfil ICC as mistura</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Preto</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todas</translation>
+    </message>
 </context>
 <context>
     <name>Profiles</name>
@@ -2675,6 +2830,233 @@
     <message>
         <source>There is no such setting</source>
         <translation>Essa configuração não existe</translation>
+    </message>
+</context>
+<context>
+    <name>Proof</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>Impresso</translation>
+    </message>
+    <message>
+        <source>The part as it is expected to come out</source>
+        <translation>A peça como se espera que fique</translation>
+    </message>
+    <message>
+        <source>After dip 1</source>
+        <translation>Após a imersão 1</translation>
+    </message>
+    <message>
+        <source>The part after %1</source>
+        <translation>A peça após %1</translation>
+    </message>
+    <message>
+        <source>Artwork</source>
+        <translation>Arte</translation>
+    </message>
+    <message>
+        <source>The picture that was asked for</source>
+        <translation>A imagem pedida</translation>
+    </message>
+    <message>
+        <source>bare</source>
+        <translation>nua</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>mais</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Estiramento</translation>
+    </message>
+    <message>
+        <source>How many times longer the film becomes on the part</source>
+        <translation>Quantas vezes mais longa a película fica na peça</translation>
+    </message>
+    <message>
+        <source>Numerical error</source>
+        <translation>Erro numérico</translation>
+    </message>
+    <message>
+        <source>How far the picture may be off by computing, in mm. Limit: %1 mm</source>
+        <translation>Quanto a imagem pode errar por causa do cálculo, em mm. Limite: %1 mm</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolerância</translation>
+    </message>
+    <message>
+        <source>How far handling may move the picture, ± mm</source>
+        <translation>Quanto o manuseio pode deslocar a imagem, ± mm</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Peça</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamanho</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Dips</source>
+        <translation>Imersões</translation>
+    </message>
+    <message>
+        <source>Painted by all dips together</source>
+        <translation>Pintado por todas as imersões juntas</translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation>Película</translation>
+    </message>
+    <message>
+        <source>Length of the seam</source>
+        <translation>Comprimento da emenda</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Dip %1: %2</source>
+        <translation>Imersão %1: %2</translation>
+    </message>
+    <message>
+        <source>Painted</source>
+        <translation>Pintado</translation>
+    </message>
+    <message>
+        <source>Stretch: mean, 95 % below, largest</source>
+        <translation>Estiramento: médio, 95 % abaixo, maior</translation>
+    </message>
+    <message>
+        <source>Numerical error, 95 % within</source>
+        <translation>Erro numérico, 95 % dentro de</translation>
+    </message>
+    <message>
+        <source>Read-back error, 95 % within</source>
+        <translation>Erro de releitura, 95 % dentro de</translation>
+    </message>
+    <message>
+        <source>Tolerance of handling, 95 % within ±</source>
+        <translation>Tolerância do manuseio, 95 % dentro de ±</translation>
+    </message>
+    <message>
+        <source>Trapped air</source>
+        <translation>Ar preso</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Trabalho</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm, job %3</source>
+        <translation>%1 × %2 mm, trabalho %3</translation>
+    </message>
+    <message>
+        <source>Verdict: %1</source>
+        <translation>Veredito: %1</translation>
+    </message>
+    <message>
+        <source>The surface shown here is within %1 mm of the part.</source>
+        <translation>A superfície mostrada aqui está a no máximo %1 mm da peça.</translation>
+    </message>
+    <message>
+        <source>The surface shown here has all triangles of the part.</source>
+        <translation>A superfície mostrada aqui tem todos os triângulos da peça.</translation>
+    </message>
+    <message>
+        <source>Screens show colours differently; the print decides.</source>
+        <translation>As telas mostram as cores de formas diferentes; vale a impressão.</translation>
+    </message>
+    <message>
+        <source>Making the proof to share</source>
+        <translation>Gerando a prova para compartilhar</translation>
+    </message>
+    <message>
+        <source>This program was built without three.js, which shows the proof in a browser. Build it with the package libjs-three installed, or share proof.png</source>
+        <translation>Este programa foi compilado sem three.js, que mostra a prova no navegador. Compile-o com o pacote libjs-three instalado, ou compartilhe proof.png</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Frente</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Direita</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Atrás</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Esquerda</translation>
+    </message>
+    <message>
+        <source>Above</source>
+        <translation>Acima</translation>
+    </message>
+    <message>
+        <source>Below</source>
+        <translation>Abaixo</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Prova</translation>
+    </message>
+    <message>
+        <source>Job %1</source>
+        <translation>Trabalho %1</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Camada</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vista</translation>
+    </message>
+    <message>
+        <source>The part. Arrow keys turn it, plus and minus zoom, 0 resets</source>
+        <translation>A peça. As setas a giram, mais e menos dão zoom, 0 restaura</translation>
+    </message>
+    <message>
+        <source>Drag to turn. Wheel or two fingers zoom and move. Arrow keys turn, + and − zoom.</source>
+        <translation>Arraste para girar. A roda ou dois dedos dão zoom e movem. As setas giram, + e − dão zoom.</translation>
+    </message>
+    <message>
+        <source>This browser cannot draw in 3D (WebGL). The picture shows the part from six sides.</source>
+        <translation>Este navegador não desenha em 3D (WebGL). A imagem mostra a peça de seis lados.</translation>
+    </message>
+    <message>
+        <source>The part from six sides</source>
+        <translation>A peça de seis lados</translation>
+    </message>
+    <message>
+        <source>Sheets, ink side up</source>
+        <translation>Folhas, lado da tinta para cima</translation>
+    </message>
+    <message>
+        <source>Made by %1. The viewer is three.js.</source>
+        <translation>Feito com %1. O visualizador é three.js.</translation>
+    </message>
+    <message>
+        <source>Licence of the viewer</source>
+        <translation>Licença do visualizador</translation>
     </message>
 </context>
 <context>
@@ -3390,10 +3772,6 @@
         <translation>Limite de trabalho</translation>
     </message>
     <message>
-        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells. This limits the work of one dip: the number of film points times the number of steps, in millions. 60 takes about 20 s on two cores. 0: the dip is not repeated.</source>
-        <translation>Se o erro numérico for grande demais para imprimir uma folha, a imersão é repetida com células menores. Este valor limita o trabalho de uma imersão: o número de pontos da película vezes o número de passos, em milhões. 60 levam cerca de 20 s em dois núcleos. 0: a imersão não é repetida.</translation>
-    </message>
-    <message>
         <source>Isotropic film resists shear; the result does not depend on the direction of the grid. The structural lattice connects each point only with its horizontal and vertical neighbours, as in the publication of 2020.</source>
         <translation>A película isotrópica resiste ao cisalhamento; o resultado não depende da direção da grade. A rede estrutural liga cada ponto só aos seus vizinhos horizontais e verticais, como no artigo de 2020.</translation>
     </message>
@@ -3641,6 +4019,26 @@
         <source>The number of good parts that are ordered. Report, queue and traveller give the cost and the time of the order. Sheets do not depend on it.</source>
         <translation>Número de peças boas que foram pedidas. O relatório, a fila e a ficha de acompanhamento dão o custo e o tempo do pedido. As folhas não dependem dele.</translation>
     </message>
+    <message>
+        <source>If the numerical error is too large to print a sheet, its dip is repeated with smaller cells. This limits the work of one dip: the number of film points times the number of steps, in millions. 100 takes about 20 s on two cores. 0: the dip is not repeated.</source>
+        <translation>Se o erro numérico for grande demais para imprimir uma folha, a imersão é repetida com células menores. Este valor limita o trabalho de uma imersão: o número de pontos da película vezes o número de passos, em milhões. 100 levam cerca de 20 s em dois núcleos. 0: a imersão não é repetida.</translation>
+    </message>
+    <message>
+        <source>Densest colour</source>
+        <translation>Cor mais densa</translation>
+    </message>
+    <message>
+        <source>A tone curve lightens the darkest colours of the texture to this density and keeps them apart, so that the ink suffices on stretched film. Usual: 0.8 to 1.8. At 10 the texture stays as it is.</source>
+        <translation>Uma curva tonal clareia as cores mais escuras da textura até esta densidade e as mantém distintas, para que a tinta baste na película esticada. Usual: 0,8 a 1,8. Em 10 a textura fica como está.</translation>
+    </message>
+    <message>
+        <source>Passes of ink</source>
+        <translation>Passadas de tinta</translation>
+    </message>
+    <message>
+        <source>How many times the printer prints each sheet onto the same film. Two passes reach twice the ink limit. The film must not move between the passes, and takes longer to dry. Usual: 1.</source>
+        <translation>Quantas vezes a impressora imprime cada folha na mesma película. Duas passadas alcançam o dobro do limite de tinta. A película não pode se mover entre as passadas e leva mais tempo para secar. Usual: 1.</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>
@@ -3824,6 +4222,109 @@
         <source>Too pale: more ink than allowed</source>
         <translation>Pálido demais: mais tinta do que o permitido</translation>
     </message>
+    <message>
+        <source>Too pale</source>
+        <translation>Clara demais</translation>
+    </message>
+    <message>
+        <source>Missing, 95 %</source>
+        <translation>Falta, 95 %</translation>
+    </message>
+    <message>
+        <source>Missing, most</source>
+        <translation>Falta, maior</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Contraste</translation>
+    </message>
+    <message>
+        <source>Colour error ΔE</source>
+        <translation>Erro de cor ΔE</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Agora</translation>
+    </message>
+    <message>
+        <source>Where ink does not suffice</source>
+        <translation>Onde a tinta não basta</translation>
+    </message>
+    <message>
+        <source>A click on an option changes the project; it can be undone. Too pale: share of the painted surface. Missing: optical density where ink is short now (95 %), and the most anywhere. Contrast: of the texture, where ink is short now. Colour error: mean difference to the texture on the painted surface.</source>
+        <translation>Um clique numa opção muda o projeto; dá para desfazer. Clara demais: parte da superfície pintada. Falta: densidade óptica onde a tinta não basta agora (95 %) e a maior em qualquer lugar. Contraste: da textura, onde a tinta não basta agora. Erro de cor: diferença média para a textura na superfície pintada.</translation>
+    </message>
+</context>
+<context>
+    <name>Serving</name>
+    <message>
+        <source>Write the path of a socket, such as /run/user/1000/dipwright.sock, or a port of this computer, such as 127.0.0.1:8137</source>
+        <translation>Escreva o caminho de um socket, como /run/user/1000/dipwright.sock, ou uma porta deste computador, como 127.0.0.1:8137</translation>
+    </message>
+    <message>
+        <source>Only addresses of this computer are possible, because the connection is not encrypted. Reach another computer through an SSH tunnel: ssh -L 8137:127.0.0.1:8137 USER@COMPUTER</source>
+        <translation>Só endereços deste computador são possíveis, porque a conexão não é criptografada. Alcance outro computador por um túnel SSH: ssh -L 8137:127.0.0.1:8137 USUARIO@COMPUTADOR</translation>
+    </message>
+    <message>
+        <source>The server does not answer (%1). Check that it runs, and the address</source>
+        <translation>O servidor não responde (%1). Verifique se ele está rodando e o endereço</translation>
+    </message>
+    <message>
+        <source>The server&apos;s answer is too long</source>
+        <translation>A resposta do servidor é longa demais</translation>
+    </message>
+    <message>
+        <source>The server refused the request (%1)</source>
+        <translation>O servidor recusou o pedido (%1)</translation>
+    </message>
+    <message>
+        <source>The server says: %1</source>
+        <translation>O servidor diz: %1</translation>
+    </message>
+    <message>
+        <source>The project cannot be read: %1</source>
+        <translation>O projeto não pode ser lido: %1</translation>
+    </message>
+    <message>
+        <source>The project has %1 MB, and the server allows %2 MB</source>
+        <translation>O projeto tem %1 MB, e o servidor permite %2 MB</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>O arquivo não pode ser gravado: %1</translation>
+    </message>
+    <message>
+        <source>The server has no file %1</source>
+        <translation>O servidor não tem o arquivo %1</translation>
+    </message>
+    <message>
+        <source>The server&apos;s file %1 is too large</source>
+        <translation>O arquivo %1 do servidor é grande demais</translation>
+    </message>
+    <message>
+        <source>The server could not run the job: %1</source>
+        <translation>O servidor não conseguiu executar o trabalho: %1</translation>
+    </message>
+    <message>
+        <source>Waiting for the server</source>
+        <translation>Aguardando o servidor</translation>
+    </message>
+    <message>
+        <source>On the server: %1</source>
+        <translation>No servidor: %1</translation>
+    </message>
+    <message>
+        <source>Sending the project</source>
+        <translation>Enviando o projeto</translation>
+    </message>
+    <message>
+        <source>Fetching the results</source>
+        <translation>Buscando os resultados</translation>
+    </message>
+    <message>
+        <source>The server&apos;s results do not fit this program. Install the same version of Dipwright on both computers</source>
+        <translation>Os resultados do servidor não servem para este programa. Instale a mesma versão do Dipwright nos dois computadores</translation>
+    </message>
 </context>
 <context>
     <name>ShippedNames</name>
@@ -4004,10 +4505,6 @@
         <translation>O arquivo de descrição dele é grande demais</translation>
     </message>
     <message>
-        <source>It was built for solver interface %1, but this program has %2; get the plugin for this version of the program, or build it again</source>
-        <translation>Ele foi feito para a interface de solucionador %1, mas este programa tem a %2; obtenha o plugin para esta versão do programa ou compile-o de novo</translation>
-    </message>
-    <message>
         <source>Its description file does not describe a solver</source>
         <translation>O arquivo de descrição dele não descreve um solucionador</translation>
     </message>
@@ -4026,6 +4523,14 @@
     <message>
         <source>Its module does not match this program&apos;s solver interface %1, although its description file says that it does; build it again</source>
         <translation>O módulo dele não corresponde à interface de solucionador %1 deste programa, embora o arquivo de descrição afirme que corresponde; compile-o de novo</translation>
+    </message>
+    <message>
+        <source>It handles films of at most %1 points, but this film has %2; choose another solver, or a coarser film</source>
+        <translation>Ele processa películas de no máximo %1 pontos, mas esta película tem %2; escolha outro solucionador ou uma película mais grossa</translation>
+    </message>
+    <message>
+        <source>It was built for solver interface %1, but this program has %2 to %3; get the plugin for this version of the program, or build it again</source>
+        <translation>Ele foi feito para a interface de solucionador %1, mas este programa tem a %2 até a %3; obtenha o plugin para esta versão do programa ou compile-o de novo</translation>
     </message>
 </context>
 <context>
@@ -4470,6 +4975,10 @@
         <source>Compare the part with the picture on the traveller: the colours are in place, and nothing is torn or folded.</source>
         <translation>Compare a peça com a imagem na ficha de acompanhamento: as cores estão no lugar, e nada está rasgado ou dobrado.</translation>
     </message>
+    <message>
+        <source>Lay sheet %1, which must have been printed in %2 passes, on the water, ink side up.</source>
+        <translation>Ponha a folha %1, que deve ter sido impressa em %2 passadas, sobre a água, com a tinta para cima.</translation>
+    </message>
 </context>
 <context>
     <name>Units</name>
@@ -4720,6 +5229,10 @@
     <message>
         <source>The font %2 of the text “%1” is not installed on this computer, so another font replaces it; install it, or choose an installed font</source>
         <translation>A fonte %2 do texto “%1” não está instalada neste computador e é substituída por outra; instale-a ou escolha uma fonte instalada</translation>
+    </message>
+    <message>
+        <source>The model has no face or material of this name; its names are %1</source>
+        <translation>O modelo não tem face nem material com este nome; seus nomes são %1</translation>
     </message>
 </context>
 <context>
@@ -5011,6 +5524,18 @@
         <source>%1 × %2 mm</source>
         <translation>%1 × %2 mm</translation>
     </message>
+    <message>
+        <source>Only on</source>
+        <translation>Somente em</translation>
+    </message>
+    <message>
+        <source>whole part</source>
+        <translation>peça inteira</translation>
+    </message>
+    <message>
+        <source>The face of the CAD model, or the material, on which the layer shows. A decal moves to its middle.</source>
+        <translation>A face do modelo CAD, ou o material, em que a camada aparece. Um decalque vai para o meio dela.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ArtworkPainter</name>
@@ -5153,6 +5678,22 @@
     <message>
         <source>Reading the file takes more than %1 seconds, far too long for its size; make the file smaller, or save it again in the program that created it</source>
         <translation>Ler o arquivo leva mais de %1 segundos, demais para o seu tamanho; reduza o arquivo ou salve-o de novo no programa que o criou</translation>
+    </message>
+    <message>
+        <source>The CAD model has more than %1 faces; save only the part that is dipped, without its inner parts</source>
+        <translation>O modelo CAD tem mais de %1 faces; salve somente a peça que é imersa, sem as partes internas</translation>
+    </message>
+    <message>
+        <source>The CAD model would have more than %1 million triangles; choose a larger tolerance for its triangles</source>
+        <translation>O modelo CAD teria mais de %1 milhões de triângulos; escolha uma tolerância maior para os triângulos</translation>
+    </message>
+    <message>
+        <source>Reading the CAD file takes more than %1 MB of memory; choose a larger tolerance for its triangles, or save only the part that is dipped</source>
+        <translation>Ler o arquivo CAD exige mais de %1 MB de memória; escolha uma tolerância maior para os triângulos ou salve somente a peça que é imersa</translation>
+    </message>
+    <message>
+        <source>Reading the CAD file takes more than %1 seconds; choose a larger tolerance for its triangles, or save only the part that is dipped</source>
+        <translation>Ler o arquivo CAD leva mais de %1 segundos; escolha uma tolerância maior para os triângulos ou salve somente a peça que é imersa</translation>
     </message>
 </context>
 <context>
@@ -5318,6 +5859,21 @@
     <message>
         <source>The job already contains the part in these photos; a part may be added only once</source>
         <translation>O trabalho já contém a peça destas fotos; uma peça só pode ser adicionada uma vez</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::CadModel</name>
+    <message>
+        <source>CAD file %1 in %2, faces: %3, tolerance of the triangles: %4 mm</source>
+        <translation>Arquivo CAD %1 em %2, faces: %3, tolerância dos triângulos: %4 mm</translation>
+    </message>
+    <message>
+        <source>mm (its unit is unknown)</source>
+        <translation>mm (sua unidade é desconhecida)</translation>
+    </message>
+    <message>
+        <source>Only a model from a CAD file (STEP, IGES) can be cut into other triangles; import such a file</source>
+        <translation>Somente um modelo de um arquivo CAD (STEP, IGES) pode ser dividido em outros triângulos; importe um arquivo assim</translation>
     </message>
 </context>
 <context>
@@ -5966,6 +6522,10 @@
     <message>
         <source>%1 costs</source>
         <translation>%1 custos</translation>
+    </message>
+    <message>
+        <source>These sheets were made before the last changes to the project. Run the dip again to see the current state.</source>
+        <translation>Estas folhas são anteriores às últimas mudanças no projeto. Rode a imersão de novo para ver o estado atual.</translation>
     </message>
 </context>
 <context>
@@ -7014,6 +7574,54 @@ impresso em papel-cartão rígido e impermeável</translation>
         <source>The model lies too far from its origin; move it to the origin and save it again</source>
         <translation>O modelo está longe demais da origem; mova-o para a origem e salve-o de novo</translation>
     </message>
+    <message>
+        <source>it has no surfaces</source>
+        <translation>ele não tem superfícies</translation>
+    </message>
+    <message>
+        <source>it is damaged</source>
+        <translation>ele está danificado</translation>
+    </message>
+    <message>
+        <source>it has no geometry</source>
+        <translation>ele não tem geometria</translation>
+    </message>
+    <message>
+        <source>IGES cannot be read on Windows</source>
+        <translation>IGES não pode ser lido no Windows</translation>
+    </message>
+    <message>
+        <source>The CAD file cannot be read: %1; save it again as STEP (AP214 or AP242) in the CAD program</source>
+        <translation>O arquivo CAD não pode ser lido: %1; salve-o de novo como STEP (AP214 ou AP242) no programa CAD</translation>
+    </message>
+    <message>
+        <source>it is neither STEP nor IGES</source>
+        <translation>ele não é STEP nem IGES</translation>
+    </message>
+    <message>
+        <source>Reading the CAD file</source>
+        <translation>Lendo o arquivo CAD</translation>
+    </message>
+    <message>
+        <source>its geometry is invalid (%1)</source>
+        <translation>sua geometria é inválida (%1)</translation>
+    </message>
+    <message>
+        <source>Cutting the surfaces into triangles</source>
+        <translation>Dividindo as superfícies em triângulos</translation>
+    </message>
+    <message>
+        <source>Faces that are missing, because they cannot be cut into triangles: %1 (%2)</source>
+        <translation>Faces que faltam, porque não podem ser divididas em triângulos: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>its surfaces have no extent</source>
+        <translation>suas superfícies não têm extensão</translation>
+    </message>
+    <message>
+        <source>its surfaces cannot be cut into triangles</source>
+        <translation>suas superfícies não podem ser divididas em triângulos</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -7286,6 +7894,22 @@ impresso em papel-cartão rígido e impermeável</translation>
         <source>Strokes on the part take the area out of the marks. Hold Shift to erase with a single stroke.</source>
         <translation>Pinceladas na peça retiram a área das marcas. Com Shift pressionado, uma única pincelada apaga.</translation>
     </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marcar</translation>
+    </message>
+    <message>
+        <source>By name</source>
+        <translation>Pelo nome</translation>
+    </message>
+    <message>
+        <source>A face of the CAD model, or a material, by its name. The mark stays on it when the triangles are made again.</source>
+        <translation>Uma face do modelo CAD, ou um material, pelo nome. A marca permanece nela quando os triângulos são refeitos.</translation>
+    </message>
+    <message>
+        <source>Marks this face or material as chosen above.</source>
+        <translation>Marca esta face ou este material como escolhido acima.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::MaskFields</name>
@@ -7298,12 +7922,12 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>Mascara uma face inteira</translation>
     </message>
     <message>
-        <source>Masks a whole material</source>
-        <translation>Mascara um material inteiro</translation>
-    </message>
-    <message>
         <source>What a click or drag on the part does. Masked surface must stay free of film: it is covered with tape, the sheet stays blank there, and the cradle may touch it.</source>
         <translation>O que um clique ou arrasto na peça faz. A superfície mascarada precisa ficar livre de película: ela é coberta com fita, a folha fica em branco ali, e o berço pode tocá-la.</translation>
+    </message>
+    <message>
+        <source>Masks a whole material or CAD face</source>
+        <translation>Mascara um material inteiro ou uma face CAD</translation>
     </message>
 </context>
 <context>
@@ -8064,6 +8688,14 @@ desce primeiro</translation>
         <source>How many copies of the project are placed on the film.</source>
         <translation>Quantas cópias do projeto são colocadas na película.</translation>
     </message>
+    <message>
+        <source>W&amp;hole sheets with cut marks</source>
+        <translation>Fol&amp;has inteiras com marcas de corte</translation>
+    </message>
+    <message>
+        <source>Places whole sheets with their own marks, for an unattended series on a roll. Cut marks and the number of each copy stand in the gaps; 5 to 20 mm are usual. Otherwise only the printed parts are placed.</source>
+        <translation>Põe folhas inteiras com suas próprias marcas, para uma série sem supervisão em um rolo. Nos espaços ficam as marcas de corte e o número de cada cópia; são usuais de 5 a 20 mm. Caso contrário, só são postas as partes impressas.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PaintArtwork</name>
@@ -8417,6 +9049,183 @@ desce primeiro</translation>
     <message>
         <source>True size</source>
         <translation>Tamanho real</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::PlatesDialog</name>
+    <message>
+        <source>Cyan</source>
+        <translation>Ciano</translation>
+    </message>
+    <message>
+        <source>Magenta</source>
+        <translation>Magenta</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Amarelo</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Preto</translation>
+    </message>
+    <message>
+        <source>Plates</source>
+        <translation>Chapas</translation>
+    </message>
+    <message>
+        <source>Plates need a printer profile with an ICC profile in CMYK. Choose one under Sheet, and run the dip again.</source>
+        <translation>As chapas precisam de um perfil de impressora com perfil ICC em CMYK. Escolha um em Folha e rode a imersão de novo.</translation>
+    </message>
+    <message>
+        <source>&amp;All plates</source>
+        <translation>&amp;Todas as chapas</translation>
+    </message>
+    <message>
+        <source>&amp;Only this plate</source>
+        <translation>&amp;Só esta chapa</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Parar</translation>
+    </message>
+    <message>
+        <source>Wheel or + and − zoom, dragging or the arrow keys move the picture. Ctrl and the arrow keys move the place whose ink is shown, by one pixel; with Shift by ten.</source>
+        <translation>A roda ou + e − mudam o zoom; arrastar ou as setas movem a imagem. Ctrl e as setas movem o lugar cuja tinta é mostrada, um pixel; com Shift, dez.</translation>
+    </message>
+    <message>
+        <source>Stops the computation. Choose another view or sheet to start again.</source>
+        <translation>Para o cálculo. Escolha outra vista ou folha para recomeçar.</translation>
+    </message>
+    <message>
+        <source>The dip whose sheet is shown.</source>
+        <translation>A imersão cuja folha é mostrada.</translation>
+    </message>
+    <message>
+        <source>Ticked plates in ink colours</source>
+        <translation>Chapas marcadas em suas cores</translation>
+    </message>
+    <message>
+        <source>Selected plate in grey</source>
+        <translation>Chapa selecionada em cinza</translation>
+    </message>
+    <message>
+        <source>Total ink of the four inks</source>
+        <translation>Tinta total das quatro tintas</translation>
+    </message>
+    <message>
+        <source>What the picture shows. In grey, black is full ink. Total ink is the sum of cyan, magenta, yellow and black; red is above the limit.</source>
+        <translation>O que a imagem mostra. Em cinza, preto é tinta plena. A tinta total é a soma de ciano, magenta, amarelo e preto; vermelho está acima do limite.</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Branco</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Cinza</translation>
+    </message>
+    <message>
+        <source>Colour of the part</source>
+        <translation>Cor da peça</translation>
+    </message>
+    <message>
+        <source>What lies beneath the inks in the picture. White ink shows only on another ground than white.</source>
+        <translation>O que fica sob as tintas na imagem. A tinta branca só aparece sobre um fundo que não seja branco.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>The largest sum of the four inks that the film carries. Places above it are marked and measured. It starts at the printer profile&apos;s total area coverage. Usual: 200 to 300 %. The print does not change.</source>
+        <translation>A maior soma das quatro tintas que a película suporta. Lugares acima dela são marcados e medidos. Começa com a cobertura total do perfil da impressora. Usual: 200 a 300 %. A impressão não muda.</translation>
+    </message>
+    <message>
+        <source>S&amp;heet</source>
+        <translation>F&amp;olha</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Vista</translation>
+    </message>
+    <message>
+        <source>&amp;Ground</source>
+        <translation>&amp;Fundo</translation>
+    </message>
+    <message>
+        <source>Total ink &amp;limit</source>
+        <translation>&amp;Limite da tinta total</translation>
+    </message>
+    <message>
+        <source>Plates in printing order</source>
+        <translation>Chapas na ordem de impressão</translation>
+    </message>
+    <message>
+        <source>Plate</source>
+        <translation>Chapa</translation>
+    </message>
+    <message>
+        <source>Cursor %</source>
+        <translation>Cursor %</translation>
+    </message>
+    <message>
+        <source>Largest %</source>
+        <translation>Maior %</translation>
+    </message>
+    <message>
+        <source>Full ink</source>
+        <translation>Tinta plena</translation>
+    </message>
+    <message>
+        <source>The ink under the cursor, as a share of full ink.</source>
+        <translation>A tinta sob o cursor, como parte da tinta plena.</translation>
+    </message>
+    <message>
+        <source>The largest share of ink on the film.</source>
+        <translation>A maior parte de tinta na película.</translation>
+    </message>
+    <message>
+        <source>How much ink the plate takes, as the area that it would cover at full ink.</source>
+        <translation>Quanta tinta a chapa usa, como a área que cobriria com tinta plena.</translation>
+    </message>
+    <message>
+        <source>Tick the plates that the picture shows. Space changes the selected plate, a double-click shows only that plate.</source>
+        <translation>Marque as chapas que a imagem mostra. Espaço muda a chapa selecionada; um clique duplo mostra só essa chapa.</translation>
+    </message>
+    <message>
+        <source>Making the plates</source>
+        <translation>Gerando as chapas</translation>
+    </message>
+    <message>
+        <source>Measuring the plates</source>
+        <translation>Medindo as chapas</translation>
+    </message>
+    <message>
+        <source>Drawing the plates</source>
+        <translation>Desenhando as chapas</translation>
+    </message>
+    <message>
+        <source>Four inks</source>
+        <translation>Quatro tintas</translation>
+    </message>
+    <message>
+        <source>All plates</source>
+        <translation>Todas as chapas</translation>
+    </message>
+    <message>
+        <source>Above the limit of %1 %: %2, %3 % of the inked film.
+95 % of the inked film carries at most %4 %. The figures are those of the film&apos;s picture; marks and lettering are printed besides it.</source>
+        <translation>Acima do limite de %1 %: %2, %3 % da película com tinta.
+95 % da película com tinta leva no máximo %4 %. Os números são os da imagem da película; marcas e letras vêm à parte.</translation>
+    </message>
+    <message>
+        <source>The sheet is printed %1 times; the figures are those of one pass.</source>
+        <translation>A folha é impressa %1 vezes; os números são de uma passada.</translation>
+    </message>
+    <message>
+        <source>%1 &gt; limit</source>
+        <translation>%1 &gt; limite</translation>
     </message>
 </context>
 <context>
@@ -8839,6 +9648,18 @@ diferenças</translation>
         <source>Sent to the print queue of %1</source>
         <translation>Enviado à fila de impressão de %1</translation>
     </message>
+    <message>
+        <source>P&amp;lates…</source>
+        <translation>Cha&amp;pas…</translation>
+    </message>
+    <message>
+        <source>This film is too long to show its plates. Look at the plates of the single jobs.</source>
+        <translation>Esta película é longa demais para mostrar suas chapas. Veja as chapas dos trabalhos separados.</translation>
+    </message>
+    <message>
+        <source>Shows the plates of the sheets, the ink under the cursor, and where there is too much ink. Needs a printer profile with an ICC profile in CMYK.</source>
+        <translation>Mostra as chapas das folhas, a tinta sob o cursor e onde há tinta demais. Precisa de um perfil de impressora com perfil ICC em CMYK.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PrintFields</name>
@@ -9019,6 +9840,10 @@ diferenças</translation>
     <message>
         <source>This ICC profile does not belong to an RGB or CMYK printer; choose the printer&apos;s output profile</source>
         <translation>Este perfil ICC não é de uma impressora RGB ou CMYK; escolha o perfil de saída da impressora</translation>
+    </message>
+    <message>
+        <source>This file is not an ICC device link from RGB or CMYK to CMYK, or it is damaged; choose another file</source>
+        <translation>Este arquivo não é um device link ICC de RGB ou CMYK para CMYK, ou está danificado; escolha outro arquivo</translation>
     </message>
 </context>
 <context>
@@ -9255,6 +10080,14 @@ diferenças</translation>
         <source>any size from %1 to %2</source>
         <translation>qualquer tamanho de %1 a %2</translation>
     </message>
+    <message>
+        <source>Each sheet must be printed %1 times onto the same film, without moving it: the project prints its ink in %1 passes</source>
+        <translation>Cada folha tem de ser impressa %1 vezes na mesma película, sem movê-la: o projeto imprime a tinta em %1 passadas</translation>
+    </message>
+    <message>
+        <source>Series on the roll, %1, with cut marks; sheets: %2</source>
+        <translation>Série no rolo, %1, com marcas de corte; folhas: %2</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ProfileController</name>
@@ -9408,6 +10241,38 @@ diferenças</translation>
     <message>
         <source>%1, copy</source>
         <translation>%1, cópia</translation>
+    </message>
+    <message>
+        <source>None (the ICC profile converts all pictures)</source>
+        <translation>Nenhum (o perfil ICC converte todas as imagens)</translation>
+    </message>
+    <message>
+        <source>For pictures in CMYK</source>
+        <translation>Para imagens em CMYK</translation>
+    </message>
+    <message>
+        <source>For pictures in RGB</source>
+        <translation>Para imagens em RGB</translation>
+    </message>
+    <message>
+        <source>Device link</source>
+        <translation>Device link</translation>
+    </message>
+    <message>
+        <source>An ICC device link from RGB or CMYK to the printer&apos;s CMYK. It converts pictures of its kind in place of the ICC profile, for example to keep black text in black ink. Used only with a CMYK ICC profile.</source>
+        <translation>Um device link ICC de RGB ou CMYK para o CMYK da impressora. Converte imagens do seu tipo no lugar do perfil ICC, por exemplo para manter texto preto em tinta preta. Usado só com um perfil ICC CMYK.</translation>
+    </message>
+    <message>
+        <source>Choose a device link</source>
+        <translation>Escolher um device link</translation>
+    </message>
+    <message>
+        <source>No device link</source>
+        <translation>Nenhum device link</translation>
+    </message>
+    <message>
+        <source>A device link needs the printer&apos;s ICC profile, too; choose that first</source>
+        <translation>Um device link também precisa do perfil ICC da impressora; escolha-o primeiro</translation>
     </message>
 </context>
 <context>
@@ -9650,6 +10515,14 @@ diferenças</translation>
         <source>Masks on the part</source>
         <translation>Máscaras na peça</translation>
     </message>
+    <message>
+        <source>Tolerance of triangles</source>
+        <translation>Tolerância dos triângulos</translation>
+    </message>
+    <message>
+        <source>The largest distance of the triangles from the surfaces of the CAD file. A smaller one shows curves more exactly and makes more triangles. Usual: 0.01 to 0.1 mm. Zones, masks and artwork stay.</source>
+        <translation>A maior distância entre os triângulos e as superfícies do arquivo CAD. Uma tolerância menor mostra curvas com mais exatidão e gera mais triângulos. Usual: 0,01 a 0,1 mm. Zonas, máscaras e arte permanecem.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::QueueDialog</name>
@@ -9824,6 +10697,10 @@ Resultados: %2</translation>
     <message>
         <source>The file was not read, because it made the file reader crash; save it again (a model as %1, a picture as PNG)</source>
         <translation>O arquivo não foi lido, porque fez o leitor falhar; salve-o de novo (um modelo como %1, uma imagem como PNG)</translation>
+    </message>
+    <message>
+        <source>This Dipwright was built without the reader of CAD files; save the model as %1, or use a Dipwright with CAD (dipwright-cad-reader)</source>
+        <translation>Este Dipwright foi compilado sem o leitor de arquivos CAD; salve o modelo como %1 ou use um Dipwright com CAD (dipwright-cad-reader)</translation>
     </message>
 </context>
 <context>
@@ -10309,6 +11186,60 @@ mm por mm</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::ServerController</name>
+    <message>
+        <source>Running on the server</source>
+        <translation>Executando no servidor</translation>
+    </message>
+    <message>
+        <source>The project was changed while the server ran it. Send it again.</source>
+        <translation>O projeto foi alterado enquanto o servidor o executava. Envie-o de novo.</translation>
+    </message>
+    <message>
+        <source>The server has simulated the dips.</source>
+        <translation>O servidor simulou as imersões.</translation>
+    </message>
+    <message>
+        <source>Send to server</source>
+        <translation>Enviar ao servidor</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ServerDialog</name>
+    <message>
+        <source>Paste the server&apos;s token, or write the path of its file</source>
+        <translation>Cole o token do servidor, ou escreva o caminho do arquivo dele</translation>
+    </message>
+    <message>
+        <source>Send to server</source>
+        <translation>Enviar ao servidor</translation>
+    </message>
+    <message>
+        <source>Where dipwright-cli serve listens: a port of this computer, such as 127.0.0.1:8137, or the path of a socket. Another computer is reached through an SSH tunnel.</source>
+        <translation>Onde dipwright-cli serve escuta: uma porta deste computador, como 127.0.0.1:8137, ou o caminho de um socket. Outro computador é alcançado por um túnel SSH.</translation>
+    </message>
+    <message>
+        <source>The token that the server asks for, or the path of the file that holds it. Only the path is remembered.</source>
+        <translation>O token que o servidor pede, ou o caminho do arquivo que o contém. Só o caminho é lembrado.</translation>
+    </message>
+    <message>
+        <source>The server simulates the dips of this project. Its results then appear here like those of a run on this computer.</source>
+        <translation>O servidor simula as imersões deste projeto. Os resultados aparecem aqui como os de uma execução neste computador.</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>&amp;Endereço</translation>
+    </message>
+    <message>
+        <source>&amp;Token or its file</source>
+        <translation>&amp;Token ou o arquivo dele</translation>
+    </message>
+    <message>
+        <source>&amp;Send</source>
+        <translation>E&amp;nviar</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::Sheet</name>
     <message>
         <source>The sheet&apos;s PDF cannot be written: %1</source>
@@ -10405,6 +11336,14 @@ mm por mm</translation>
     <message>
         <source>Job %1 · row %2 of %3, column %4 of %5 · %6 · %7 · cut along the dashed lines</source>
         <translation>Trabalho %1 · linha %2 de %3, coluna %4 de %5 · %6 · %7 · corte ao longo das linhas tracejadas</translation>
+    </message>
+    <message>
+        <source>A film of %1 mm is longer than the limit of %2 mm; choose a shorter film</source>
+        <translation>Uma película de %1 mm é mais longa que o limite de %2 mm; escolha uma película mais curta</translation>
+    </message>
+    <message>
+        <source>Job %1 · %2 · copy %3 of %4</source>
+        <translation>Trabalho %1 · %2 · cópia %3 de %4</translation>
     </message>
 </context>
 <context>
@@ -11849,6 +12788,22 @@ mm por mm</translation>
         <source>Click two places on the part to measure the straight distance between them, and the distance along the surface</source>
         <translation>Clique em dois pontos da peça para medir a distância em linha reta e ao longo da superfície</translation>
     </message>
+    <message>
+        <source>Plates…</source>
+        <translation>Chapas…</translation>
+    </message>
+    <message>
+        <source>Show the plates of the sheets, the ink under the cursor, and where there is too much ink</source>
+        <translation>Mostra as chapas das folhas, a tinta sob o cursor e onde há tinta demais</translation>
+    </message>
+    <message>
+        <source>Send to ser&amp;ver…</source>
+        <translation>Enviar ao ser&amp;vidor…</translation>
+    </message>
+    <message>
+        <source>Simulate the dips on another computer, such as one with a GPU, and show the results here</source>
+        <translation>Simula as imersões em outro computador, como um com GPU, e mostra os resultados aqui</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::WindowLayout</name>
@@ -12009,10 +12964,6 @@ mm por mm</translation>
         <translation>Face inteira</translation>
     </message>
     <message>
-        <source>Whole material</source>
-        <translation>Material inteiro</translation>
-    </message>
-    <message>
         <source>The zone that a click or drag on the part sets. Zone A must be painted most precisely. The surface without a mark is zone C.</source>
         <translation>A zona que um clique ou arrasto na peça define. A zona A deve ser pintada com mais exatidão. A superfície sem marca é a zona C.</translation>
     </message>
@@ -12023,6 +12974,10 @@ mm por mm</translation>
     <message>
         <source>What a click marks: the surface under the brush, the face up to its edges, or everything with the same material in the model.</source>
         <translation>O que um clique marca: a superfície sob o pincel, a face até as arestas ou tudo o que tem o mesmo material no modelo.</translation>
+    </message>
+    <message>
+        <source>Whole material or CAD face</source>
+        <translation>Material inteiro ou face CAD</translation>
     </message>
 </context>
 <context>

@@ -1126,7 +1126,7 @@ void ImportModelTest::mtl_statementBeforeAnyMaterial_isRefused() {
     QVERIFY2(itself.contains(QStringLiteral("itself.obj sets")), qPrintable(itself));
     // A heading is not a statement.
     write(QStringLiteral("headed.mtl"), "Alias OBJ Material File\nPaint\nnewmtl skin\nKd 1 0 0\n");
-    const auto [headed, report] =
+    const auto [headed, report, cad] =
         import(write(QStringLiteral("headed.obj"), cubeObj("mtllib headed.mtl\nusemtl skin\n")));
     QVERIFY2(report.warnings.isEmpty(), qPrintable(report.warnings.join(u'|')));
     QCOMPARE(headed.materials[0].colour, QColor(Qt::red));
