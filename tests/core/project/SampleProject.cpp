@@ -35,8 +35,13 @@ Project sampleProject() {
     project.name = QStringLiteral("Schildkröte");
     project.date = QStringLiteral("2026-01-31");
     project.model = sampleModel();
-    project.modelOrigin = {QStringLiteral("box.obj"), QStringLiteral("box.png"), 25.4,
-                           QStringLiteral("3 triangles turned"), "abc", {}, {}};
+    project.modelOrigin = {QStringLiteral("box.obj"),
+                           QStringLiteral("box.png"),
+                           25.4,
+                           QStringLiteral("3 triangles turned"),
+                           "abc",
+                           {},
+                           {}};
     project.verdict = {0.01,
                        0.03,
                        0.5,
