@@ -207,7 +207,9 @@ void applyFilmImage(JobOptions& options, const QCommandLineParser& parser) {
     const QString picture = parser.value(filmImageOption);
     options.chessboard = picture == QLatin1String("chessboard");
     if (!picture.isEmpty() && !options.chessboard) {
-        options.filmImage = readPictureFile(picture);
+        const ReadPicture read = readPictureAndInks(picture);
+        options.filmImage = read.colours;
+        options.filmInks = read.inks;
     }
 }
 

@@ -20,6 +20,7 @@ namespace {
 
 const QString setOption = QStringLiteral("set");
 const QString iccOption = QStringLiteral("icc");
+const QString linkOption = QStringLiteral("device-link");
 const QString jsonOption = QStringLiteral("json");
 
 ProfileKind takeKind(Words& words) {
@@ -59,15 +60,21 @@ void show(Words words, QTextStream& out) {
     out << QJsonDocument(toJson(ProfileLibrary().profile(kind, name))).toJson();
 }
 
-void setIccProfile(Profile& profile, const QString& path) {
+// Reads the file that an option names into a member of a printer profile.
+void setIccFile(Profile& profile, const QString& option, const QString& path,
+                QByteArray PrinterProfile::*member) {
     auto* printer = std::get_if<PrinterProfile>(&profile);
     if (!printer) {
-        throw UsageError(QStringLiteral("Only a printer profile has an ICC profile"),
-                         QStringLiteral("--icc"));
+        throw UsageError(QStringLiteral("Only a printer profile has ICC profiles"),
+                         QStringLiteral("--") + option);
     }
-    printer->iccProfile = readSmallFile(path, mostProfileBytes);
-    // Throws Error if the ICC profile cannot be used to print any sheet.
-    PrinterColour(printer->iccProfile, printer->intent, printer->blackPoint, path);
+    printer->*member = readSmallFile(path, mostProfileBytes);
+    if (printer->iccProfile.isEmpty()) {
+        throw UsageError(QStringLiteral("A device link needs the printer's ICC profile, too; give "
+                                        "it with --icc"),
+                         QStringLiteral("--") + option);
+    }
+    PrinterColour(*printer, path); // throws Error if no sheet can be printed with it
 }
 
 void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
@@ -92,7 +99,10 @@ void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
         }
     }
     if (parser.isSet(iccOption)) {
-        setIccProfile(profile, parser.value(iccOption));
+        setIccFile(profile, iccOption, parser.value(iccOption), &PrinterProfile::iccProfile);
+    }
+    if (parser.isSet(linkOption)) {
+        setIccFile(profile, linkOption, parser.value(linkOption), &PrinterProfile::deviceLink);
     }
     library.save(profile, known);
     out << QStringLiteral("Saved the %1 profile %2\n").arg(profileKindName(kind), nameOf(profile));
@@ -189,6 +199,10 @@ public:
                                          "example scale=1.004;0.997. May be repeated."),
                           QStringLiteral("PATH=VALUE")});
         syntax.addOption({iccOption, QStringLiteral("For `set`: the printer's ICC profile."),
+                          QStringLiteral("FILE")});
+        syntax.addOption({linkOption,
+                          QStringLiteral("For `set`: an ICC device link from RGB or CMYK to the "
+                                         "printer's CMYK, which converts pictures of its kind."),
                           QStringLiteral("FILE")});
         syntax.addOption({jsonOption, QStringLiteral("For `list`: prints JSON.")});
     }

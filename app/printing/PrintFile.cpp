@@ -38,6 +38,12 @@ QByteArray platesText(const PrinterProfile& profile) {
         if (profile.totalInk) {
             parts << "ink " + QByteArray::number(*profile.totalInk, 'g', 17);
         }
+        if (profile.keptInks != KeptInks::None) {
+            parts << "kept " + QByteArray::number(int(profile.keptInks));
+        }
+        if (!profile.deviceLink.isEmpty()) {
+            parts << "link " + sha256Hex(profile.deviceLink).toLatin1();
+        }
     }
     return parts.join('\n');
 }
@@ -47,8 +53,7 @@ QByteArray platesText(const PrinterProfile& profile) {
 std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile) {
     return !profile || profile->iccProfile.isEmpty()
                ? nullptr
-               : std::make_unique<PrinterColour>(profile->iccProfile, profile->intent,
-                                                 profile->blackPoint, profile->name);
+               : std::make_unique<PrinterColour>(*profile, profile->name);
 }
 
 PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,

@@ -52,8 +52,15 @@ void Pipe::report(double share, const QString& text) {
     send(ReaderMessage::Progress, bytes);
 }
 
-void Pipe::hand(const QImage& picture) {
-    write(headerBytes(ReaderMessage::Picture, pictureHeaderLength + picture.sizeInBytes()));
+void Pipe::hand(const QImage& picture, const QImage& inks) {
+    if (!inks.isNull()) {
+        sendPixels(ReaderMessage::Inks, inks);
+    }
+    sendPixels(ReaderMessage::Picture, picture);
+}
+
+void Pipe::sendPixels(ReaderMessage kind, const QImage& picture) {
+    write(headerBytes(kind, pictureHeaderLength + picture.sizeInBytes()));
     write(pictureHeaderBytes(picture));
     write(QByteArray::fromRawData(reinterpret_cast<const char*>(picture.constBits()),
                                   picture.sizeInBytes()));

@@ -21,7 +21,8 @@ public:
     ReaderJob readJob();
 
     void report(double share, const QString& text);
-    void hand(const QImage& picture);
+    // `inks` are the picture's amounts of ink; null if it has none.
+    void hand(const QImage& picture, const QImage& inks = {});
     void hand(const PhotoFacts& facts);     // call before sending its picture
     void hand(const UntrustedModel& model); // call after sending its pictures
     void fail(const Error& error);
@@ -31,6 +32,7 @@ private:
     std::optional<QByteArray> fetch(const QString& name) override;
     QByteArray take(qint64 length);
     void write(const QByteArray& bytes);
+    void sendPixels(ReaderMessage kind, const QImage& picture);
     void send(ReaderMessage kind, const QByteArray& bytes);
 
     ReaderLimits limits_;

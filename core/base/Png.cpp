@@ -4,6 +4,7 @@
 #include "base/ColourNote.h"
 #include "base/Error.h"
 #include "base/ImageRows.h"
+#include "base/InkPicture.h"
 #include "base/WideGamut.h"
 
 #include <QColorSpace>
@@ -57,10 +58,10 @@ QByteArray resolution(const PngNotes& notes) {
     return chunk("pHYs", bytes.append('\1'));
 }
 
-// Returns the file's chunk for a colour note; empty if the note is empty.
-QByteArray colourText(const QString& note) {
-    return note.isEmpty() ? QByteArray()
-                          : chunk("tEXt", QByteArray(colourNoteKey) + '\0' + note.toLatin1());
+// Returns the file's chunk for a text; empty if the text is empty.
+QByteArray text(const char* key, const QString& value) {
+    return value.isEmpty() ? QByteArray()
+                           : chunk("tEXt", QByteArray(key) + '\0' + value.toLatin1());
 }
 
 // Converts a wide picture's channels to the file's byte order, big-endian.
@@ -80,7 +81,8 @@ QByteArray pngBytes(const PackedPixels& pixels, const PngNotes& notes) {
     if (notes.colours.isValid()) {
         bytes += colourProfile(notes.colours);
     }
-    bytes += resolution(notes) + colourText(notes.colourNote);
+    bytes += resolution(notes) + text(colourNoteKey, notes.colourNote) +
+             text(inkSpaceKey, notes.inkSpace);
     for (const QByteArray& part : pixels.parts) {
         bytes += chunk("IDAT", part);
     }
@@ -101,9 +103,9 @@ QByteArray pngBytes(const QImage& image, const QString& where) {
                     : part.convertToFormat(channels == 4 ? QImage::Format_RGBA8888
                                                          : QImage::Format_RGB888);
     };
-    return pngBytes(
-        packedPixels({image.size(), channels, wide ? 16 : 8, rows}),
-        {image.dotsPerMeterX(), image.dotsPerMeterY(), image.colorSpace(), colourNoteValue(image)});
+    return pngBytes(packedPixels({image.size(), channels, wide ? 16 : 8, rows}),
+                    {image.dotsPerMeterX(), image.dotsPerMeterY(), image.colorSpace(),
+                     colourNoteValue(image), inkSpace(image)});
 }
 
 void writePng(const QImage& image, QIODevice& device, const QString& where) {

@@ -23,6 +23,7 @@ struct PngNotes {
     int dotsPerMetreX = 0, dotsPerMetreY = 0;
     QColorSpace colours = {}; // invalid if the file names no colour space
     QString colourNote = {};  // see base/ColourNote.h; empty if there is no note
+    QString inkSpace = {};    // see base/InkPicture.h; empty for pictures of colours
 };
 // Returns a PNG file of compressed pixels, RGB or RGBA.
 QByteArray pngBytes(const PackedPixels& pixels, const PngNotes& notes);

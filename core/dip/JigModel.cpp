@@ -54,6 +54,11 @@ void append(TexturedMesh& jig, const JigPart& part, const TriangleMesh& placed) 
         material.texture += material.texture < 0 ? 0 : firstTexture;
         jig.materials.push_back(material);
     }
+    if (!jig.inks.empty() || !model.inks.empty()) {
+        jig.inks.resize(jig.textures.size());
+        jig.inks.insert(jig.inks.end(), model.inks.begin(), model.inks.end());
+        jig.inks.resize(jig.textures.size() + model.textures.size());
+    }
     jig.textures.insert(jig.textures.end(), model.textures.begin(), model.textures.end());
 }
 

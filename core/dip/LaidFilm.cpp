@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 
 namespace dipwright {
 
@@ -17,11 +18,29 @@ LaidFilm::LaidFilm(std::shared_ptr<const PosedBody> body, DippedFilm film, FilmC
 
 LaidFilm::~LaidFilm() = default;
 
-const std::vector<float>& LaidFilm::pointAreas() const {
-    std::call_once(hasPointAreas_, [this] {
-        pointAreas_ = paintedPointAreas(film_, triangles_, stretches_, contact_);
+void LaidFilm::prepareAreas() const {
+    std::call_once(hasCellAreas_, [this] {
+        cellAreas_ = paintedCellAreas(film_, triangles_, stretches_, contact_);
     });
-    return pointAreas_;
+}
+
+float LaidFilm::areaStretch(std::uint32_t triangle, const Eigen::Vector3f& weights) const {
+    prepareAreas();
+    const int columns = film_.grid.columns - 1, rows = film_.grid.rows - 1; // of cells
+    float x = -0.5F, y = -0.5F; // in cells, from the middle of the first
+    for (int k = 0; k < 3; ++k) {
+        const int point = int(triangles_[triangle][std::size_t(k)]);
+        x += weights[k] * float(point % film_.grid.columns);
+        y += weights[k] * float(point / film_.grid.columns);
+    }
+    const int left = int(std::floor(x)), top = int(std::floor(y));
+    const float right = x - float(left), down = y - float(top);
+    const auto cell = [&](int column, int row) {
+        return cellAreas_[std::size_t(std::clamp(row, 0, rows - 1)) * std::size_t(columns) +
+                          std::size_t(std::clamp(column, 0, columns - 1))];
+    };
+    return (1 - down) * ((1 - right) * cell(left, top) + right * cell(left + 1, top)) +
+           down * ((1 - right) * cell(left, top + 1) + right * cell(left + 1, top + 1));
 }
 
 std::uint8_t LaidFilm::marks(std::uint32_t triangle) const {
@@ -32,6 +51,10 @@ std::uint8_t LaidFilm::marks(std::uint32_t triangle) const {
         }
     }
     return marks;
+}
+
+float LaidFilm::areaStretch(const FilmPlace& place) const {
+    return areaStretch(place.triangle, weights(place));
 }
 
 std::optional<FilmPlace> LaidFilm::place(const SurfacePoint& point) const {

@@ -41,8 +41,12 @@ public:
     // Principal stretches of each film triangle, painted or not.
     const std::vector<PrincipalStretch>& stretches() const { return stretches_; }
     const PaintedStretch& painted() const { return painted_; }
-    // paintedPointAreas(), computed on first use because only ink compensation needs it.
-    const std::vector<float>& pointAreas() const;
+    // Returns how far the film's area has grown at a place of a film triangle, given by barycentric
+    // weights. Continuous: interpolates between the middles of the cells. Ink density uses this.
+    float areaStretch(std::uint32_t triangle, const Eigen::Vector3f& weights) const;
+    float areaStretch(const FilmPlace& place) const;
+    // Prepares areaStretch(), which otherwise does this on first use because only ink needs it.
+    void prepareAreas() const;
     // Returns the solver::PointMark bits of a film triangle: the bitwise or of the marks of its
     // corners that are on the body. Paint of marked film is uncertain: it depends on a law that was
     // never measured, or on film that did not converge.
@@ -66,8 +70,8 @@ private:
     std::vector<FilmTriangle> triangles_;
     std::vector<PrincipalStretch> stretches_;
     PaintedStretch painted_;
-    mutable std::once_flag hasPointAreas_;
-    mutable std::vector<float> pointAreas_;
+    mutable std::once_flag hasCellAreas_;
+    mutable std::vector<float> cellAreas_; // paintedCellAreas()
     std::unique_ptr<const FilmOnBody> onBody_;
 };
 

@@ -36,14 +36,14 @@ PaintedStretch paintedStretch(const DippedFilm& film, const std::vector<FilmTria
                               const std::vector<PrincipalStretch>& stretches,
                               const FilmContact& contact);
 
-// Returns J per film point: the mean over the painted triangles round it. Ink density uses these
-// means, so that the density does not jump between triangles. At rim points and past the limit of
-// contact, a linear fit through nearby painted triangles replaces the mean (patch recovery,
-// Zienkiewicz & Zhu 1992). The better the fit explains those triangles, the more weight it has. The
-// result is 1 where no painted film is near.
-std::vector<float> paintedPointAreas(const DippedFilm& film,
-                                     const std::vector<FilmTriangle>& triangles,
-                                     const std::vector<PrincipalStretch>& stretches,
-                                     const FilmContact& contact);
+// Returns J per cell of the film: the mean of its painted triangles, corrected so that
+// interpolation between the middles of cells (LaidFilm::areaStretch) has the right mean over each
+// cell. Cells just past the limit of contact get the value of a linear fit through nearby painted
+// triangles (patch recovery, Zienkiewicz & Zhu 1992). The better the fit explains those triangles,
+// the more weight it has. The result is 1 where no painted film is near.
+std::vector<float> paintedCellAreas(const DippedFilm& film,
+                                    const std::vector<FilmTriangle>& triangles,
+                                    const std::vector<PrincipalStretch>& stretches,
+                                    const FilmContact& contact);
 
 } // namespace dipwright

@@ -131,6 +131,7 @@ TexturedMesh withoutTriangles(const TexturedMesh& mesh, const std::vector<bool>&
     TexturedMesh result;
     result.materials = mesh.materials;
     result.textures = mesh.textures;
+    result.inks = mesh.inks;
     result.mesh.positions = mesh.mesh.positions;
     for (std::size_t t = 0; t < removed.size(); ++t) {
         if (!removed[t]) {

@@ -27,6 +27,9 @@ struct SurfaceAppearance {
     std::vector<std::uint32_t> chart;
     std::vector<Material> materials; // at least one
     std::vector<QImage> textures;    // Format_RGBA8888 in sRGB, or wide (base/WideGamut.h)
+    // The amounts of ink of textures whose files are in CMYK (base/InkPicture.h), in the order of
+    // the textures; null for others. Empty: no texture has any.
+    std::vector<QImage> inks = {};
 
     bool hasTextureCoordinates(std::size_t triangle) const;
     Eigen::Vector2f textureCoordinate(const SurfacePoint& point) const; // NaN if there is none

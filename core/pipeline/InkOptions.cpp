@@ -502,7 +502,7 @@ std::optional<InkOptions> inkOptions(const JobResult& result, const Progress& pr
     std::optional<PrinterColour> colour;
     PrintCorrection correction;
     if (const auto& printer = project.profiles.printer; isPerInk && printer) {
-        colour.emplace(printer->iccProfile, printer->intent, printer->blackPoint, printer->name);
+        colour.emplace(*printer, printer->name);
         correction.colour = &*colour;
         correction.totalInk = printer->totalInk;
     }

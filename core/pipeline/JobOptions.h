@@ -13,6 +13,7 @@ struct ImmersionResult;
 struct JobOptions {
     QString solver;          // replaces the project's solver; empty: uses the project's
     QImage filmImage;        // replaces the reverse texture; null: uses the reverse texture
+    QImage filmInks;         // the film image's amounts of ink (base/InkPicture.h); null: none
     bool chessboard = false; // uses the built-in chessboard as film image
     bool printsTexture() const { return !chessboard && filmImage.isNull(); }
     // Estimates the numerical error of each sheet from coarser dips. They take about a fifth of the

@@ -76,7 +76,9 @@ QString jobHash(const Project& project, const Immersion& immersion, const Printe
     Sha256 hash;
     hash.add(QJsonDocument(settings).toJson(QJsonDocument::Compact));
     addPixels(hash, film.colours);
-    for (const QImage& image : {film.white, film.wanted, film.stretch}) {
+    hash.add(film.inks.space.toLatin1());
+    for (const QImage& image :
+         {film.white, film.wanted, film.stretch, film.inks.colours, film.inks.black}) {
         addPixels(hash, image); // the image may be null
     }
     for (const QImage& tints : film.spots) {
@@ -161,7 +163,7 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
                                 project.sheet.white == WhiteLayer::First});
     }
     if (!film.wanted.isNull()) {
-        sheet.wanted = WantedInk{film.wanted, film.stretch, project.ink};
+        sheet.wanted = WantedInk{film.wanted, film.stretch, project.ink, film.inks};
     }
     user.throwIfCancelled();
     sheet.filmWidth = project.film.width;

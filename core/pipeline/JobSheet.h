@@ -14,6 +14,7 @@ struct PrintedFilm {
     QImage colours;
     QImage white = {};                // tints of the white layer, Grayscale8, before choking
     QImage wanted = {}, stretch = {}; // as in WantedInk (sheet/page/Sheet.h)
+    InkPlanes inks = {};              // as in WantedInk
     std::vector<QImage> spots = {};   // tints of the artwork's spot colours, in their order
 };
 

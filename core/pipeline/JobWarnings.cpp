@@ -43,17 +43,6 @@ std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {
     return dry;
 }
 
-// Returns J (docs/film-model.md, "Ink") of the film at a place.
-float areaStretchAt(const LaidFilm& laid, const FilmPlace& place) {
-    const Eigen::Vector3f weights = laid.weights(place);
-    const FilmTriangle& points = laid.triangles()[place.triangle];
-    float stretch = 0;
-    for (std::size_t corner = 0; corner < points.size(); ++corner) {
-        stretch += weights[Eigen::Index(corner)] * laid.pointAreas()[points[corner]];
-    }
-    return stretch;
-}
-
 // Triangles whose middle needs more ink than the ink limit allows.
 std::vector<std::uint8_t> paleTriangles(const ImmersionResult& dip, const TexturedMesh& painted,
                                         const InkSettings& ink) {
@@ -63,14 +52,14 @@ std::vector<std::uint8_t> paleTriangles(const ImmersionResult& dip, const Textur
     }
     const std::vector<LinearColour> colours = surfaceColours(painted, middles);
     const InkCompensation compensation(ink);
-    dip.laid->pointAreas(); // computed before several threads read it
+    dip.laid->prepareAreas(); // before several threads need them
     std::vector<std::uint8_t> pale(middles.size());
     parallelFor(std::size_t(0), pale.size(), [&](std::size_t triangle) {
         const std::optional<FilmPlace> place = dip.laid->place(middles[triangle]);
-        pale[triangle] = place && compensation
-                                      .print(compensation.toned(colours[triangle]),
-                                             areaStretchAt(*dip.laid, *place))
-                                      .fallsShort;
+        pale[triangle] =
+            place &&
+            compensation.print(compensation.toned(colours[triangle]), dip.laid->areaStretch(*place))
+                .fallsShort;
     });
     return pale;
 }

@@ -236,6 +236,14 @@ ReverseTexture textureOf(const LaidFilm& laid, const BodyColours* colours,
             : (isWide(inputs.filmImage) ? inputs.filmImage
                                         : inputs.filmImage.convertToFormat(QImage::Format_RGBA8888))
                   .scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    if (!inputs.filmInks.isNull()) {
+        picture.wanted = picture.image;
+        picture.stretch = unstretched(pixels);
+        picture.inks = inkPlanes(inputs.filmInks).each([&](const QImage& plane) {
+            return plane.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                .convertToFormat(QImage::Format_RGBA8888);
+        });
+    }
     if (inputs.white > 0) {
         picture.white = evenWhite(picture.image, inputs.white);
     }
@@ -416,7 +424,8 @@ void paint(ImmersionResult& now, const Run& run, std::size_t number, const JobRe
 // project asks for it.
 PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs,
                         const Project& project, std::size_t number) {
-    PrintedFilm film{texture.image, texture.white, texture.wanted, texture.stretch, texture.spots};
+    PrintedFilm film{texture.image,   texture.white, texture.wanted,
+                     texture.stretch, texture.inks,  texture.spots};
     if (!inputs.correction) {
         return film;
     }
@@ -435,6 +444,7 @@ PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs
     if (!film.wanted.isNull()) {
         film.wanted = moved(film.wanted);
         film.stretch = stretchOfPicture(moved(pictureOfStretch(film.stretch)));
+        film.inks = film.inks.each(moved);
     }
     return film;
 }
@@ -445,7 +455,7 @@ void measureInks(ImmersionResult& now, const std::optional<PrinterProfile>& prin
     std::optional<PrinterColour> colour;
     PrintCorrection correction;
     if (printer && !printer->iccProfile.isEmpty()) {
-        colour.emplace(printer->iccProfile, printer->intent, printer->blackPoint, printer->name);
+        colour.emplace(*printer, printer->name);
         correction.colour = &*colour;
         correction.totalInk = printer->totalInk;
     }
@@ -466,6 +476,9 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
         const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);
         run.user.throwIfCancelled();
         now.sheet = jobSheet(run.project, now.immersion, film, run.user);
+        if (now.sheet.wanted) {
+            now.sheet.wanted->settings = now.inputs.texture.printedInk();
+        }
         now.sheet.passes = now.inputs.texture.printedInk().printedPasses();
         run.user.throwIfCancelled();
         measureInks(now, run.project.profiles.printer, isDraft);

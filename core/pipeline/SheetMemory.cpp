@@ -6,6 +6,7 @@
 #include "model/TexturedMesh.h"
 #include "project/Project.h"
 #include "sheet/page/Sheet.h"
+#include "texture/InkAppearance.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -47,8 +48,9 @@ double printedPixels(const Project& project, Printed printed) {
 } // namespace
 
 double sheetMemory(const Project& project, Printed printed) {
-    const auto plates =
-        double(project.artwork.spots().size()) + (project.sheet.white == WhiteLayer::None ? 0 : 1);
+    const auto plates = double(project.artwork.spots().size()) +
+                        (project.sheet.white == WhiteLayer::None ? 0 : 1) +
+                        (project.model && !inkSpaceOf(*project.model).isEmpty() ? 2 : 0);
     return printedPixels(project, printed) * double(project.immersions.size()) *
            (bytesOfSheet + bytesOfPlate * plates);
 }

@@ -4,6 +4,7 @@
 #include "dip/FilmUnderBody.h"
 #include "pipeline/JobOptions.h"
 #include "project/Project.h"
+#include "texture/InkAppearance.h"
 
 namespace dipwright {
 
@@ -55,6 +56,11 @@ bool beginAlike(DipInputs first, const DipInputs& second) {
     return first == second;
 }
 
+bool TextureInputs::hasInks() const {
+    return paint.model && !inkSpaceOf(*paint.model).isEmpty() &&
+           paint.artwork.inColours().isEmpty();
+}
+
 bool isShared(const Project& project) {
     return project.immersions.size() == 2 && project.share.enabled;
 }
@@ -81,7 +87,8 @@ TextureInputs textureInputs(const Project& project, const JobOptions& options, s
             project.sheet.white == WhiteLayer::None ? 0 : project.sheet.whiteDensity,
             project.masks,
             options.chessboard,
-            options.filmImage};
+            options.filmImage,
+            options.filmInks};
 }
 
 bool isSheetCorrected(const Project& project, const JobOptions& options, std::size_t number) {

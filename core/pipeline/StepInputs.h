@@ -101,11 +101,14 @@ struct TextureInputs {
     double white = 0; // tint of the white layer; 0: none
     std::vector<MaskMark> masks;
     bool chessboard = false;
-    QImage filmImage;
+    QImage filmImage, filmInks;
     bool isReversed() const { return !chessboard && filmImage.isNull(); }
     // Tells whether each ink is compensated separately when printed. The result then also keeps the
     // wanted colours and the film's stretch.
-    bool isPerInk() const { return isReversed() && ink.isPerInk(); }
+    bool isPerInk() const { return isReversed() && (ink.isPerInk() || hasInks()); }
+    // Tells whether the body has amounts of ink (base/InkPicture.h), which are printed as they are.
+    // Artwork on the model hides them.
+    bool hasInks() const;
     // Returns the settings by which the ink was compensated; the ink of a given picture is not
     // compensated.
     InkSettings printedInk() const;

@@ -31,19 +31,19 @@ Field<Owner> nameField() {
         "name", longestName, [](auto& p) -> auto& { return p.name; });
 }
 
-Field<PrinterProfile> iccField() {
-    return {QStringLiteral("icc_profile"),
+Field<PrinterProfile> iccField(const char* path, QByteArray PrinterProfile::*file) {
+    return {QString::fromLatin1(path),
             {FieldKind::Text, 1, false, 0, double(longestIccProfile) * 4 / 3 + 4},
-            [](const PrinterProfile& p) { return QString::fromLatin1(p.iccProfile.toBase64()); },
-            [](PrinterProfile& p, const QJsonValue& value) {
+            [file](const PrinterProfile& p) { return QString::fromLatin1((p.*file).toBase64()); },
+            [file, path](PrinterProfile& p, const QJsonValue& value) {
                 const auto bytes = QByteArray::fromBase64Encoding(
                     value.toString().toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
                 if (!bytes) {
                     throw Error(
                         Text::tr("The ICC profile is not valid base64 text; import it again"),
-                        QStringLiteral("icc_profile"));
+                        QString::fromLatin1(path));
                 }
-                p.iccProfile = *bytes;
+                p.*file = *bytes;
             }};
 }
 
@@ -112,7 +112,7 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
             numbers<P>(
                 "margins_mm", 4, 0, 100,
                 [](auto& p, int part) -> auto& { return p.margins[std::size_t(part)]; }),
-            iccField(),
+            iccField("icc_profile", &P::iccProfile),
             choice<P>(
                 "intent",
                 {QStringLiteral("perceptual"), QStringLiteral("relative"),
@@ -126,6 +126,11 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
                 "dpi", 30, 2400, [](auto& p) -> auto& { return p.resolution; }),
             omittedIfDefault(numberOrNone<P>(
                 "total_ink", 1, 4, [](auto& p) -> auto& { return p.totalInk; })),
+            omittedIfDefault(choice<P>(
+                "kept_inks",
+                {QStringLiteral("none"), QStringLiteral("black"), QStringLiteral("pure")},
+                [](auto& p) -> auto& { return p.keptInks; })),
+            omittedIfDefault(iccField("device_link", &P::deviceLink)),
             omittedIfDefault(choice<P>(
                 "pdf_target",
                 {QStringLiteral("ghostscript"), QStringLiteral("adobe"), QStringLiteral("older")},

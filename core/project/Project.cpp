@@ -175,7 +175,7 @@ QJsonObject unknownPart(const QJsonObject& json) {
     for (const char* key : {"format", "version", "immersions"}) {
         unknown.remove(QLatin1String(key));
     }
-    for (const char* path : {"model.mesh", "model.texture", "model.textures"}) {
+    for (const char* path : {"model.mesh", "model.texture", "model.textures", "model.inks"}) {
         removeAt(unknown, QLatin1String(path)); // ProjectStore writes these
     }
     for (const char* path : {"profiles.printer", "profiles.film", "profiles.tank"}) {

@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "base/Error.h"
+#include "base/InkPicture.h"
 #include "base/JsonText.h"
 #include "base/Png.h"
 #include "base/Sha256.h"
@@ -38,6 +39,9 @@ QString textureEntry(std::size_t index) {
     return QStringLiteral("assets/texture-%1.png").arg(index + 1);
 }
 
+QString inksEntry(std::size_t index) {
+    return QStringLiteral("assets/inks-%1.png").arg(index + 1);
+}
 const QString cadEntry = QStringLiteral("assets/model.cad");
 
 QString layerEntry(const QString& pictureId) {
@@ -48,6 +52,16 @@ QJsonArray textureEntries(const TexturedMesh& model) {
     QJsonArray entries;
     for (std::size_t index = 0; index < model.textures.size(); ++index) {
         entries.append(textureEntry(index));
+    }
+    return entries;
+}
+
+// Returns the entries of the textures' amounts of ink, in the order of the textures; null for
+// textures without. Empty if no texture has any.
+QJsonArray inksEntries(const TexturedMesh& model) {
+    QJsonArray entries;
+    for (std::size_t index = 0; index < model.inks.size(); ++index) {
+        entries.append(model.inks[index].isNull() ? QJsonValue() : inksEntry(index));
     }
     return entries;
 }
@@ -104,6 +118,9 @@ QByteArray projectBytes(const Project& project, const QString& path) {
     model.insert(QStringLiteral("mesh"), meshEntry);
     model.insert(QStringLiteral("texture"), textures.isEmpty() ? QJsonValue() : textures.first());
     model.insert(QStringLiteral("textures"), textures);
+    if (const QJsonArray inks = inksEntries(*project.model); !inks.isEmpty()) {
+        model.insert(QStringLiteral("inks"), inks);
+    }
     model.insert(QStringLiteral("sha256"), sha256Hex(mesh));
     json.insert(QStringLiteral("model"), model);
 
@@ -115,6 +132,11 @@ QByteArray projectBytes(const Project& project, const QString& path) {
     SavedPictures pictures(archive);
     for (std::size_t index = 0; index < project.model->textures.size(); ++index) {
         pictures.add(textureEntry(index), project.model->textures[index]);
+    }
+    for (std::size_t index = 0; index < project.model->inks.size(); ++index) {
+        if (!project.model->inks[index].isNull()) {
+            pictures.add(inksEntry(index), project.model->inks[index]);
+        }
     }
     for (const ArtworkLayer& layer : project.artwork.layers) {
         if (!layer.picture.image.isNull()) {
@@ -171,6 +193,16 @@ QJsonArray textureNames(const QJsonObject& model) {
     return names;
 }
 
+// Returns the names of the entries with amounts of ink, in the order of the textures; empty names
+// for textures without.
+QStringList inksNames(const QJsonObject& model) {
+    QStringList names;
+    for (const QJsonValue& name : model.value(QLatin1String("inks")).toArray()) {
+        names.append(name.toString());
+    }
+    return names;
+}
+
 // Unpacks each entry only once, even if several textures share it.
 std::vector<PackedPicture> packedPictures(ZipReader& archive, const QJsonArray& names,
                                           const QString& path) {
@@ -223,6 +255,12 @@ void readAssets(ZipReader& archive, const QJsonObject& json, Project& project,
             names.append(layerEntry(layer.picture.id));
         }
     }
+    const QStringList inks = inksNames(entries).mid(0, qsizetype(model.textures.size()));
+    for (const QString& name : inks) {
+        if (!name.isEmpty()) {
+            names.append(name);
+        }
+    }
     const std::vector<QImage> pictures = readPictures(packedPictures(archive, names, path));
     auto picture = pictures.begin();
     for (QImage& texture : model.textures) {
@@ -233,6 +271,13 @@ void readAssets(ZipReader& archive, const QJsonObject& json, Project& project,
             layer.picture = artworkPicture(*picture++);
         }
     }
+    for (const QString& name : inks) {
+        const QImage read = name.isEmpty() ? QImage() : *picture++;
+        const bool fits =
+            !inkSpace(read).isEmpty() && read.size() == model.textures[model.inks.size()].size();
+        model.inks.push_back(fits ? read : QImage());
+    }
+    model.inks.resize(inks.isEmpty() ? 0 : model.textures.size());
     project.model = std::make_shared<TexturedMesh>(std::move(model));
     if (!project.cad.name.isEmpty()) {
         project.cad.bytes = archive.read(cadEntry);
@@ -248,8 +293,8 @@ std::map<QString, QByteArray> readOthers(ZipReader& archive, const QJsonObject& 
     for (const auto& texture : textureNames(model)) {
         others.remove(texture.toString());
     }
-    for (const QString& layer : layers) {
-        others.remove(layer);
+    for (const QString& named : layers + inksNames(model)) {
+        others.remove(named);
     }
     if (!model.value(QLatin1String("cad_file")).toString().isEmpty()) {
         others.remove(cadEntry);

@@ -164,13 +164,7 @@ private:
         const Eigen::Vector2f shift(float(slip_.shift[0].value()), float(slip_.shift[1].value()));
         return back * (rest - shift) / float(slip_.swell);
     }
-    float areaStretch(const FilmPlace& place) const {
-        const auto& [a, b, c] = laid_->triangles()[place.triangle];
-        const std::vector<float>& stretches = laid_->pointAreas();
-        const Eigen::Vector3f share = laid_->weights(place);
-        return stretches[a] + share[1] * (stretches[b] - stretches[a]) +
-               share[2] * (stretches[c] - stretches[a]);
-    }
+    float areaStretch(const FilmPlace& place) const { return laid_->areaStretch(place); }
 
     std::shared_ptr<const LaidFilm> laid_;
     const RefinedMesh* fine_;

@@ -29,7 +29,12 @@ struct PrinterProfile {
     QByteArray iccProfile; // contents of the ICC file; empty: the printer gets sRGB
     RenderingIntent intent = RenderingIntent::RelativeColorimetric;
     bool blackPoint = true; // black point compensation: the darkest tones stay distinct
-    double inkLimit = 2;    // highest optical density per channel
+    KeptInks keptInks = KeptInks::None;
+    // Contents of an ICC device link file from RGB (sRGB) or CMYK to the printer's CMYK. It
+    // converts pictures of its kind in place of `iccProfile`, which stays the profile of the
+    // printer's inks. Empty: none.
+    QByteArray deviceLink;
+    double inkLimit = 2; // highest optical density per channel
     DotsPerInch resolution{300};
     // Limit of total area coverage: the largest sum of the four inks at one place, with full ink of
     // one plate as 1. Only for a CMYK profile. None: the inks stay as the profile gives them.

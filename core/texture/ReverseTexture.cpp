@@ -7,6 +7,7 @@
 #include "texture/Bleed.h"
 #include "texture/BodyColours.h"
 #include "texture/Ink.h"
+#include "texture/InkAppearance.h"
 #include "texture/ReverseMap.h"
 #include "texture/StretchPlane.h"
 
@@ -110,8 +111,8 @@ private:
     unsigned char* bits_ = nullptr;
 };
 
-// What the body shows: colours, or the plate of a spot ink.
-enum class Shown { Colours, Plate };
+// What the body shows: colours, the plate of a spot ink, or amounts of ink (InkAppearance.h).
+enum class Shown { Colours, Plate, Amounts };
 
 class FilmPainter {
 public:
@@ -125,8 +126,8 @@ public:
           rows_(grid_, image.height(), grid_.rows - 1, rowAt),
           pixelSize_(float(grid_.width / image.width()), float(grid_.depth / image.height())),
           code_(image), bits_(image.bits()), stride_(image.bytesPerLine()),
-          white_(float(options.white)), isPlate_(shown == Shown::Plate),
-          growsPlate_(options.ink.compensate), passes_(float(options.ink.printedPasses())),
+          white_(float(options.white)), shown_(shown), growsPlate_(options.ink.compensate),
+          passes_(float(options.ink.printedPasses())),
           wantedBits_(wanted.isNull() ? nullptr : wanted.bits()), aside_(aside) {}
 
     // The result of painting one row of cells.
@@ -357,13 +358,13 @@ private:
     }
 
     double print(const FilmPiece& piece, const Pixel& pixel, const LinearColour& wanted) const {
-        const FilmTriangle& corners = laid_.triangles()[piece.triangle];
-        const Eigen::Vector3f weights = filmWeights(piece, pixel.weights);
-        const std::vector<float>& stretches = laid_.pointAreas();
-        const float stretch = weights[0] * stretches[corners[0]] +
-                              weights[1] * stretches[corners[1]] +
-                              weights[2] * stretches[corners[2]];
-        if (isPlate_) {
+        const float stretch = laid_.areaStretch(piece.triangle, filmWeights(piece, pixel.weights));
+        if (shown_ == Shown::Amounts) { // not compensated; alpha is the share of the density
+            const long share = std::lround(float(code_.opaque()) * pixel.share);
+            code_.write(bytesOf(pixel), wanted, std::max(int(share), 1));
+            return 0;
+        }
+        if (shown_ == Shown::Plate) {
             const float tint =
                 (1 - wanted[0]) * pixel.share * (growsPlate_ ? stretch : 1) / passes_;
             code_.write(bytesOf(pixel), LinearColour::Constant(1 - std::min(tint, 1.0f)),
@@ -397,8 +398,9 @@ private:
     PixelCode code_;
     unsigned char* bits_;
     std::ptrdiff_t stride_;
-    float white_;               // tint of white on the body, 0 … 1
-    bool isPlate_, growsPlate_; // whether plates are printed denser where the film stretches
+    float white_; // tint of white on the body, 0 … 1
+    Shown shown_;
+    bool growsPlate_;           // whether plates are printed denser where the film stretches
     float passes_;              // of ink
     unsigned char* wantedBits_; // picture of the wanted colours; null: none
     const AsidePicture& aside_;
@@ -431,6 +433,34 @@ QImage tintsOf(const QImage& plate) {
         }
     }
     return tints;
+}
+
+// Converts one plane of amounts, as painted, to a plane of InkPlanes.
+QImage amountsOf(const QImage& painted, InkPlane plane) {
+    const PixelCode code(painted);
+    QImage amounts = blankImage(painted.size(), QImage::Format_RGBA8888);
+    uchar* const bits = amounts.bits();
+    parallelFor(0, painted.height(), [&, stride = amounts.bytesPerLine()](int y) {
+        const uchar* from = painted.constScanLine(y);
+        uchar* to = bits + y * stride;
+        for (int x = 0; x < painted.width(); ++x, from += code.bytes(), to += 4) {
+            const int alpha = code.alpha(from);
+            if (alpha == 0) {
+                continue;
+            }
+            const LinearColour tint = 1 - code.light(from);
+            for (int channel = 0; channel < 3; ++channel) {
+                to[channel] = std::uint8_t(std::lround(255 * tint[channel]));
+            }
+            if (plane == InkPlane::Black) { // pixels with more of other textures have colours
+                const int share = (255 * alpha + code.opaque() / 2) / code.opaque();
+                to[1] = std::uint8_t(tint[1] < 0.5F ? 0 : std::max(share, 1));
+                to[2] = 0;
+            }
+            to[3] = 255;
+        }
+    });
+    return amounts;
 }
 
 // Makes a blank film image.
@@ -524,6 +554,16 @@ ReverseTexture reverseTexture(const LaidFilm& laid, const BodyColours& colours,
     ReverseTextureOptions tints = options;
     tints.white = 0;
     tints.returnsWanted = false;
+    const SurfaceAppearance& appearance = colours.appearance();
+    if (options.returnsWanted && !inkSpaceOf(appearance).isEmpty()) {
+        const auto planeOf = [&](InkPlane plane) {
+            const SurfaceAppearance shown = inkAppearance(appearance, plane);
+            return amountsOf(
+                reversed(laid, BodyColours(shown), Shown::Amounts, tints, progress).image, plane);
+        };
+        result.inks = {planeOf(InkPlane::Colours), planeOf(InkPlane::Black),
+                       inkSpaceOf(appearance)};
+    }
     for (const SpotAppearance& spot : options.spots) {
         const SurfaceAppearance plate = spot();
         result.spots.push_back(

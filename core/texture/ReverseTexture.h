@@ -5,6 +5,7 @@
 // sheet is").
 #pragma once
 
+#include "base/InkPicture.h"
 #include "base/Progress.h"
 #include "dip/LaidFilm.h"
 #include "marks/SurfaceMask.h"
@@ -55,6 +56,9 @@ struct ReverseTexture {
     // The tints of the spot inks, in the options' order. Same size as `image`, Grayscale8. Tint
     // thins like an even layer; where two films share a place, each prints a share of the tint.
     std::vector<QImage> spots;
+    // The amounts of ink that the body should show, not compensated. Null unless `wanted` is kept
+    // and a texture has amounts of ink.
+    InkPlanes inks;
 };
 
 // Computes the image to print so that the dip puts `appearance` in its place on the body. Each

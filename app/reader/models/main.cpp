@@ -13,8 +13,8 @@ void readModel(const ReaderJob& job, Pipe& pipe) {
         [&pipe](double share, const QString& text) { pipe.report(share, text); }, {}};
     const UntrustedModel model =
         readUntrustedModel(job.names.value(0), pipe, job.withTextures, progress);
-    for (const QImage& picture : model.mesh.textures) {
-        pipe.hand(picture);
+    for (std::size_t texture = 0; texture < model.mesh.textures.size(); ++texture) {
+        pipe.hand(model.mesh.textures[texture], model.mesh.inks[texture]);
     }
     pipe.hand(model);
 }
@@ -22,7 +22,8 @@ void readModel(const ReaderJob& job, Pipe& pipe) {
 void readPictures(const ReaderJob& job, Pipe& pipe) {
     PictureReader reader;
     for (const QString& name : job.names) {
-        pipe.hand(reader.read(pipe.read(name).value_or(QByteArray()), name));
+        const QImage picture = reader.read(pipe.read(name).value_or(QByteArray()), name);
+        pipe.hand(picture, reader.inksOf(picture));
     }
 }
 

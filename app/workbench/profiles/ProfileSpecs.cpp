@@ -194,6 +194,16 @@ std::vector<PropertySection> printerSections() {
          .label = Text::tr("Black point compensation"),
          .help = Text::tr("Maps the darkest colour of the image to the darkest colour that the "
                           "printer can print, so that shadows stay distinct.")},
+        {.path = QStringLiteral("kept_inks"),
+         .label = Text::tr("Pure inks"),
+         .help =
+             Text::tr("What is printed in one ink alone instead of a mixture. “Black”: greys of "
+                      "RGB pictures, and black alone in CMYK pictures. “All”: cyan, magenta "
+                      "and yellow alone, too. Keeps text and lines sharp. CMYK pictures in the "
+                      "printer's own ICC profile always keep their amounts of ink."),
+         .words = {{QStringLiteral("none"), Text::tr("As the ICC profile mixes them")},
+                   {QStringLiteral("black"), Text::tr("Black")},
+                   {QStringLiteral("pure"), Text::tr("All")}}},
         {.path = QStringLiteral("ink_limit"),
          .label = Text::tr("Ink limit"),
          .help = Text::tr("The highest optical density per channel that the film holds."),

@@ -54,6 +54,14 @@ QString colourSpace(const PrinterProfile& printer) {
                             : ProfilesDialog::tr("%1 (RGB)").arg(colour->description());
 }
 
+QString deviceLinkText(const PrinterProfile& printer) {
+    return printer.deviceLink.isEmpty()
+               ? ProfilesDialog::tr("None (the ICC profile converts all pictures)")
+           : printer.deviceLink.mid(16, 4) == "CMYK" // the input space in the header
+               ? ProfilesDialog::tr("For pictures in CMYK")
+               : ProfilesDialog::tr("For pictures in RGB");
+}
+
 } // namespace
 
 ProfilesDialog::ProfilesDialog(const ProfileLibrary& library, LengthUnit unit, QWidget* parent)
@@ -209,7 +217,7 @@ void ProfilesDialog::showChosen() {
             form->addRow(heading(section.title));
         }
         if (&section == iccSection) {
-            addIccRow(*form);
+            addIccRows(*form);
         }
         for (const PropertySpec& spec : section.specs) {
             PropertyField* field =
@@ -231,24 +239,50 @@ void ProfilesDialog::showChosen() {
     remove_->setEnabled(current && current->data(0, OwnRole).toBool());
 }
 
-void ProfilesDialog::addIccRow(QFormLayout& form) {
+struct ProfilesDialog::IccRow {
+    QString label, help, content; // content: what the file is
+    QString path;                 // of the field
+    QByteArray PrinterProfile::*file;
+    QString choose, none; // names of the buttons
+};
+
+void ProfilesDialog::addIccRows(QFormLayout& form) {
     const auto& printer = std::get<PrinterProfile>(*chosen_);
-    auto* space = new QLabel(colourSpace(printer));
+    addIccRow(form,
+              {tr("ICC profile"),
+               tr("The printer's output profile, made for its ink and film. Sheets are then "
+                  "sent in the printer's own colours."),
+               colourSpace(printer), QStringLiteral("icc_profile"), &PrinterProfile::iccProfile,
+               tr("Choose an ICC profile"), tr("No ICC profile")});
+    addIccRow(form,
+              {tr("Device link"),
+               tr("An ICC device link from RGB or CMYK to the printer's CMYK. It converts "
+                  "pictures of its kind in place of the ICC profile, for example to keep "
+                  "black text in black ink. Used only with a CMYK ICC profile."),
+               deviceLinkText(printer), QStringLiteral("device_link"), &PrinterProfile::deviceLink,
+               tr("Choose a device link"), tr("No device link")});
+}
+
+void ProfilesDialog::addIccRow(QFormLayout& form, const IccRow& icc) {
+    const auto& printer = std::get<PrinterProfile>(*chosen_);
+    auto* space = new QLabel(icc.content);
     space->setWordWrap(true);
     auto* choose = new QPushButton(tr("Choose…"));
     auto* none = new QPushButton(tr("None"));
-    none->setEnabled(!printer.iccProfile.isEmpty());
+    none->setEnabled(!(printer.*icc.file).isEmpty());
     for (QPushButton* button : {choose, none}) {
         button->setAutoDefault(false);
     }
-    choose->setAccessibleName(tr("Choose an ICC profile"));
-    none->setAccessibleName(tr("No ICC profile"));
+    choose->setAccessibleName(icc.choose);
+    none->setAccessibleName(icc.none);
     // Queued: the buttons are deleted when the page is rebuilt.
-    connect(choose, &QPushButton::clicked, this, &ProfilesDialog::askIcc, Qt::QueuedConnection);
+    connect(
+        choose, &QPushButton::clicked, this, [this, file = icc.file] { askIcc(file); },
+        Qt::QueuedConnection);
     connect(
         none, &QPushButton::clicked, this,
-        [this] {
-            edit(QStringLiteral("icc_profile"), QString());
+        [this, path = icc.path] {
+            edit(path, QString());
             keep();
             showChosen();
         },
@@ -257,9 +291,8 @@ void ProfilesDialog::addIccRow(QFormLayout& form) {
     row->addWidget(space, 1);
     row->addWidget(choose);
     row->addWidget(none);
-    auto* label = new QLabel(tr("ICC profile"));
-    label->setToolTip(tr("The printer's output profile, made for its ink and film. Sheets are "
-                         "then sent in the printer's own colours."));
+    auto* label = new QLabel(icc.label);
+    label->setToolTip(icc.help);
     form.addRow(label, row);
 }
 
@@ -358,11 +391,15 @@ void ProfilesDialog::exportFile(const QString& path) const {
     exportProfile(*chosen_, path);
 }
 
-void ProfilesDialog::setIccFile(const QString& path) {
+void ProfilesDialog::setIccFile(const QString& path, QByteArray PrinterProfile::*file) {
     auto printer = std::get<PrinterProfile>(*chosen_);
-    printer.iccProfile = readSmallFile(path, mostProfileBytes);
+    printer.*file = readSmallFile(path, mostProfileBytes);
+    if (printer.iccProfile.isEmpty()) {
+        throw Error(tr("A device link needs the printer's ICC profile, too; choose that first"),
+                    path);
+    }
     // Throws if the profile cannot be used.
-    PrinterColour(printer.iccProfile, printer.intent, printer.blackPoint, path);
+    PrinterColour(printer, path);
     chosen_ = printer;
     changed_ = true;
     keep();
@@ -424,12 +461,14 @@ void ProfilesDialog::askCopy() {
     }
 }
 
-void ProfilesDialog::askIcc() {
+void ProfilesDialog::askIcc(QByteArray PrinterProfile::*file) {
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Choose an ICC profile"), {},
-        tr("ICC profiles (%1)").arg(QStringLiteral("*.icc *.icm *.ICC *.ICM")));
+        this,
+        file == &PrinterProfile::iccProfile ? tr("Choose an ICC profile")
+                                            : tr("Choose a device link"),
+        {}, tr("ICC profiles (%1)").arg(QStringLiteral("*.icc *.icm *.ICC *.ICM")));
     if (!path.isEmpty()) {
-        attempt([&] { setIccFile(path); });
+        attempt([&] { setIccFile(path, file); });
     }
 }
 

@@ -29,7 +29,7 @@ public:
     // The actions of the buttons, after the user has chosen a file or a name. Each throws Error.
     void importFile(const QString& path);
     void exportFile(const QString& path) const;
-    void setIccFile(const QString& path);
+    void setIccFile(const QString& path, QByteArray PrinterProfile::*file);
     void copyAs(const QString& name);
 
 signals:
@@ -40,7 +40,10 @@ private:
     QWidget* makeButtons();
     void fillList();
     void showChosen();
-    void addIccRow(QFormLayout& form);
+    // A row for a file of the printer profile: what it is, and buttons that choose and remove it.
+    struct IccRow;
+    void addIccRow(QFormLayout& form, const IccRow& icc);
+    void addIccRows(QFormLayout& form);
     void edit(const QString& path, const QJsonValue& value);
     bool keep(); // saves the changes; false: refused, with a message
     // Saves the chosen profile under its name if the file still equals `known`. Otherwise asks the
@@ -52,7 +55,7 @@ private:
     void askImport();
     void askExport();
     void askCopy();
-    void askIcc();
+    void askIcc(QByteArray PrinterProfile::*file);
 
     ProfileLibrary library_;
     LengthUnit unit_;

@@ -2,6 +2,7 @@
 
 #include "base/ColourNote.h"
 #include "base/Error.h"
+#include "base/InkPicture.h"
 #include "base/WideGamut.h"
 #include "import/sandboxed/PictureFile.h"
 
@@ -349,12 +350,14 @@ Transform transformTo(Target target, const QByteArray& profile, cmsUInt32Number 
     const cmsUInt32Number numbers = target == Target::Srgb   ? TYPE_RGBA_8
                                     : target == Target::Wide ? TYPE_RGBA_16
                                                              : TYPE_RGB_FLT;
+    const cmsUInt32Number blackPoint =
+        T_COLORSPACE(pixels) == PT_CMYK ? cmsFLAGS_BLACKPOINTCOMPENSATION : 0U;
     const ProfileHandle from = profileFrom(profile);
     const ProfileHandle to =
         wide ? profileFrom(wideSpace().iccProfile()) : ProfileHandle(cmsCreate_sRGBProfile());
     Transform transform(from ? cmsCreateTransform(from.get(), pixels, to.get(), numbers,
                                                   INTENT_RELATIVE_COLORIMETRIC,
-                                                  cmsFLAGS_HIGHRESPRECALC)
+                                                  cmsFLAGS_HIGHRESPRECALC | blackPoint)
                              : nullptr);
     if (!transform) {
         throwNotFit(where);
@@ -577,6 +580,22 @@ QByteArray embeddedProfile(const QByteArray& file, const QString& where) {
             where);
     }
     return profile;
+}
+
+QImage inkPictureOf(const InkPicture& picture, const QByteArray& profile) {
+    QImage amounts = inkPicture(picture.size, iccIdentity(profile));
+    if (amounts.isNull()) {
+        throw std::bad_alloc();
+    }
+    auto pixel = picture.inks.begin();
+    for (int y = 0; y < amounts.height(); ++y) {
+        uchar* to = amounts.scanLine(y);
+        for (int x = 0; x < amounts.width(); ++x, ++pixel) {
+            to = std::transform(pixel->begin(), pixel->end(), to,
+                                [](quint16 ink) { return uchar((ink + 128) / 257); });
+        }
+    }
+    return amounts;
 }
 
 bool isOfInks(const QByteArray& profile) {

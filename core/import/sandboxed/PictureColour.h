@@ -22,6 +22,9 @@ struct InkPicture {
     std::vector<std::array<quint16, 4>> inks;
 };
 
+// Returns the picture as amounts in eight bits (base/InkPicture.h). `profile` is that of its inks.
+QImage inkPictureOf(const InkPicture& picture, const QByteArray& profile);
+
 bool isOfInks(const QByteArray& profile); // whether the profile's header says that it is for CMYK
 
 // Returns the pixels of a JPEG or TIFF file in CMYK (or YCCK). Returns nothing for any other file,
@@ -39,12 +42,13 @@ bool isOfLab(const QByteArray& file); // whether a file's tags say that it is TI
 // unsupported way: tiles, planes, or not 8 or 16 bits.
 std::optional<LabPicture> readLab(const QByteArray& file);
 
-// Converts to a texture by lcms2, relative colorimetric. The texture is RGBA8888 in sRGB if sRGB
-// contains the colours, otherwise wide (base/WideGamut.h). `profile` describes the picture's own
-// space: CMYK for inks, grey or RGB for an image. An image's own colour space is ignored.
-// All overloads throw Error, naming `where`, if the profile is damaged or does not match the
-// pixels. If colours lie visibly outside wide colour, a note in the texture states their share
-// (base/ColourNote.h).
+// Converts to a texture by lcms2, relative colorimetric. For inks with black point compensation, as
+// for printing (PrinterColour.h), so that dark tones come back as they were. The texture is
+// RGBA8888 in sRGB if sRGB contains the colours, otherwise wide (base/WideGamut.h). `profile`
+// describes the picture's own space: CMYK for inks, grey or RGB for an image. An image's own colour
+// space is ignored. All overloads throw Error, naming `where`, if the profile is damaged or does
+// not match the pixels. If colours lie visibly outside wide colour, a note in the texture states
+// their share (base/ColourNote.h).
 QImage textureOf(const LabPicture& picture, const QString& where);
 QImage textureOf(const InkPicture& picture, const QByteArray& profile, const QString& where);
 QImage textureOf(const QImage& picture, const QByteArray& profile, const QString& where);

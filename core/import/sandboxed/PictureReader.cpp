@@ -3,6 +3,7 @@
 #include "base/Budgets.h"
 #include "base/ColourNote.h"
 #include "base/Error.h"
+#include "base/InkPicture.h"
 #include "base/WideGamut.h"
 #include "import/sandboxed/PictureColour.h"
 #include "import/sandboxed/PictureFile.h"
@@ -145,7 +146,10 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
             if (!announced.isValid()) {
                 count(inks->size, bytes.size(), where);
             }
-            return textureOf(*inks, profile, where);
+            const QImage texture = textureOf(*inks, profile, where);
+            count(inks->size, 0, where); // the amounts are kept, too
+            inks_[texture.cacheKey()] = inkPictureOf(*inks, profile);
+            return texture;
         }
         if (isOfInks(profile) && (format == "jpeg" || format == "tiff")) {
             throw Error(Text::tr("The CMYK picture is damaged or stored in an unsupported way; "
@@ -160,6 +164,14 @@ QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned
     }
     if (!announced.isValid()) {
         count(image.size(), bytes.size(), where);
+    }
+    if (format == "png" && !inkSpace(image).isEmpty()) { // stored by this program
+        image.convertTo(QImage::Format_RGBA8888);
+        if (image.isNull()) {
+            throw std::bad_alloc();
+        }
+        image.setColorSpace(QColorSpace());
+        return image;
     }
     const bool assumesInks = profile.isEmpty() && turned == Turned::AsStored && readInks(bytes);
     image = asTexture(std::move(image), profile, where, turned);
@@ -179,6 +191,11 @@ QImage PictureReader::readInLab(const QByteArray& bytes, const QSize& announced,
         count(lab->size, bytes.size(), where);
     }
     return textureOf(*lab, where);
+}
+
+QImage PictureReader::inksOf(const QImage& picture) const {
+    const auto found = inks_.find(picture.cacheKey());
+    return found == inks_.end() ? QImage() : found->second;
 }
 
 QImage PictureReader::take(QImage image, const QString& where) {

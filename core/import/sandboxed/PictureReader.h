@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QImage>
 #include <QString>
+#include <map>
 
 namespace dipwright {
 
@@ -24,6 +25,10 @@ public:
     // exceed Budgets.h. The size is checked before anything is decoded.
     QImage read(const QByteArray& bytes, const QString& where, Turned turned = Turned::AsStored);
 
+    // Returns the amounts of ink of a picture that read() returned and that has not been changed
+    // since, if its file is in CMYK with an ICC profile (base/InkPicture.h); otherwise null.
+    QImage inksOf(const QImage& picture) const;
+
     // Takes pixels that were not in a file of their own. Checks them like other pictures and
     // converts them to RGBA8888.
     QImage take(QImage image, const QString& where);
@@ -33,6 +38,7 @@ private:
     void count(const QSize& size, qint64 fileBytes, const QString& where);
 
     qint64 pixels_ = 0, fileBytes_ = 0;
+    std::map<qint64, QImage> inks_; // by the picture's cache key
 };
 
 } // namespace dipwright

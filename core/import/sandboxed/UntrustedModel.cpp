@@ -55,6 +55,9 @@ UntrustedModel readUntrustedModel(const QString& path, UntrustedFiles& files, bo
         }
         model.mesh = readByAssimp(format, source, model.warnings, progress);
     }
+    for (const QImage& texture : model.mesh.textures) {
+        model.mesh.inks.push_back(pictures.inksOf(texture));
+    }
     requireWithin(Budget::Triangles, qint64(model.mesh.mesh.triangles.size()), path,
                   files.bytesRead());
     return model;

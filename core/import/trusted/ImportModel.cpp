@@ -58,8 +58,8 @@ void checkFile(const QString& path) {
 }
 
 // Returns the picture at a path; a null image if the path is empty.
-QImage replacementTexture(const QString& path) {
-    return path.isEmpty() ? QImage() : readPictureFile(path);
+ReadPicture replacementTexture(const QString& path) {
+    return path.isEmpty() ? ReadPicture() : readPictureAndInks(path);
 }
 
 void checkPositions(const TriangleMesh& mesh, const QString& path) {
@@ -187,6 +187,7 @@ void dropUselessTextures(TexturedMesh& model, QStringList& warnings) {
     warnings.push_back(Text::tr("The model has no texture coordinates, so its texture cannot be "
                                 "placed; the colours of its materials are used instead"));
     model.textures.clear();
+    model.inks.clear();
     for (Material& material : model.materials) {
         material.texture = -1;
     }
@@ -211,8 +212,9 @@ void dropUnusableCoordinates(TexturedMesh& model, QStringList& warnings) {
     }
 }
 
-void replaceTextures(TexturedMesh& model, const QImage& texture) {
-    model.textures = {texture};
+void replaceTextures(TexturedMesh& model, const ReadPicture& texture) {
+    model.textures = {texture.colours};
+    model.inks = texture.inks.isNull() ? std::vector<QImage>() : std::vector{texture.inks};
     for (Material& material : model.materials) {
         material.texture = 0;
     }
@@ -238,7 +240,7 @@ UntrustedModel readModelFile(const QString& path, ModelFolder& folder, bool with
 }
 
 // Repairs, scales and describes a model as it was read. `fileBytes` limits the time for this.
-ImportedModel finished(UntrustedModel foreign, const QImage& texture, const QString& path,
+ImportedModel finished(UntrustedModel foreign, const ReadPicture& texture, const QString& path,
                        const ImportOptions& options, qint64 fileBytes, const Progress& progress) {
     ImportedModel result;
     TexturedMesh& model = result.model;
@@ -249,7 +251,7 @@ ImportedModel finished(UntrustedModel foreign, const QImage& texture, const QStr
     if (model.mesh.triangles.empty()) {
         throw Error(Text::tr("The model has no triangles; save it with its surface"), path);
     }
-    if (!texture.isNull()) {
+    if (!texture.colours.isNull()) {
         replaceTextures(model, texture);
     }
     progress(0, Text::tr("Checking the model"));
@@ -290,7 +292,7 @@ ImportedModel cadModel(const QString& path, const QByteArray& content, const Imp
     constexpr qint64 bytesOfTriangle = 50; // as in a binary STL file
     const qint64 bytes = bytesOfTriangle * qint64(foreign.mesh.mesh.triangles.size());
     ImportedModel result =
-        finished(std::move(foreign), QImage(), path, options, bytes, progress.part(0.7, 1));
+        finished(std::move(foreign), ReadPicture(), path, options, bytes, progress.part(0.7, 1));
     result.cadFile = content;
     return result;
 }
@@ -298,7 +300,7 @@ ImportedModel cadModel(const QString& path, const QByteArray& content, const Imp
 ImportedModel import(const QString& path, const ImportOptions& options, const Progress& progress) {
     checkOptions(options);
     checkFile(path);
-    const QImage texture = replacementTexture(options.texture);
+    const ReadPicture texture = replacementTexture(options.texture);
     if (isCadFile(path)) {
         const std::optional<QByteArray> content = readFile(path);
         if (!content) {
@@ -307,7 +309,8 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
         return cadModel(path, *content, options, progress);
     }
     ModelFolder folder(path, options.allowOutside, options.outsideFiles);
-    UntrustedModel foreign = readModelFile(path, folder, texture.isNull(), progress.part(0, 0.7));
+    UntrustedModel foreign =
+        readModelFile(path, folder, texture.colours.isNull(), progress.part(0, 0.7));
     return finished(std::move(foreign), texture, path, options, folder.bytesRead(),
                     progress.part(0.7, 1));
 }

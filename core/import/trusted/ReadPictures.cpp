@@ -43,7 +43,9 @@ void PictureCount::add(const QImage& picture, qint64 packedBytes, const QString&
     requireWithin(Budget::Pixels, pixels_, where, packedBytes_);
 }
 
-std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures) {
+namespace {
+
+std::vector<ReadPicture> readWithInks(const std::vector<PackedPicture>& pictures) {
     QStringList names; // without duplicates
     for (const PackedPicture& picture : pictures) {
         if (!names.contains(picture.where)) {
@@ -51,24 +53,41 @@ std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures) {
         }
     }
     PicturesInMemory files(pictures);
-    const std::vector<QImage> unpacked = readPicturesInProcess(names, files);
-    std::vector<QImage> images;
+    const std::vector<ReadPicture> unpacked = readPicturesInProcess(names, files);
+    std::vector<ReadPicture> images;
     PictureCount count;
     for (const PackedPicture& picture : pictures) {
         images.push_back(unpacked[std::size_t(names.indexOf(picture.where))]);
-        count.add(images.back(), picture.bytes.size(), picture.where);
+        count.add(images.back().colours, picture.bytes.size(), picture.where);
+        if (!images.back().inks.isNull()) {
+            count.add(images.back().inks, 0, picture.where);
+        }
     }
     return images;
 }
 
+} // namespace
+
+std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures) {
+    std::vector<QImage> colours;
+    for (ReadPicture& picture : readWithInks(pictures)) {
+        colours.push_back(std::move(picture.colours));
+    }
+    return colours;
+}
+
 QImage readPictureFile(const QString& path) {
+    return readPictureAndInks(path).colours;
+}
+
+ReadPicture readPictureAndInks(const QString& path) {
     requireWithin(Budget::FileBytes, QFileInfo(path).size(), path);
     const auto bytes = readFile(path);
     if (!bytes) {
         throw Error(Text::tr("The texture file cannot be read; check its name and permissions"),
                     path);
     }
-    return readPictures({{*bytes, path}}).front();
+    return readWithInks({{*bytes, path}}).front();
 }
 
 } // namespace dipwright

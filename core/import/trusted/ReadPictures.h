@@ -14,6 +14,12 @@ struct PackedPicture {
     QString where;
 };
 
+// A picture, and the amounts of ink (base/InkPicture.h) if its file is in CMYK with an ICC profile.
+struct ReadPicture {
+    QImage colours;
+    QImage inks; // null: none
+};
+
 // Counts the pictures that are opened together, such as in one project, against Budgets.h. A
 // picture counts each time that it is named. A picture in wide colour counts twice, since its
 // pixels take twice the bytes.
@@ -35,5 +41,7 @@ std::vector<QImage> readPictures(const std::vector<PackedPicture>& pictures);
 
 // Reads one picture from a file that the user has chosen.
 QImage readPictureFile(const QString& path);
+// The same, with the picture's amounts of ink.
+ReadPicture readPictureAndInks(const QString& path);
 
 } // namespace dipwright

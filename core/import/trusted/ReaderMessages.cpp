@@ -1,6 +1,7 @@
 #include "import/trusted/ReaderMessages.h"
 
 #include "base/ColourNote.h"
+#include "base/InkPicture.h"
 #include "base/WideGamut.h"
 
 #include <QDataStream>
@@ -10,6 +11,8 @@
 namespace dipwright {
 
 namespace {
+
+constexpr int spaceBytes = 16;
 
 template <typename Write>
 QByteArray streamed(const Write& write) {
@@ -94,6 +97,8 @@ QByteArray pictureHeaderBytes(const QImage& picture) {
                << qint32(picture.dotsPerMeterX()) << qint32(picture.dotsPerMeterY())
                << qint32(isWide(picture)) << qint32(colourNote(picture).assumesInks)
                << colourNote(picture).clipped;
+        const QByteArray space = QByteArray::fromHex(inkSpace(picture).toLatin1());
+        stream.writeRawData(space.leftJustified(spaceBytes, '\0', true).constData(), spaceBytes);
     });
 }
 
@@ -104,8 +109,12 @@ QImage emptyPicture(const QByteArray& header) {
     ColourNote note;
     stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY >> wide >> inks >> note.clipped;
     note.assumesInks = inks != 0;
+    const QByteArray space = header.right(spaceBytes);
     if (width <= 0 || height <= 0) {
         return QImage();
+    }
+    if (space.count('\0') < spaceBytes) {
+        return inkPicture({width, height}, QString::fromLatin1(space.toHex()));
     }
     QImage picture(width, height, wide ? QImage::Format_RGBA64 : QImage::Format_RGBA8888);
     if (wide) {

@@ -21,8 +21,9 @@ enum class ReaderMessage : quint8 {
     Photo,    // metadata of a photo (PhotoFacts); a Picture message with the photo follows
     // Data of a picture, each an i32: width, height, dots per metre in both directions, whether it
     // is wide, and whether its colour note says that inks were assumed. Then the note's clipped
-    // share (double) and the rows of pixels without gaps.
+    // share (double), the ink space (16 bytes, 0 for colours) and the rows of pixels without gaps.
     Picture,
+    Inks,  // the amounts of ink (base/InkPicture.h) of the next Picture; data as of a Picture
     Cad,   // facts about a CAD model; a Model message follows
     Model, // warnings; a Mesh message follows
     Mesh,  // a mesh in the format of StoredModel
@@ -65,7 +66,7 @@ CadFacts readCadFacts(const QByteArray& bytes);
 
 // Returns the part of a picture's message before its pixels.
 QByteArray pictureHeaderBytes(const QImage& picture);
-constexpr qint64 pictureHeaderLength = 32;
+constexpr qint64 pictureHeaderLength = 48;
 // Returns an empty picture of the size in `header`; null if the size is invalid or memory is
 // insufficient. Does not throw.
 QImage emptyPicture(const QByteArray& header);

@@ -111,6 +111,7 @@ public:
                 fail(readShort(length));
             case ReaderMessage::Photo:
             case ReaderMessage::Picture:
+            case ReaderMessage::Inks:
             case ReaderMessage::Cad:
             case ReaderMessage::Model:
             case ReaderMessage::Mesh:
@@ -288,11 +289,14 @@ namespace {
 // Returns the model that a reader sends. `path` is for messages.
 UntrustedModel receivedModel(ReaderProcess& reader, const QString& path) {
     UntrustedModel model;
-    std::vector<QImage> pictures;
+    std::vector<QImage> pictures, inks;
     while (true) {
         const auto [kind, length] = reader.nextResult();
         if (kind == ReaderMessage::Picture) {
             pictures.push_back(reader.readPicture(length));
+        } else if (kind == ReaderMessage::Inks) {
+            inks.resize(pictures.size() + 1);
+            inks.back() = reader.readPicture(length);
         } else if (kind == ReaderMessage::Cad) {
             model.cad = reader.readCadFacts(length);
         } else if (kind == ReaderMessage::Model) {
@@ -310,7 +314,11 @@ UntrustedModel receivedModel(ReaderProcess& reader, const QString& path) {
                 reader.throwInvalidData();
             }
             model.mesh = std::move(stored.model);
+            if (!inks.empty()) {
+                inks.resize(pictures.size());
+            }
             model.mesh.textures = std::move(pictures);
+            model.mesh.inks = std::move(inks);
             return model;
         }
     }
@@ -339,20 +347,24 @@ UntrustedModel readCadInProcess(const QString& path, const Tessellation& tessell
     return model;
 }
 
-std::vector<QImage> readPicturesInProcess(const QStringList& names, UntrustedFiles& files) {
+std::vector<ReadPicture> readPicturesInProcess(const QStringList& names, UntrustedFiles& files) {
     if (names.isEmpty()) {
         return {};
     }
     const Progress quiet;
     ReaderProcess reader(names.first(), files, quiet);
     reader.start({ReaderJob::Kind::Pictures, names, true, language()});
-    std::vector<QImage> pictures;
+    std::vector<ReadPicture> pictures;
+    QImage inks; // of the next picture
     while (qsizetype(pictures.size()) < names.size()) {
         const auto [kind, length] = reader.nextResult();
-        if (kind != ReaderMessage::Picture) {
+        if (kind == ReaderMessage::Inks) {
+            inks = reader.readPicture(length);
+        } else if (kind == ReaderMessage::Picture) {
+            pictures.push_back({reader.readPicture(length), std::exchange(inks, {})});
+        } else {
             reader.throwInvalidData();
         }
-        pictures.push_back(reader.readPicture(length));
     }
     return pictures;
 }

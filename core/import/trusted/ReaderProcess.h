@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "import/trusted/ReadPictures.h"
 #include "import/trusted/ReaderMessages.h"
 #include "import/trusted/UntrustedFiles.h"
 
@@ -26,7 +27,7 @@ UntrustedModel readCadInProcess(const QString& path, const Tessellation& tessell
 
 // Reads pictures, as RGBA8888 in sRGB or as wide (base/WideGamut.h). `names` are their names in
 // `files` and in messages.
-std::vector<QImage> readPicturesInProcess(const QStringList& names, UntrustedFiles& files);
+std::vector<ReadPicture> readPicturesInProcess(const QStringList& names, UntrustedFiles& files);
 
 struct ReadPhoto {
     QImage picture;   // upright

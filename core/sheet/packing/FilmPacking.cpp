@@ -305,12 +305,24 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
 
 namespace {
 
-// Returns the ink settings that all pieces share, for CMYK printers; none if the pieces differ.
+// Returns the first piece with amounts of ink (base/InkPicture.h); null if none has any.
+const WantedInk* firstInks(const std::vector<PieceToPack>& pieces) {
+    const auto found = std::find_if(pieces.begin(), pieces.end(), [](const PieceToPack& piece) {
+        return piece.sheet.wanted && !piece.sheet.wanted->inks.isNull();
+    });
+    return found == pieces.end() ? nullptr : &*found->sheet.wanted;
+}
+
+// Returns the ink settings that all pieces share, for CMYK printers; none if the pieces differ. If
+// a piece has amounts of ink, its settings count, and pieces without wanted colours fit to them.
 std::optional<InkSettings> commonInk(const std::vector<PieceToPack>& pieces) {
-    const std::optional<WantedInk>& first = pieces.front().sheet.wanted;
+    const std::optional<WantedInk>& front = pieces.front().sheet.wanted;
+    const WantedInk* const inks = firstInks(pieces);
+    const WantedInk* const first = inks ? inks : front ? &*front : nullptr;
     const bool isCommon =
         first && std::all_of(pieces.begin(), pieces.end(), [&](const PieceToPack& piece) {
-            return piece.sheet.wanted && piece.sheet.wanted->settings == first->settings;
+            return piece.sheet.wanted ? piece.sheet.wanted->settings == first->settings
+                                      : inks != nullptr;
         });
     return isCommon ? std::optional(first->settings) : std::nullopt;
 }
@@ -320,6 +332,7 @@ struct LaidPictures {
     QImage colours;
     std::vector<QImage> tints; // one per plate of the film; null: the piece does not have the plate
     QImage wanted, stretch;    // null if the film has no wanted colours
+    InkPlanes inks;            // null if the piece has no amounts of ink in the film's space
 };
 
 // Copies the rows of a picture that lie on the rows of a film that begin with row `first`.
@@ -368,6 +381,10 @@ public:
         if (sheet.wanted) {
             sheet.wanted->image = blankColours();
             sheet.wanted->stretch = unstretched(size);
+            if (!sheet.wanted->inks.space.isEmpty()) {
+                const QImage plane = blankImage(size, QImage::Format_RGBA8888);
+                sheet.wanted->inks = {plane, plane, sheet.wanted->inks.space};
+            }
         }
         for (const auto& [place, pictures] : places_) {
             if (place.y() >= end || place.y() + pictures->colours.height() <= first) {
@@ -383,6 +400,10 @@ public:
                 layRows(sheet.wanted->image, first, place, pictures->wanted);
                 layRows(sheet.wanted->stretch, first, place, pictures->stretch);
             }
+            if (!pictures->inks.isNull()) {
+                layRows(sheet.wanted->inks.colours, first, place, pictures->inks.colours);
+                layRows(sheet.wanted->inks.black, first, place, pictures->inks.black);
+            }
         }
         return sheet;
     }
@@ -397,7 +418,7 @@ private:
         const auto colours = [&](const QImage& picture) {
             return cut(format_ == QImage::Format_RGBA64 ? inWide(picture) : picture, format_);
         };
-        LaidPictures laid{colours(sheet.image), {}, {}, {}};
+        LaidPictures laid{colours(sheet.image), {}, {}, {}, {}};
         for (const SheetPlate& plate : blank_.plates) {
             const auto own =
                 std::find_if(sheet.plates.begin(), sheet.plates.end(),
@@ -405,9 +426,16 @@ private:
             laid.tints.push_back(
                 own == sheet.plates.end() ? QImage() : cut(own->tint, QImage::Format_Grayscale8));
         }
-        if (blank_.wanted) {
+        if (blank_.wanted && !sheet.wanted) { // compensated already, or not to be
+            laid.wanted = laid.colours;
+            laid.stretch = unstretched(laid.colours.size());
+        } else if (blank_.wanted) {
             laid.wanted = colours(sheet.wanted->image);
             laid.stretch = cut(sheet.wanted->stretch, QImage::Format_Grayscale16);
+            if (sheet.wanted->inks.space == blank_.wanted->inks.space) {
+                laid.inks = sheet.wanted->inks.each(
+                    [&](const QImage& plane) { return cut(plane, QImage::Format_RGBA8888); });
+            }
         }
         return laid;
     }
@@ -444,6 +472,9 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
     sheet.plates = platesOf(pieces);
     if (const std::optional<InkSettings> ink = commonInk(pieces)) {
         sheet.wanted = WantedInk{{}, {}, *ink};
+        if (const WantedInk* const inks = firstInks(pieces)) {
+            sheet.wanted->inks.space = inks->inks.space; // their pictures come with the rows
+        }
     }
     const auto pictures = std::make_shared<FilmPictures>(sheet, planned.pixels, wide);
     pictures->setColours(wide ? wideSpace() : pieces.front().sheet.image.colorSpace());

@@ -4,6 +4,7 @@
 // pageSize and flattened draw no text. All functions are reentrant.
 #pragma once
 
+#include "base/InkPicture.h"
 #include "base/Units.h"
 #include "settings/InkSettings.h"
 #include "settings/PdfTarget.h"
@@ -68,6 +69,8 @@ struct WantedInk {
     QImage image;   // the wanted colours, not compensated; size and colour space as the film image
     QImage stretch; // the film's stretch, same size: Grayscale16, codes of texture/StretchPlane.h
     InkSettings settings;
+    // The amounts of ink of pictures in CMYK, not compensated; same size. Null: there are none.
+    InkPlanes inks = {};
 };
 
 // Makes the pictures of a film that is too large to keep them, such as metres of a roll.

@@ -45,6 +45,8 @@ Sheet sheetRows(const Sheet& sheet, int first, int end) {
     if (rows.wanted) {
         rows.wanted->image = imageRows(sheet.wanted->image, first, end);
         rows.wanted->stretch = imageRows(sheet.wanted->stretch, first, end);
+        rows.wanted->inks = sheet.wanted->inks.each(
+            [&](const QImage& plane) { return imageRows(plane, first, end); });
     }
     return rows;
 }
@@ -75,6 +77,8 @@ Sheet scaledSheet(const Sheet& sheet, QSize pixels) {
             if (small.wanted) {
                 small.wanted->image = blankLike(rows.wanted->image, pixels);
                 small.wanted->stretch = blankLike(rows.wanted->stretch, pixels);
+                small.wanted->inks = rows.wanted->inks.each(
+                    [&](const QImage& plane) { return blankLike(plane, pixels); });
             }
         }
         const auto smooth = [&](const QImage& image) {
@@ -86,6 +90,10 @@ Sheet scaledSheet(const Sheet& sheet, QSize pixels) {
             pasteRows(small.wanted->image, smooth(rows.wanted->image), first);
             // Unsmoothed, because the pixels are numbers.
             pasteRows(small.wanted->stretch, rows.wanted->stretch.scaled(size), first);
+            if (const InkPlanes& inks = rows.wanted->inks; !inks.isNull()) {
+                pasteRows(small.wanted->inks.colours, inks.colours.scaled(size), first);
+                pasteRows(small.wanted->inks.black, inks.black.scaled(size), first);
+            }
         }
     }
     return small;

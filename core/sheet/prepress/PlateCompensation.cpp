@@ -76,6 +76,11 @@ std::uint8_t PlateCompensation::printed(int ink, std::uint8_t wanted, float area
     return std::uint8_t(std::lround(amount));
 }
 
+std::uint8_t PlateCompensation::faded(int ink, std::uint8_t amount, float share) const {
+    const InkTable& one = inks_[std::size_t(ink)];
+    return share < 1 ? std::uint8_t(std::lround(one.amount(share * one.density(amount)))) : amount;
+}
+
 double PlateCompensation::shown(int ink, double printed, float areaStretch) const {
     const InkTable& one = inks_[std::size_t(ink)];
     const float density = passes_ * one.density(printed);

@@ -25,6 +25,8 @@ public:
     // `areaStretch` looks like the amount `wanted` on unstretched film. Never more than full ink.
     // Keeps the density within the ink limit unless `wanted` itself is denser.
     std::uint8_t printed(int ink, std::uint8_t wanted, float areaStretch) const;
+    // Returns the amount with `share`, 0 … 1, of the density of `amount`.
+    std::uint8_t faded(int ink, std::uint8_t amount, float share) const;
     // Returns the amount, 0 … 255, that has the same density on unstretched film as `printed` has
     // on this stretched film.
     double shown(int ink, double printed, float areaStretch) const;

@@ -1,8 +1,10 @@
 #include "sheet/prepress/PrinterColour.h"
 
 #include "base/Error.h"
+#include "base/InkPicture.h"
 #include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
+#include "texture/LinearLight.h"
 
 #include <QColorSpace>
 #include <QCoreApplication>
@@ -72,6 +74,21 @@ struct FromPicture {
     TransformHandle wanted; // to Lab
 };
 
+// Returns the amount of black alone for each grey in sRGB. Paper and full black are its ends, as
+// with black point compensation. `densities` are those of the amounts of black.
+std::array<uchar, 256> blackOfGreys(const std::array<float, 256>& densities) {
+    std::array<uchar, 256> amounts{};
+    const double darkest = std::pow(10, -double(densities.back()));
+    for (std::size_t grey = 0; grey < amounts.size(); ++grey) {
+        const double light = darkest + (1 - darkest) * linearFromSrgb(double(grey) / 255);
+        const auto above =
+            std::lower_bound(densities.begin(), densities.end(), float(-std::log10(light)) - 1e-5F);
+        amounts[grey] = uchar(std::min<std::ptrdiff_t>(above - densities.begin(), 255));
+    }
+    amounts[0] = 255;
+    return amounts;
+}
+
 QImage opaque(const QImage& picture) {
     return picture.convertToFormat(isWide(picture) ? QImage::Format_RGBX64 : QImage::Format_RGB888);
 }
@@ -86,6 +103,10 @@ struct PrinterColour::Data {
     FromPicture fromWide;     // RGBX64
     TransformHandle toScreen; // from printer colours to sRGB, relative to the paper
     TransformHandle printed;  // from printer colours to Lab
+    KeptInks kept = KeptInks::None;
+    QString space;                     // iccIdentity() of `icc`
+    TransformHandle rgbLink, cmykLink; // by the device link, from RGB888 or four bytes; may be null
+    std::array<uchar, 256> blackOfGrey{}; // amounts of black alone; only if black is kept
 
     int channels() const { return cmyk ? 4 : 3; }
     const FromPicture& from(const QImage& opaque) const {
@@ -95,11 +116,58 @@ struct PrinterColour::Data {
     // Converts a row of an opaque picture to the printer's bytes.
     std::vector<uchar> printerRow(const QImage& opaque, int y) const {
         std::vector<uchar> row(std::size_t(opaque.width()) * std::size_t(channels()));
-        cmsDoTransform(from(opaque).toPrinter.get(), opaque.constScanLine(y), row.data(),
-                       cmsUInt32Number(opaque.width()));
+        const auto width = cmsUInt32Number(opaque.width());
+        if (rgbLink) {
+            const QImage srgb =
+                inSrgb(opaque.copy(0, y, opaque.width(), 1)).convertToFormat(QImage::Format_RGB888);
+            cmsDoTransform(rgbLink.get(), srgb.constBits(), row.data(), width);
+        } else {
+            cmsDoTransform(from(opaque).toPrinter.get(), opaque.constScanLine(y), row.data(),
+                           width);
+        }
+        if (kept != KeptInks::None) {
+            keepBlack(opaque, y, row);
+        }
         return row;
     }
+    // Prints the greys of a row in black alone.
+    void keepBlack(const QImage& opaque, int y, std::vector<uchar>& row) const {
+        const auto keep = [&](const auto* pixel, int step, int perByte) {
+            for (std::size_t at = 0; at < row.size(); at += 4, pixel += step) {
+                if (pixel[0] == pixel[1] && pixel[1] == pixel[2]) {
+                    row[at] = row[at + 1] = row[at + 2] = 0;
+                    row[at + 3] = blackOfGrey[std::size_t(pixel[0] / perByte)];
+                }
+            }
+        };
+        if (isWide(opaque)) {
+            keep(reinterpret_cast<const quint16*>(opaque.constScanLine(y)), 4, 257);
+        } else {
+            keep(opaque.constScanLine(y), 3, 1);
+        }
+    }
+    void takeLink(const QByteArray& link, const QString& where);
 };
+
+void PrinterColour::Data::takeLink(const QByteArray& link, const QString& where) {
+    // The header's class, input space and output space (ICC.1, 7.2).
+    const QByteArray from = link.mid(16, 4);
+    const bool isLink = link.mid(12, 4) == "link" && (from == "RGB " || from == "CMYK") &&
+                        link.mid(20, 4) == "CMYK";
+    const ProfileHandle profile(
+        isLink ? cmsOpenProfileFromMem(link.constData(), cmsUInt32Number(link.size())) : nullptr);
+    const cmsUInt32Number pixels = from == "CMYK" ? TYPE_CMYK_8 : TYPE_RGB_8;
+    TransformHandle transform(profile
+                                  ? cmsCreateTransform(profile.get(), pixels, nullptr, TYPE_CMYK_8,
+                                                       INTENT_PERCEPTUAL, cmsFLAGS_NOCACHE)
+                                  : nullptr);
+    if (!transform) {
+        throw Error(Text::tr("This file is not an ICC device link from RGB or CMYK to CMYK, or it "
+                             "is damaged; choose another file"),
+                    where);
+    }
+    (from == "CMYK" ? cmykLink : rgbLink) = std::move(transform);
+}
 
 PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent intent, bool blackPoint,
                              const QString& where)
@@ -148,6 +216,21 @@ PrinterColour::PrinterColour(const QByteArray& iccProfile, RenderingIntent inten
     d.printed = required(cmsCreateTransform(d.printer.get(), device, lab.get(), TYPE_Lab_DBL,
                                             relative, cmsFLAGS_NOCACHE),
                          where);
+    d.space = iccIdentity(iccProfile);
+}
+
+PrinterColour::PrinterColour(const PrinterProfile& printer, const QString& where)
+    : PrinterColour(printer.iccProfile, printer.intent, printer.blackPoint, where) {
+    if (!isCmyk()) {
+        return;
+    }
+    if (!printer.deviceLink.isEmpty()) {
+        data_->takeLink(printer.deviceLink, where);
+    }
+    if (printer.keptInks != KeptInks::None) {
+        data_->kept = printer.keptInks;
+        data_->blackOfGrey = blackOfGreys(inkDensities(3));
+    }
 }
 
 PrinterColour::~PrinterColour() = default;
@@ -190,6 +273,30 @@ QByteArray PrinterColour::cmyk(const QImage& picture) const {
         std::copy(row.begin(), row.end(), bytes + y * stride);
     });
     return result;
+}
+
+void PrinterColour::convertInks(std::span<std::uint8_t> amounts, const QString& space,
+                                std::span<const std::uint8_t> separated) const {
+    Q_ASSERT(isCmyk() && amounts.size() == separated.size());
+    if (data_->cmykLink) {
+        std::vector<std::uint8_t> linked(amounts.size());
+        cmsDoTransform(data_->cmykLink.get(), amounts.data(), linked.data(),
+                       cmsUInt32Number(amounts.size() / 4));
+        std::copy(linked.begin(), linked.end(), amounts.begin());
+        return;
+    }
+    if (space == data_->space) {
+        return;
+    }
+    for (std::size_t at = 0; at < amounts.size(); at += 4) {
+        const auto pixel = amounts.subspan(at, 4);
+        const auto inks = 4 - std::count(pixel.begin(), pixel.end(), 0);
+        const bool isPure = inks == 1 && (pixel[3] != 0 || data_->kept == KeptInks::Pure);
+        const bool isBare = inks == 0;
+        if (data_->kept == KeptInks::None || !(isPure || isBare)) {
+            std::copy_n(separated.begin() + std::ptrdiff_t(at), 4, pixel.begin());
+        }
+    }
 }
 
 std::array<float, 256> PrinterColour::inkDensities(int ink) const {

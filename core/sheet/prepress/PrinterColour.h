@@ -2,12 +2,14 @@
 // print will look.
 #pragma once
 
-#include "settings/RenderingIntent.h"
+#include "settings/Profile.h"
 
 #include <QByteArray>
 #include <QImage>
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <span>
 
 namespace dipwright {
 
@@ -24,6 +26,10 @@ public:
     // compensation. Throws Error, naming `where`, if the file is not such a profile.
     PrinterColour(const QByteArray& iccProfile, RenderingIntent intent, bool blackPoint,
                   const QString& where);
+    // Takes ICC profile, intent, black point, kept inks and device link from a printer profile. An
+    // RGB printer ignores the last two. Throws Error also if the device link does not lead from RGB
+    // or CMYK to CMYK.
+    PrinterColour(const PrinterProfile& printer, const QString& where);
     ~PrinterColour();
 
     bool isCmyk() const;
@@ -38,6 +44,14 @@ public:
     // Converts an opaque picture to the printer's CMYK: four bytes per pixel, 0 no ink … 255 full,
     // rows without padding. CMYK printers only.
     QByteArray cmyk(const QImage& picture) const;
+
+    // Converts amounts of ink in the space `space` (base/InkPicture.h) to the printer's. `amounts`
+    // has four bytes per pixel. By the device link, if it is for CMYK. Otherwise amounts in the
+    // printer's own space stay as they are, in another space only those of pixels in one of the
+    // kept inks. `separated` holds the printer's amounts for the same colours; the other pixels get
+    // these. CMYK printers only.
+    void convertInks(std::span<std::uint8_t> amounts, const QString& space,
+                     std::span<const std::uint8_t> separated) const;
 
     // Returns the density of each amount, 0 … 255, of one ink alone (cyan, magenta, yellow, black).
     // The density is −log10 of the light relative to bare paper. The light is the red, green or

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace dipwright {
 
@@ -124,6 +125,10 @@ void continuePlates(Sheet& sheet, double radius) {
         continueColour(stretch, radius);
         sheet.wanted->stretch = stretchOfPicture(stretch);
         continueColour(sheet.wanted->image, radius);
+        sheet.wanted->inks = sheet.wanted->inks.each([&](QImage plane) {
+            continueColour(plane, radius);
+            return plane;
+        });
     }
 }
 
@@ -145,9 +150,10 @@ Sheet withCutBleed(const Sheet& sheet) {
         const int from = std::max(first - reach, 0);
         Sheet more = inner->make(from, std::min(end + reach, inner->pixels.height()));
         continuePlates(more, radius);
-        const auto crop = [&](QImage& image) {
-            image = image.copy(0, first - from, image.width(), end - first);
+        const auto cropped = [&](const QImage& image) {
+            return image.copy(0, first - from, image.width(), end - first);
         };
+        const auto crop = [&](QImage& image) { image = cropped(image); };
         crop(more.image);
         for (SheetPlate& plate : more.plates) {
             crop(plate.tint);
@@ -155,6 +161,7 @@ Sheet withCutBleed(const Sheet& sheet) {
         if (more.wanted) {
             crop(more.wanted->image);
             crop(more.wanted->stretch);
+            more.wanted->inks = more.wanted->inks.each(cropped);
         }
         return more;
     };
@@ -176,17 +183,50 @@ void forPixels(QByteArray& cmyk, const QImage& stretch, const Work& work) {
     });
 }
 
+// Replaces `wanted`, the separated colours, where the film has amounts of ink.
+void takeInks(const InkPlanes& inks, const PrinterColour& colour, const PlateCompensation& law,
+              QByteArray& wanted) {
+    auto* const bytes = reinterpret_cast<uchar*>(wanted.data());
+    const auto width = std::size_t(inks.colours.width());
+    parallelFor(0, inks.colours.height(), [&](int y) {
+        const uchar* const colours = inks.colours.constScanLine(y);
+        const uchar* const black = inks.black.constScanLine(y);
+        const std::span<uchar> row(bytes + 4 * width * std::size_t(y), 4 * width);
+        std::vector<uchar> amounts(row.begin(), row.end());
+        for (std::size_t at = 0; at < amounts.size(); at += 4) {
+            std::copy_n(colours + at, 3, &amounts[at]);
+            amounts[at + 3] = black[at];
+        }
+        colour.convertInks(amounts, inks.space, row);
+        for (std::size_t at = 0; at < amounts.size(); at += 4) {
+            const float share = float(black[at + 1]) / 255;
+            if (share == 0 || std::equal(&amounts[at], &amounts[at] + 4, &row[at])) {
+                continue; // separated, from colours that have only this film's share
+            }
+            for (int ink = 0; ink < 4; ++ink) {
+                row[at + std::size_t(ink)] = law.faded(ink, amounts[at + std::size_t(ink)], share);
+            }
+        }
+    });
+}
+
 // The picture's inks, each compensated separately.
 struct PerInk {
     QByteArray wanted, printed; // four bytes per pixel
 
     PerInk(const WantedInk& film, const PrintCorrection& correction, const PlateCompensation& law)
-        : wanted(correction.colour->cmyk(onWhitePaper(film.image))), printed(wanted) {
-        forPixels(printed, film.stretch, [&](qsizetype, uchar* inks, float stretch) {
-            for (int ink = 0; ink < 4; ++ink) {
-                inks[ink] = law.printed(ink, inks[ink], stretch);
-            }
-        });
+        : wanted(correction.colour->cmyk(onWhitePaper(film.image))) {
+        if (!film.inks.isNull()) {
+            takeInks(film.inks, *correction.colour, law, wanted);
+        }
+        printed = wanted;
+        if (film.settings.compensate) {
+            forPixels(printed, film.stretch, [&](qsizetype, uchar* inks, float stretch) {
+                for (int ink = 0; ink < 4; ++ink) {
+                    inks[ink] = law.printed(ink, inks[ink], stretch);
+                }
+            });
+        }
         if (correction.totalInk) {
             limitInk(printed, *correction.totalInk);
         }

@@ -13,7 +13,8 @@ class PlateCompensation;
 // Separates the sheet's film on white paper into the inks of `correction`, within its limit of
 // total area coverage, and into the sheet's spot inks. The colour of `correction` must be CMYK. If
 // the sheet has the film's stretch, the wanted colours are separated first, and then each ink is
-// compensated by its own law (PlateCompensation). Uses all cores.
+// compensated by its own law (PlateCompensation). Where the sheet has amounts of ink, these are
+// taken instead of colours (PrinterColour::convertInks). Uses all cores.
 Plates separate(const Sheet& sheet, const PrintCorrection& correction);
 
 // Separates some rows of a sheet's film, as separate() does. Const members may be used from several

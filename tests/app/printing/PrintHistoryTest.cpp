@@ -158,12 +158,13 @@ private slots:
         PrinterProfile inks;
         inks.name = QStringLiteral("Pigment");
         inks.iccProfile = simpleCmykProfile(0.002);
-        std::vector<PrinterProfile> profiles(6, inks);
+        std::vector<PrinterProfile> profiles(7, inks);
         profiles[1].intent = RenderingIntent::Perceptual;
         profiles[2].iccProfile = simpleCmykProfile(0.01);
         profiles[3].totalInk = 2.4;
         profiles[4].blackPoint = false;
         profiles[5].scaleX = 1.01;
+        profiles[6].keptInks = KeptInks::Black;
         const QString path = folder_->filePath(QStringLiteral("sheet.pdf"));
         QStringList jobs;
         for (const PrinterProfile& profile : profiles) {

@@ -55,7 +55,8 @@ private slots:
 
     void profileSections_everyProfileValue_hasField() {
         for (const auto kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {
-            QStringList shown{QStringLiteral("icc_profile")}; // a file to choose
+            QStringList shown{QStringLiteral("icc_profile"),
+                              QStringLiteral("device_link")}; // files
             for (const PropertySection& section : profileSections(kind)) {
                 for (const PropertySpec& spec : section.specs) {
                     QVERIFY2(!spec.label.isEmpty() && !spec.help.isEmpty(), qPrintable(spec.path));
@@ -123,7 +124,7 @@ private slots:
         dialog.importFile(path);
         QCOMPARE(nameOf(*dialog.chosen()), QString("Mine"));
         QCOMPARE(printer(library_, "Mine").scaleX, 1.004);
-        QVERIFY_EXCEPTION_THROWN(dialog.setIccFile(path), Error);
+        QVERIFY_EXCEPTION_THROWN(dialog.setIccFile(path, &PrinterProfile::iccProfile), Error);
         QVERIFY(printer(library_, "Mine").iccProfile.isEmpty());
     }
 

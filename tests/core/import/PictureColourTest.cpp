@@ -231,7 +231,9 @@ QString refusal(const QByteArray& file) {
     }
 }
 
-// Converts colours of a profile to Lab, relative to white.
+// Converts colours of a profile to Lab, relative to white. Black point compensation makes a
+// difference for inks only.
+constexpr cmsUInt32Number exact = cmsFLAGS_NOOPTIMIZE | cmsFLAGS_BLACKPOINTCOMPENSATION;
 class ToLab {
 public:
     ToLab(const QByteArray& profile, cmsUInt32Number format) {
@@ -239,7 +241,7 @@ public:
             cmsOpenProfileFromMem(profile.constData(), cmsUInt32Number(profile.size()));
         cmsHPROFILE lab = cmsCreateLab4Profile(nullptr);
         transform_ = cmsCreateTransform(from, format, lab, TYPE_Lab_DBL,
-                                        INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOOPTIMIZE);
+                                        INTENT_RELATIVE_COLORIMETRIC, exact);
         cmsCloseProfile(lab);
         cmsCloseProfile(from);
     }
@@ -266,8 +268,8 @@ Device direct(const Device& device, Kind kind, const QByteArray& profile,
               const QByteArray& printer) {
     cmsHPROFILE from = cmsOpenProfileFromMem(profile.constData(), cmsUInt32Number(profile.size()));
     cmsHPROFILE to = cmsOpenProfileFromMem(printer.constData(), cmsUInt32Number(printer.size()));
-    cmsHTRANSFORM transform = cmsCreateTransform(from, format(kind), to, TYPE_RGB_8,
-                                                 INTENT_RELATIVE_COLORIMETRIC, cmsFLAGS_NOOPTIMIZE);
+    cmsHTRANSFORM transform =
+        cmsCreateTransform(from, format(kind), to, TYPE_RGB_8, INTENT_RELATIVE_COLORIMETRIC, exact);
     Device result{};
     cmsDoTransform(transform, device.data(), result.data(), 1);
     cmsDeleteTransform(transform);

@@ -26,6 +26,8 @@ PrinterProfile printer() {
     profile.iccProfile = QByteArray("\0\1\2icc", 6);
     profile.intent = RenderingIntent::Perceptual;
     profile.blackPoint = false;
+    profile.keptInks = KeptInks::Pure;
+    profile.deviceLink = QByteArray("\0link", 5);
     profile.inkLimit = 1.7;
     profile.resolution = DotsPerInch(600);
     return profile;

@@ -78,12 +78,7 @@ LinearColour shownBy(const LaidFilm& laid, const QImage& sheet, const SurfacePoi
     if (!place) {
         return LinearColour::Ones();
     }
-    const Eigen::Vector3f weights = laid.weights(*place);
-    const FilmTriangle& corners = laid.triangles()[place->triangle];
-    float stretch = 0;
-    for (int k = 0; k < 3; ++k) {
-        stretch += weights[k] * laid.pointAreas()[corners[std::size_t(k)]];
-    }
+    const float stretch = laid.areaStretch(*place);
     return InkCompensation({}).shown(printedAt(sheet, laid.film().grid, place->rest), stretch);
 }
 

@@ -180,7 +180,7 @@ void StretchedInkTest::inkCompensation_measuredInk_showsTheWantedGrey() {
                                 .arg(grey.worst)
                                 .arg(grey.worstAtRim);
     qInfo("%s", qPrintable(figures));
-    QVERIFY2(grey.worst <= 1, qPrintable(figures));
+    QVERIFY2(grey.worst <= 1.1, qPrintable(figures));
 }
 
 void StretchedInkTest::inkCompensation_shown_invertsPrint_data() {
