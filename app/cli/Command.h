@@ -52,6 +52,7 @@ std::unique_ptr<Command> solversCommand();
 std::unique_ptr<Command> benchCommand();
 std::unique_ptr<Command> printCommand();
 std::unique_ptr<Command> watchCommand();
+std::unique_ptr<Command> serveCommand();
 std::unique_ptr<Command> artworkCommand();
 std::unique_ptr<Command> packCommand();
 std::unique_ptr<Command> costCommand();

@@ -1,7 +1,6 @@
 #include "cli/HotFolder.h"
 
 #include "base/Error.h"
-#include "disk/AtomicFile.h"
 #include "project/ProjectStore.h"
 
 #include <QDir>
@@ -38,51 +37,17 @@ bool canBeRead(const QString& path) {
     }
 }
 
-// Moves a file into a folder, with a number in its name if the name is taken. Returns its new path.
-QString moved(const QString& path, const QString& folder) {
-    const QFileInfo file(path);
-    for (int number = 1;; ++number) {
-        const QString suffix = number > 1 ? QStringLiteral("-%1").arg(number) : QString();
-        const QString target = QStringLiteral("%1/%2%3.%4")
-                                   .arg(folder, file.completeBaseName(), suffix, file.suffix());
-        if (QFileInfo::exists(target)) {
-            continue;
-        }
-        QFile source(path);
-        if (source.rename(target)) {
-            return target;
-        }
-        if (!QFileInfo::exists(target)) {
-            throw Error(QStringLiteral("The job cannot be moved to %1: %2")
-                            .arg(folder, source.errorString()),
-                        path);
-        }
-    }
-}
-
 } // namespace
 
 bool isTicket(const QString& path) {
     return path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive);
 }
 
-HotFolder::HotFolder(const QString& path) : path_(QDir(path).absolutePath()) {
-    QDir().mkpath(path_);
-    const LockState lock = lock_.acquire(folder(QStringLiteral("watch")));
-    if (!lock.acquired) {
-        throw Error(QStringLiteral("The folder is already watched by %1; end that program or "
-                                   "choose another folder")
-                        .arg(holderText(lock)),
-                    path_);
-    }
-    for (const QString& name : {printing, released, projects, nameOf(HotState::Done),
-                                nameOf(HotState::Failed), nameOf(HotState::Held)}) {
-        if (!QDir().mkpath(folder(name))) {
-            throw Error(QStringLiteral("The folder cannot be created; choose a folder that can be "
-                                       "written"),
-                        folder(name));
-        }
-    }
+HotFolder::HotFolder(const QString& path)
+    : folders_(path,
+               {printing, released, projects, nameOf(HotState::Done), nameOf(HotState::Failed),
+                nameOf(HotState::Held)},
+               QStringLiteral("watch")) {
     for (const QFileInfo& file : QDir(folder(printing)).entryInfoList(QDir::Files)) {
         end(file.filePath(), HotState::Held,
             QStringLiteral("The program ended while the sheets were sent to the printer. Check "
@@ -94,7 +59,7 @@ HotFolder::HotFolder(const QString& path) : path_(QDir(path).absolutePath()) {
 std::vector<HotJob> HotFolder::completeJobs() {
     std::map<QString, Seen> now;
     std::vector<QFileInfo> complete;
-    for (const QString& place : {path_, folder(released)}) {
+    for (const QString& place : {folders_.path(), folder(released)}) {
         for (const QFileInfo& file :
              QDir(place).entryInfoList({"*.dipw", "*.json"}, QDir::Files | QDir::NoSymLinks)) {
             Seen seen{file.size(), file.lastModified(), 0};
@@ -123,15 +88,11 @@ std::vector<HotJob> HotFolder::completeJobs() {
 }
 
 QString HotFolder::startPrinting(const QString& job) const {
-    return moved(job, folder(printing));
+    return folders_.move(job, printing);
 }
 
 QString HotFolder::end(const QString& job, HotState state, const QString& reason) const {
-    const QString file = moved(job, folder(nameOf(state)));
-    const QString failure = replaceFile(file + QStringLiteral(".txt"), reason.toUtf8() + '\n');
-    return failure.isEmpty()
-               ? QString()
-               : QStringLiteral(" The text file beside the job cannot be written: %1").arg(failure);
+    return folders_.end(job, nameOf(state), reason);
 }
 
 QString HotFolder::project(const QString& name) const {

@@ -6,7 +6,7 @@
 // their verdict is. `projects` holds the projects that print tickets name.
 #pragma once
 
-#include "disk/FileLock.h"
+#include "serving/StateFolders.h"
 
 #include <QDateTime>
 #include <QString>
@@ -54,10 +54,9 @@ private:
         QDateTime changed;
         int calls = 0; // calls without a change
     };
-    QString folder(const QString& name) const { return path_ + u'/' + name; }
+    QString folder(const QString& name) const { return folders_.folder(name); }
 
-    QString path_;
-    FileLock lock_;
+    StateFolders folders_;
     std::map<QString, Seen> seen_;
 };
 

@@ -157,6 +157,7 @@ std::vector<std::unique_ptr<Command>> allCommands() {
     commands.push_back(cli::runCommand());
     commands.push_back(printCommand());
     commands.push_back(watchCommand());
+    commands.push_back(serveCommand());
     commands.push_back(artworkCommand());
     commands.push_back(packCommand());
     commands.push_back(costCommand());

@@ -1,6 +1,6 @@
 #include "cradle/FormSurface.h"
 
-#include "cradle/VtkSurface.h"
+#include "reduction/VtkSurface.h"
 
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>

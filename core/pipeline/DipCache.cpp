@@ -222,6 +222,16 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most) {
 
 std::shared_ptr<const JobResult> cachedDips(const Project& project, const SolverRegistry& registry,
                                             const QString& path, const Progress& progress) {
+    if (!project.model || !QFileInfo::exists(dipCacheFile(path))) {
+        return nullptr;
+    }
+    return cachedDipsOf(project,
+                        chooseSolver(project.process.solver, registry, progress.cancelToken).solver,
+                        path, progress);
+}
+
+std::shared_ptr<const JobResult> cachedDipsOf(const Project& project, const SolverInfo& solver,
+                                              const QString& path, const Progress& progress) {
     const QString file = dipCacheFile(path);
     if (!project.model || !QFileInfo::exists(file)) {
         return nullptr;
@@ -229,8 +239,6 @@ std::shared_ptr<const JobResult> cachedDips(const Project& project, const Solver
     auto result = std::make_shared<JobResult>();
     result->project = project;
     result->wantedSolver = project.process.solver;
-    const SolverInfo solver =
-        chooseSolver(result->wantedSolver, registry, progress.cancelToken).solver;
     result->chosenSolver = solver.id;
     const std::vector<QByteArray> kept = readWanted(file, DipKeys(project), project, solver);
     for (std::size_t number = 0; number < kept.size(); ++number) {

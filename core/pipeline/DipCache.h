@@ -32,6 +32,11 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most = mo
 std::shared_ptr<const JobResult> cachedDips(const Project& project, const SolverRegistry& registry,
                                             const QString& path, const Progress& progress);
 
+// Like cachedDips(), for dips that this solver simulated, here or on another computer. The solver
+// need not exist here. Returns null if a dip of this solver and program version is missing.
+std::shared_ptr<const JobResult> cachedDipsOf(const Project& project, const SolverInfo& solver,
+                                              const QString& path, const Progress& progress);
+
 // Like cachedDips(), but returns null if the file cannot be read. For callers that simulate the
 // dips again in that case.
 std::shared_ptr<const JobResult> usableDips(const Project& project, const SolverRegistry& registry,

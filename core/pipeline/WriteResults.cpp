@@ -6,6 +6,7 @@
 #include "disk/FolderTransaction.h"
 #include "parallel/Tasks.h"
 #include "pipeline/JobCradles.h"
+#include "pipeline/JobProof.h"
 #include "pipeline/JobTicket.h"
 #include "pipeline/JobTraveller.h"
 #include "pipeline/Pipeline.h"
@@ -239,6 +240,16 @@ void addProof(std::vector<Piece>& pieces, const JobResult& result,
     }
 }
 
+// Adds the task for the proof to share. It keeps references to all arguments.
+void addSharedProof(std::vector<Piece>& pieces, const JobResult& result,
+                    const FolderTransaction& folder, const CancelToken& cancelToken) {
+    pieces.push_back({Text::tr("Writing the proof to share"), [&result, &folder, cancelToken] {
+                          const SharedProof proof = sharedProof(result, {{}, cancelToken});
+                          folder.write(QStringLiteral("proof.glb"), proof.glb);
+                          folder.write(QStringLiteral("proof.html"), proof.html);
+                      }});
+}
+
 void addReport(std::vector<Piece>& pieces, const Project& project, const JobResult& result,
                const FolderTransaction& folder) {
     pieces.push_back({Text::tr("Writing the report"), [&] {
@@ -334,6 +345,8 @@ std::vector<Piece> jobPieces(Output output, const JobResult& result,
     std::vector<Piece> pieces;
     if (output == Output::Proof) {
         addProof(pieces, result, folder);
+    } else if (output == Output::SharedProof) {
+        addSharedProof(pieces, result, folder, cancelToken);
     } else if (output == Output::Traveller) {
         addTraveller(pieces, result, folder, cancelToken);
     } else if (output == Output::Motion) {

@@ -65,9 +65,9 @@ QJsonArray setsIn(const QByteArray& bytes) {
 QString outputWord(Output output) {
     static const QStringList words{
         QStringLiteral("sheet_pdf"),  QStringLiteral("sheet_png"), QStringLiteral("print_pdf"),
-        QStringLiteral("print_tiff"), QStringLiteral("proof"),     QStringLiteral("traveller"),
-        QStringLiteral("motion"),     QStringLiteral("cradles"),   QStringLiteral("report"),
-        QStringLiteral("film"),       QStringLiteral("maps")};
+        QStringLiteral("print_tiff"), QStringLiteral("proof"),     QStringLiteral("shared_proof"),
+        QStringLiteral("traveller"),  QStringLiteral("motion"),    QStringLiteral("cradles"),
+        QStringLiteral("report"),     QStringLiteral("film"),      QStringLiteral("maps")};
     return words.at(int(output));
 }
 
@@ -83,6 +83,8 @@ QString outputText(Output output) {
         return Text::tr("Sheets in the printer's colours as TIFF");
     case Output::Proof:
         return Text::tr("Proof");
+    case Output::SharedProof:
+        return Text::tr("Proof to share");
     case Output::Traveller:
         return Text::tr("Traveller");
     case Output::Motion:
@@ -119,6 +121,8 @@ QStringList outputFiles(Output output) {
     case Output::Proof:
         return {QStringLiteral("proof.png"), QStringLiteral("proof-without-white.png"),
                 QStringLiteral("coverage.png")};
+    case Output::SharedProof:
+        return {QStringLiteral("proof.html"), QStringLiteral("proof.glb")};
     case Output::Traveller:
         return {QStringLiteral("traveller.pdf")};
     case Output::Motion:
@@ -139,13 +143,15 @@ QStringList outputFiles(Output output) {
 std::vector<OutputSet> builtInOutputSets() {
     return {{QStringLiteral("Everything"), {allOutputs.begin(), allOutputs.end()}},
             {QStringLiteral("Print shop"), {Output::PrintPdf, Output::PrintTiff, Output::Proof}},
-            {QStringLiteral("Tank"), {Output::Traveller, Output::Motion, Output::Cradles}}};
+            {QStringLiteral("Tank"), {Output::Traveller, Output::Motion, Output::Cradles}},
+            {QStringLiteral("Customer"), {Output::SharedProof}}};
 }
 
 QString outputSetText(const QString& name) {
     return name == QLatin1String("Everything")   ? Text::tr("Everything")
            : name == QLatin1String("Print shop") ? Text::tr("Print shop")
            : name == QLatin1String("Tank")       ? Text::tr("Tank")
+           : name == QLatin1String("Customer")   ? Text::tr("Customer")
                                                  : name;
 }
 

@@ -12,11 +12,12 @@ struct Project;
 
 // One kind of file, made for each dip or once for the job.
 enum class Output {
-    SheetPdf,  // sheet at true size, in sRGB
-    SheetPng,  // film image
-    PrintPdf,  // sheet in the scale and colours of the project's printer profile
-    PrintTiff, // the same as TIFF
-    Proof,     // pictures of the printed part and of the coverage
+    SheetPdf,    // sheet at true size, in sRGB
+    SheetPng,    // film image
+    PrintPdf,    // sheet in the scale and colours of the project's printer profile
+    PrintTiff,   // the same as TIFF
+    Proof,       // pictures of the printed part and of the coverage
+    SharedProof, // the printed part as a model and as a page to turn it
     Traveller,
     Motion,
     Cradles,
@@ -25,9 +26,9 @@ enum class Output {
     Maps  // maps of stretch, wrinkling, numerical error and tolerances
 };
 inline constexpr std::array allOutputs{Output::SheetPdf,  Output::SheetPng, Output::PrintPdf,
-                                       Output::PrintTiff, Output::Proof,    Output::Traveller,
-                                       Output::Motion,    Output::Cradles,  Output::Report,
-                                       Output::Film,      Output::Maps};
+                                       Output::PrintTiff, Output::Proof,    Output::SharedProof,
+                                       Output::Traveller, Output::Motion,   Output::Cradles,
+                                       Output::Report,    Output::Film,     Output::Maps};
 
 // The word for an output in files and on the command line, such as "sheet_pdf".
 QString outputWord(Output output);
@@ -45,7 +46,7 @@ struct OutputSet {
 inline constexpr std::size_t mostOutputSets = 50;
 inline constexpr int longestOutputSetName = 100;
 
-// Returns the sets that every project has: "Everything", "Print shop" and "Tank".
+// Returns the sets that every project has: "Everything", "Print shop", "Tank" and "Customer".
 std::vector<OutputSet> builtInOutputSets();
 // The name of a built-in set in the user's language; other names unchanged.
 QString outputSetText(const QString& name);

@@ -35,9 +35,11 @@ void addMarks(std::vector<ProjectValue>& values, const Project& project) {
     }
 }
 
-// The model and the id of a layer's picture have values, but setByPath() does not set them.
+// What is known about the model, and the id of a layer's picture, have values, but setByPath() does
+// not set them.
 bool isFixed(const ProjectValue& value) {
-    return value.path.startsWith(QLatin1String("model.")) ||
+    return (value.path.startsWith(QLatin1String("model.")) &&
+            value.path != QLatin1String("model.tessellation_mm")) ||
            (value.path.startsWith(QLatin1String("artwork.layers[")) &&
             value.path.endsWith(QLatin1String("].picture")));
 }

@@ -1,4 +1,3 @@
-#include "results/ColourMap.h"
 #include "results/DifferenceMap.h"
 #include "results/Results.h"
 
@@ -6,6 +5,7 @@
 #include "parallel/ParallelFor.h"
 #include "results/FilmValues.h"
 #include "results/Hatch.h"
+#include "results/MapScale.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -25,68 +25,11 @@ const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor paleInk(105, 112, 120);
 
-// The range of values and its colour map.
-struct Scale {
-    double low = 1;
-    double high = 1;
-    double step = 0.1;
-    QString map;
-    bool lowerHalf = false;      // use only the lower half of the map
-    bool hasColourAbove = false; // whether values above `high` have a colour of their own
-
-    double share(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
-    // Returns the colour at a place of the scale, 0 … 1.
-    QColor colour(double place) const { return mapColour(map, lowerHalf ? place / 2 : place); }
-    QColor past() const { return colourAbove(map); }
-};
-
-// Returns the smallest of 1, 2 and 5 times a power of ten that is not less than `least`.
-double roundedUp(double least) {
-    const double decade = std::pow(10, std::floor(std::log10(least)));
-    for (double factor : {1.0, 2.0, 5.0}) {
-        if (factor * decade >= least) {
-            return factor * decade;
-        }
-    }
-    return 10 * decade;
-}
-
-double niceStep(double span) {
-    return roundedUp(span / 6);
-}
-
-// Returns a scale from 1 (unstretched) upwards, or symmetric about 1 if film is also compressed. A
-// few outliers, such as torn film, lie outside the scale.
-Scale scaleOf(std::vector<float> values) {
-    constexpr double least = 0.02; // a smaller range would show only noise
-    constexpr double outliers = 0.002;
-    std::sort(values.begin(), values.end());
-    const auto last = double(values.size() - 1);
-    const double lowest = values[std::size_t(std::floor(outliers * last))];
-    const double highest = values[std::size_t(std::ceil((1 - outliers) * last))];
-    Scale scale;
-    const double above = std::clamp(highest - 1, least, 9.0);
-    const double below = 1 - lowest;
-    if (below > 0.1 * above && below > least / 2) {
-        const double reach = std::min(std::max(above, below), 1.0); // stretch is never below 0
-        scale.step = niceStep(2 * reach);
-        const double end = std::ceil(reach / scale.step - 1e-6) * scale.step;
-        scale.low = 1 - end;
-        scale.high = 1 + end;
-        scale.map = QStringLiteral("balance");
-    } else {
-        scale.step = niceStep(above);
-        scale.high = 1 + std::ceil(above / scale.step - 1e-6) * scale.step;
-        scale.map = QStringLiteral("lagoon");
-    }
-    return scale;
-}
-
 // Returns a scale from the stretch of the most compressed place up to 1.
-Scale compressionScale(double least) {
+MapScale compressionScale(double least) {
     constexpr double shallowest = 0.05; // a smaller range would show only noise
     const double depth = std::clamp(1 - least, shallowest, 1.0);
-    Scale scale;
+    MapScale scale;
     scale.step = niceStep(depth);
     scale.low = std::max(1 - std::ceil(depth / scale.step - 1e-6) * scale.step, 0.0);
     scale.high = 1;
@@ -95,7 +38,7 @@ Scale compressionScale(double least) {
     return scale;
 }
 
-std::array<QRgb, 256> colourTable(const Scale& scale) {
+std::array<QRgb, 256> colourTable(const MapScale& scale) {
     std::array<QRgb, 256> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
         table[i] = scale.colour(double(i) / 255).rgb();
@@ -113,7 +56,7 @@ QRgb faded(QRgb colour) {
 // outline. Marked film is hatched and outlined in the colour of its mark.
 class FilmPicture {
 public:
-    FilmPicture(const FilmValues& film, const solver::FilmGrid& grid, const Scale& scale,
+    FilmPicture(const FilmValues& film, const solver::FilmGrid& grid, const MapScale& scale,
                 QSize size)
         : film_(film), scale_(scale), size_(size), colours_(colourTable(scale)),
           past_(scale.past().rgb()), reach_(std::max(1, size.height() / 1000)),
@@ -173,7 +116,7 @@ private:
     }
 
     const FilmValues& film_;
-    const Scale& scale_;
+    const MapScale& scale_;
     QSize size_;
     std::array<QRgb, 256> colours_;
     QRgb past_; // colour of values above the scale
@@ -191,7 +134,7 @@ struct MapSubject {
     QString title, explanation;
     QString unit;    // under the scale
     QString summary; // under the map
-    Scale scale;
+    MapScale scale;
     LengthUnit length = LengthUnit::Millimetre; // unit of the rulers along the film
     bool hasHigherValues = false;               // whether some values lie above the scale
     std::uint8_t marks = 0;                     // solver::PointMark bits that the map shows
@@ -314,7 +257,7 @@ private:
         painter.setPen(QPen(ink, 0.12));
         painter.setBrush(gradient);
         painter.drawRect(bar);
-        const Scale& scale = subject_.scale;
+        const MapScale& scale = subject_.scale;
         const int ticks = int(std::lround((scale.high - scale.low) / scale.step));
         for (int number = 0; number <= ticks; ++number) {
             const double value = scale.low + number * scale.step;
@@ -337,13 +280,8 @@ private:
     }
 
     QString scaleLabel(double value) const {
-        const Scale& scale = subject_.scale;
-        int decimals = 1; // enough to tell the steps apart
-        for (double step = 10 * scale.step; std::abs(step - std::round(step)) > 1e-6 * step;
-             step *= 10) {
-            ++decimals;
-        }
-        const QString number = QLocale().toString(value, 'f', decimals);
+        const MapScale& scale = subject_.scale;
+        const QString number = scale.text(value);
         const bool hasHigherValues =
             subject_.hasHigherValues && value > scale.high - scale.step / 2;
         return hasHigherValues ? Text::tr("%1 and more").arg(number) : number;
@@ -392,7 +330,7 @@ QString rounded(double value) {
 MapSubject stretchSubject(const FilmValues& values) {
     const std::vector<float> painted = values.paintedValues();
     const Distribution stretch = distribution(painted);
-    const Scale scale = scaleOf(painted);
+    const MapScale scale = stretchScale(painted);
     return {
         Text::tr("Stretch of the film"),
         Text::tr("Mean stretch at each point: final length divided by rest length; ink side up"),
@@ -413,29 +351,6 @@ MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling
         Text::tr("On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2")
             .arg(QLocale().toString(100 * wrinkling.share, 'f', 1), rounded(wrinkling.least)),
         compressionScale(distribution(values.paintedValues()).minimum)};
-}
-
-// Returns the value that nearly all of `values` (at least one) are below.
-double highestOf(std::vector<float> values) {
-    constexpr double outliers = 0.01;
-    std::sort(values.begin(), values.end());
-    return double(values[std::size_t(std::ceil((1 - outliers) * double(values.size() - 1)))]);
-}
-
-// Returns a scale that starts at 0 and includes nearly all values, up to a few times `limit`.
-// Outliers lie above the scale. `least` is the smallest range of the scale; it keeps noise from
-// filling the picture.
-Scale changeScale(const std::vector<float>& values, double limit, double least) {
-    constexpr double mostLimits = 4;
-    const double highest = std::max(least, highestOf(values));
-    Scale scale;
-    scale.step = highest < limit ? niceStep(highest) : limit;
-    scale.low = 0;
-    const double steps = std::ceil(highest / scale.step - 1e-6);
-    scale.high = scale.step * (highest < limit ? steps : std::min(steps, mostLimits));
-    scale.map = QStringLiteral("lagoon");
-    scale.hasColourAbove = double(*std::max_element(values.begin(), values.end())) > scale.high;
-    return scale;
 }
 
 // Distances on the film, in the unit that the map shows.
@@ -461,7 +376,7 @@ struct ShownDistances {
     FilmValues values;
     std::uint8_t marks;
     std::vector<float> painted;
-    Scale scale;
+    MapScale scale;
 
 private:
     // The scale's steps equal the limit, so it is rounded to be readable.
@@ -492,7 +407,7 @@ MapSubject numericalErrorSubject(const ShownDistances& told) {
 
 MapSubject differenceSubject(const ShownDistances& told, double scaleEnd) {
     constexpr double steps = 5;
-    Scale scale = told.scale;
+    MapScale scale = told.scale;
     scale.high = scaleEnd / millimetresIn(told.unit);
     scale.step = scale.high / steps;
     scale.hasColourAbove =

@@ -443,7 +443,7 @@ void RoomsTest::vtk_otherFolders_doNotIncludeIt() {
                (isVtk(include) && !lives(include, "core/results/") &&
                 !lives(include, "core/cradle/FormSurface.cpp") &&    // the surface of a grid
                 !lives(include, "core/cradle/ReducedSurface.cpp") && // with fewer triangles
-                !lives(include, "core/cradle/VtkSurface"));
+                !lives(include, "core/reduction/"));
     }));
     expectNone(offenders(QStringLiteral("app"), [&](const Include& include) {
         return isVtk(include) && !lives(include, "app/viewport/");

@@ -150,6 +150,9 @@ std::vector<WindowActions::Entry> WindowActions::dipEntries() {
          key("Ctrl+R")},
         {&A::cancel, "cancel", "cancel", tr("&Cancel"), tr("Cancel everything that is running"),
          key("Ctrl+.")},
+        {&A::sendToServer, "sendToServer", "", tr("Send to ser&ver…"),
+         tr("Simulate the dips on another computer, such as one with a GPU, and show the results "
+            "here")},
         {&A::live,
          "live",
          "live",
@@ -363,6 +366,7 @@ void WindowActions::enable(const WindowState& state) {
     removeImmersion->setEnabled(immersions > 1);
     swapImmersions->setEnabled(immersions > 1);
     run->setEnabled(any && !state.isDipping);
+    sendToServer->setEnabled(any && !state.isBusy);
     numericalError->setEnabled(any && !state.isBusy);
     tolerances->setEnabled(any && !state.isBusy);
     cancel->setEnabled(state.isBusy);

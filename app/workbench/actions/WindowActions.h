@@ -35,7 +35,7 @@ public:
         *packJobs, *calibrate, *profiles, *close, *quit;
     QAction *undo, *redo, *addImmersion, *removeImmersion, *swapImmersions, *reloadModel,
         *replaceModel, *replaceTexture, *artwork, *preferences;
-    QAction *run, *cancel, *live, *numericalError, *tolerances, *findPoses, *play;
+    QAction *run, *cancel, *live, *sendToServer, *numericalError, *tolerances, *findPoses, *play;
     QAction *fit, *fitPart, *oblique, *front, *right, *top, *back, *left, *bottom, *resetLayout,
         *saveLayout, *parallel;
     QAction *rings, *water, *body, *coverage, *bodyPrint, *zones, *filmOnBody, *wearsFilm, *section,

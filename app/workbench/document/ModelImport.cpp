@@ -1,5 +1,6 @@
 #include "workbench/document/ModelImport.h"
 
+#include "model/ModelFormats.h"
 #include "project/CadModel.h"
 #include "project/NewProject.h"
 #include "workbench/jobs/StartJob.h"
@@ -17,7 +18,8 @@ void importInto(Document& document, const QString& path, const QString& texture,
                 const QString& undoText, JobRunner& jobs, Messages& messages) {
     ImportOptions options;
     options.texture = texture;
-    options.unitMillimetres = document.project().modelOrigin.unitMillimetres;
+    options.unitMillimetres =
+        isCadFile(path) ? 1 : document.project().modelOrigin.unitMillimetres; // it names its unit
     if (pose == Pose::Kept) {
         options.tessellation = document.project().modelOrigin.tessellation;
         options.longestEdge = Millimetres(longestEdgeOf(document.project().model->mesh));

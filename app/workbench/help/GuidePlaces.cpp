@@ -71,6 +71,7 @@ QMap<QString, GuidePlace> placesByName() {
         {QStringLiteral("inspection/3"), {Printing, Text::tr("Measuring a film")}},
         {QStringLiteral("snapshots"), {Projects, Text::tr("File ▸ Snapshots")}},
         {QStringLiteral("jobQueue"), {Projects, Text::tr("File ▸ Job queue")}},
+        {QStringLiteral("serverDialog"), {Projects, Text::tr("Dip ▸ Send to server")}},
         {QStringLiteral("tankPage"), {Printing, Text::tr("At the tank")}},
         {QStringLiteral("logDock"), {Wrong, Text::tr("log")}},
     };

@@ -55,6 +55,7 @@ MainWindow::MainWindow(Workbench& workbench)
       cradle_(*actions_.cradle, scene_, session_, jobs_, messages_),
       dip_(actions_, session_, check_, jobs_, workbench.registry(), playback_, messages_,
            *parts_.results, *parts_.staleBanner),
+      server_(actions_, session_, jobs_, messages_, *this),
       documentActions_(actions_, documents_, messages_, workbench, *this),
       edits_(actions_, *parts_.tree, *parts_.properties, *parts_.view, scene_, session_, jobs_,
              messages_, *this),
@@ -238,6 +239,7 @@ void MainWindow::connectSession() {
     connect(&handles_, &BodyHandles::held, &dip_, &DipController::setHeld);
     connect(&handles_, &BodyHandles::held, &scene_, &DipScene::setPreviewed);
     connect(&handles_, &BodyHandles::told, status_, &StatusLine::setReading);
+    connect(&server_, &ServerController::found, this, [this] { dip_.run(false); });
     connect(&dip_, &DipController::cancelled, this,
             [this] { status_->setJob(tr("Cancelling …")); });
     connect(&check_, &NumericalErrorCheck::done, this,

@@ -13,6 +13,7 @@
 #include "workbench/main/HelpController.h"
 #include "workbench/main/PlaceWarning.h"
 #include "workbench/main/ProfileController.h"
+#include "workbench/main/ServerController.h"
 #include "workbench/main/WindowLayout.h"
 #include "workbench/main/WindowMessages.h"
 #include "workbench/view/BodyHandles.h"
@@ -90,6 +91,7 @@ private:
     TypedDrag typedDrag_;
     CradleView cradle_;
     DipController dip_;
+    ServerController server_;
     DocumentController documentActions_;
     EditController edits_;
     ExportController exports_;

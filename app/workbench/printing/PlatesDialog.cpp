@@ -209,7 +209,7 @@ QWidget* PlatesDialog::makeSide() {
     figures_->setObjectName(QStringLiteral("platesFigures"));
     figures_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* side = new QWidget;
-    side->setFixedWidth(360);
+    side->setFixedWidth(380);
     auto* layout = new QVBoxLayout(side);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(form);

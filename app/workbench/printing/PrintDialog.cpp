@@ -212,10 +212,15 @@ QWidget* PrintDialog::makePreview() {
     auto* plates = new QPushButton(tr("P&lates…"));
     plates->setObjectName(QStringLiteral("showPlates"));
     plates->setAutoDefault(false);
-    plates->setEnabled(proof_->isEnabled());
-    plates->setToolTip(tr("Shows the plates of the sheets, the ink under the cursor, and where "
-                          "there is too much ink. Needs a printer profile with an ICC profile in "
-                          "CMYK."));
+    const bool isTooLong = std::any_of(sheets_.begin(), sheets_.end(),
+                                       [](const Sheet& sheet) { return sheet.rows != nullptr; });
+    plates->setEnabled(proof_->isEnabled() && !isTooLong);
+    plates->setToolTip(
+        isTooLong ? tr("This film is too long to show its plates. Look at the "
+                       "plates of the single jobs.")
+                  : tr("Shows the plates of the sheets, the ink under the cursor, and where "
+                       "there is too much ink. Needs a printer profile with an ICC profile in "
+                       "CMYK."));
     connect(plates, &QPushButton::clicked, this, [this] {
         auto* dialog = new PlatesDialog(outcome_.result, shown_, LengthUnit::Millimetre, this);
         dialog->setAttribute(Qt::WA_DeleteOnClose);

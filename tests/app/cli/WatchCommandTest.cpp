@@ -147,7 +147,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(in("jobs/held")), 20'000);
         const Outcome second = watchOnce();
         QCOMPARE(second.exitCode, 1);
-        QVERIFY2(second.err.contains("already watched"), second.err);
+        QVERIFY2(second.err.contains("already used"), second.err);
         process.terminate();
         QVERIFY(process.waitForFinished());
     }

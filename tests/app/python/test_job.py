@@ -42,6 +42,7 @@ def test_value_ofEveryPath_canBeSetToItself(ball):
     for path in ball:
         ball[path] = ball[path]
     assert len(ball) == len(ball.keys()) > 100
+    assert [path for path in ball if path.startswith("model.")] == ["model.tessellation_mm"]
 
 
 def test_marks_listOfDicts_isSetAsAWhole(ball):

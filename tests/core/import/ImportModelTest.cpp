@@ -263,7 +263,7 @@ void ImportModelTest::guessedUnit_givesASizeThatCanBeDipped() {
 void ImportModelTest::obj_materialFile_isRead() {
     write(QStringLiteral("paint.png"), png(quarters()));
     write(QStringLiteral("cube.mtl"), "newmtl skin\nKd 0.2 0.4 0.6\nmap_Kd paint.png\n");
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("cube.obj"), cubeObj("mtllib cube.mtl\nusemtl skin\n")));
     QCOMPARE(report.triangles, std::size_t(12));
     QVERIFY(report.closed);
@@ -287,7 +287,7 @@ void ImportModelTest::obj_twoMaterials_areRead() {
     write(QStringLiteral("paint.png"), png(quarters()));
     QByteArray text = cubeObj("mtllib two.mtl\nusemtl a\n");
     const auto middle = text.indexOf("f 1/1 5/2");
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("two.obj"), text.insert(middle, "usemtl b\n")));
     QCOMPARE(model.materials.size(), std::size_t(2));
     QVERIFY(report.closed);
@@ -299,7 +299,7 @@ void ImportModelTest::obj_twoMaterials_areRead() {
 }
 
 void ImportModelTest::obj_missingMaterialFile_isAWarning() {
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("lone.obj"), cubeObj("mtllib lost.mtl\nusemtl skin\n")));
     QCOMPARE(report.warnings.size(), 1);
     QVERIFY(report.warnings[0].contains(QStringLiteral("lost.mtl")));
@@ -309,7 +309,8 @@ void ImportModelTest::obj_missingMaterialFile_isAWarning() {
 
 void ImportModelTest::ply_picture_isRead() {
     write(QStringLiteral("ply.png"), png(quarters()));
-    const auto [model, report] = import(write(QStringLiteral("square.ply"), squarePly("ply.png")));
+    const auto [model, report, cad] =
+        import(write(QStringLiteral("square.ply"), squarePly("ply.png")));
     QCOMPARE(report.triangles, std::size_t(2));
     QVERIFY(showsQuarters(model));
     QCOMPARE(chartCount(model), std::size_t(1));
@@ -318,7 +319,7 @@ void ImportModelTest::ply_picture_isRead() {
 void ImportModelTest::ply_binaryWithCoordinatesPerCorner_isRead() {
     write(QStringLiteral("ply.png"), png(quarters()));
     for (const bool littleEndian : {true, false}) {
-        const auto [model, report] =
+        const auto [model, report, cad] =
             import(write(QStringLiteral("binary.ply"), squareBinaryPly("ply.png", littleEndian)));
         QCOMPARE(report.triangles, std::size_t(2));
         QVERIFY(showsQuarters(model));
@@ -341,7 +342,7 @@ void ImportModelTest::ply_coordinatesAndPicturePerFace_areRead() {
                            "3 0 1 2 6 0.6 0.6 0.9 0.6 0.9 0.9 0\n"
                            "3 0 2 3 6 0.1 0.6 0.4 0.9 0.1 0.9 ";
     for (const auto& [picture, colour] : {std::pair("0\n", Qt::red), std::pair("1\n", Qt::blue)}) {
-        const auto [model, report] = import(write(QStringLiteral("faces.ply"), ply + picture));
+        const auto [model, report, cad] = import(write(QStringLiteral("faces.ply"), ply + picture));
         QCOMPARE(colourAtPlace(model, 0.75F, 0.25F), QColor(Qt::green));
         QCOMPARE(colourAtPlace(model, 0.25F, 0.75F), QColor(colour));
     }
@@ -354,7 +355,7 @@ void ImportModelTest::plyAndStl_withoutCoordinates_areRead() {
                            "0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
     for (const auto& path : {write(QStringLiteral("bare.ply"), ply),
                              write(QStringLiteral("bare.stl"), stl(tetrahedronMesh(9)))}) {
-        const auto [model, report] = import(path);
+        const auto [model, report, cad] = import(path);
         QCOMPARE(report.triangles, std::size_t(4));
         QVERIFY(report.closed);
         QVERIFY(report.volume > 0);
@@ -387,7 +388,7 @@ void ImportModelTest::ply_triangleStrips_areRead() {
 }
 
 void ImportModelTest::gltf_picture_isUpright() {
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("square.gltf"), squareGltf(png(quarters()))));
     QVERIFY(showsQuarters(model));
     QCOMPARE(model.materials[0].name, QStringLiteral("paint"));
@@ -395,7 +396,7 @@ void ImportModelTest::gltf_picture_isUpright() {
 }
 
 void ImportModelTest::glb_picture_isUpright() {
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("square.glb"), squareGlb(png(quarters()))));
     QVERIFY(showsQuarters(model));
 }
@@ -414,7 +415,7 @@ void ImportModelTest::gltf_textureTransform_movesThePicture() {
 
 void ImportModelTest::threeMf_picture_isUpright() {
     writeSquare3mf(at(QStringLiteral("square.3mf")), png(quarters()));
-    const auto [model, report] = import(at(QStringLiteral("square.3mf")));
+    const auto [model, report, cad] = import(at(QStringLiteral("square.3mf")));
     QCOMPARE(report.triangles, std::size_t(2));
     QVERIFY(showsQuarters(model));
 }
@@ -440,7 +441,7 @@ void ImportModelTest::threeMf_components_arePlacedInMillimetres() {
         at(QStringLiteral("parts.3mf")),
         {{QStringLiteral("3D/3dmodel.model"), root},
          {QStringLiteral("3D/part.model"), QByteArray(part).replace("<resources>", materials)}});
-    const auto [model, report] = import(at(QStringLiteral("parts.3mf")));
+    const auto [model, report, cad] = import(at(QStringLiteral("parts.3mf")));
     QCOMPARE(report.triangles, std::size_t(8));
     QVERIFY(report.closed);
     // Two parts of 1/6 cm³, scaled by 2, turned by 90° about Z and lifted by 7 cm.
@@ -476,7 +477,7 @@ void ImportModelTest::pictureFile_otherCaseOrForeignPath_isFound() {
     write(QStringLiteral("sub/Maps/Skin One.png"), png(quarters()));
     write(QStringLiteral("sub/beside.png"), png(quarters()));
     write(QStringLiteral("sub/Found.MTL"), "newmtl skin\nmap_Kd " + name + "\n");
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("sub/found.obj"), cubeObj("mtllib found.mtl\nusemtl skin\n")));
     QVERIFY2(report.warnings.isEmpty(), qPrintable(report.warnings.join(u'|')));
     QCOMPARE(model.textures.size(), std::size_t(1));
@@ -485,7 +486,7 @@ void ImportModelTest::pictureFile_otherCaseOrForeignPath_isFound() {
 
 void ImportModelTest::pictureFile_missing_isAWarning() {
     write(QStringLiteral("miss.mtl"), "newmtl skin\nKd 1 0 0\nmap_Kd lost.png\n");
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("miss.obj"), cubeObj("mtllib miss.mtl\nusemtl skin\n")));
     QCOMPARE(report.warnings.size(), 1);
     QVERIFY(report.warnings[0].contains(QStringLiteral("lost.png")));
@@ -499,7 +500,7 @@ void ImportModelTest::chosenTexture_replacesAllOthers() {
     write(QStringLiteral("many.mtl"), "newmtl a\nmap_Kd lost.png\nnewmtl b\nKd 0 0 1\n");
     QByteArray text = cubeObj("mtllib many.mtl\nusemtl a\n");
     text.insert(text.indexOf("f 1/1 5/2"), "usemtl b\n");
-    const auto [model, report] = import(write(QStringLiteral("many.obj"), text), options);
+    const auto [model, report, cad] = import(write(QStringLiteral("many.obj"), text), options);
     QVERIFY(report.warnings.isEmpty());
     QCOMPARE(model.textures.size(), std::size_t(1));
     QCOMPARE(model.textures[0], quarters(32));
@@ -511,7 +512,7 @@ void ImportModelTest::chosenTexture_replacesAllOthers() {
 void ImportModelTest::chosenTexture_withoutCoordinates_isAWarning() {
     ImportOptions options;
     options.texture = write(QStringLiteral("chosen.png"), png(quarters()));
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("plain.stl"), stl(tetrahedronMesh(9))), options);
     QCOMPARE(report.warnings.size(), 1);
     QVERIFY(model.textures.empty());
@@ -539,7 +540,7 @@ void ImportModelTest::charts_cube_areSix() {
 }
 
 void ImportModelTest::charts_sphereWithSeam_isOneClosedChart() {
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("seam.obj"), sphereWithSeamObj(12, 24)));
     QVERIFY(report.closed);
     QCOMPARE(model.mesh.positions.size(), std::size_t(2 + 11 * 24));
@@ -568,7 +569,7 @@ void ImportModelTest::importOptions_longestEdgeAndUnit_setTheSize() {
 }
 
 void ImportModelTest::stl_separateTriangles_areWeldedAndClosed() {
-    const auto [model, report] =
+    const auto [model, report, cad] =
         import(write(QStringLiteral("weld.stl"), stl(sphereMesh(35, 20, 40))));
     QCOMPARE(model.mesh.positions.size(), std::size_t(2 + 19 * 40));
     QVERIFY(report.closed);
@@ -577,7 +578,7 @@ void ImportModelTest::stl_separateTriangles_areWeldedAndClosed() {
 
 void ImportModelTest::repair_degenerateTriangles_areRemoved() {
     const QByteArray text = cubeObj() + "f 1/1 1/1 2/2\nf 1/1 2/2 1/1\nf 3/1 3/2 3/3\n";
-    const auto [model, report] = import(write(QStringLiteral("degenerate.obj"), text));
+    const auto [model, report, cad] = import(write(QStringLiteral("degenerate.obj"), text));
     QCOMPARE(report.triangles, std::size_t(12));
     QVERIFY(report.closed);
     QCOMPARE(report.repairs,
@@ -702,7 +703,7 @@ void ImportModelTest::stl_millionTriangles_isClosed() {
         }
         next += 50;
     }
-    const auto [model, report] = import(write(QStringLiteral("million.stl"), bytes));
+    const auto [model, report, cad] = import(write(QStringLiteral("million.stl"), bytes));
     QVERIFY(report.triangles > 1'000'000);
     QVERIFY(report.closed);
     QCOMPARE(model.mesh.positions.size(), sphere.positions.size());
@@ -713,7 +714,7 @@ void ImportModelTest::modelPath_anyLanguage_isRead() {
     QDir(folder_.path()).mkpath(folder);
     write(folder + QStringLiteral("/häute.png"), png(quarters()));
     write(folder + QStringLiteral("/ö.mtl"), "newmtl skin\r\nmap_Kd häute.png\r\n");
-    const auto [model, report] = import(
+    const auto [model, report, cad] = import(
         write(folder + QStringLiteral("/亀.obj"), cubeObj("mtllib ö.mtl\r\nusemtl skin\r\n")));
     QVERIFY2(report.warnings.isEmpty(), qPrintable(report.warnings.join(u'|')));
     QCOMPARE(model.textures.size(), std::size_t(1));

@@ -109,6 +109,27 @@ private slots:
         QCOMPARE(now.coverageTotal, result_.coverageTotal);
     }
 
+    // Dips that a server simulated with a solver that does not exist here.
+    void cachedDipsOf_solverFromElsewhere_giveTheSheetsOfItsRun() {
+        JobResult there = result_;
+        there.chosenSolver = QStringLiteral("elsewhere");
+        there.project.process.solver = QStringLiteral("auto");
+        for (ImmersionResult& dip : there.immersions) {
+            dip.solver.id = there.chosenSolver;
+        }
+        cacheDips(there, path_);
+        QVERIFY(!cachedDips(there.project, *registry_, path_, {}));
+        const auto fetched = cachedDipsOf(there.project, there.immersions[0].solver, path_, {});
+        QVERIFY(fetched);
+        JobOptions options;
+        bool isDipped = false;
+        options.observer = [&](std::size_t, const FilmFrame&) { isDipped = true; };
+        const JobResult now = runJob(there.project, *registry_, options, fetched.get(), {});
+        QVERIFY(!isDipped);
+        QCOMPARE(now.immersions[0].sheet.image, result_.immersions[0].sheet.image);
+        QCOMPARE(now.solver.id, there.chosenSolver);
+    }
+
     void cachedDips_otherInputs_areNotFound_data() {
         QTest::addColumn<QString>("path");
         QTest::addColumn<QString>("value");

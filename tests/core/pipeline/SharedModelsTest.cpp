@@ -39,7 +39,7 @@ private slots:
     }
 
     void importModel_spot_isClosedWithTexture() {
-        const auto [model, report] = importSpot();
+        const auto [model, report, cad] = importSpot();
         QCOMPARE(report.triangles, std::size_t(5856));
         QVERIFY(report.closed);
         QVERIFY(std::abs(report.box.sizes().maxCoeff() - 90) < 1e-3F);

@@ -1,4 +1,4 @@
-#include "cradle/VtkSurface.h"
+#include "reduction/VtkSurface.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>

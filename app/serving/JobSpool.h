@@ -1,0 +1,98 @@
+// Keeps the jobs of a server in a folder, and runs them one after the other.
+//
+// The folder: queued, running, done, failed and cancelled hold the projects by state (ID.dipw);
+// results/ID holds the results; incoming holds uploads. Jobs survive a restart: queued jobs wait
+// on, a job that ran when the program was stopped is queued again, and one that ran when the
+// program crashed is failed.
+#pragma once
+
+#include "base/Progress.h"
+#include "serving/StateFolders.h"
+
+#include <QDateTime>
+#include <QJsonObject>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace dipwright {
+
+enum class ServedState { Queued, Running, Done, Failed, Cancelled };
+QString nameOf(ServedState state); // "queued", …
+
+struct ServedJob {
+    QString id;
+    QString name; // of the project's file, without .dipw
+    ServedState state = ServedState::Queued;
+    QDateTime submitted; // UTC
+    double progress = 0; // 0 … 1
+    QString text;        // what is being done, or why the job failed
+    QJsonObject outcome; // from RunServedJob
+};
+
+struct SpoolLimits {
+    int mostJobs = 100;             // jobs in the folder, finished ones too
+    qint64 mostBytes = 500'000'000; // of one project
+    int mostSeconds = 3600;         // of one run
+};
+
+// Runs the project file and writes its results into `folder`. Returns what clients get to know.
+// Throws Error or Cancelled.
+using RunServedJob = std::function<QJsonObject(const QString& project, const QString& folder,
+                                               const Progress& progress)>;
+
+// Thread-safe.
+class JobSpool {
+public:
+    // Locks the folder, reads its jobs and starts to run them on a thread. Throws Error.
+    JobSpool(const QString& folder, const SpoolLimits& limits, RunServedJob run);
+    // Stops a running job, which is queued again, and waits for it.
+    ~JobSpool();
+
+    const SpoolLimits& limits() const { return limits_; }
+    // Returns an empty path for a new upload in the folder `incoming`; nothing if there are too
+    // many jobs or uploads. Call add() or dropUpload() with it afterwards.
+    std::optional<QString> newUpload();
+    void dropUpload(const QString& upload);
+    // Queues an uploaded project. `name` may be any text. Throws Error.
+    ServedJob add(const QString& upload, const QString& name);
+
+    std::vector<ServedJob> jobs() const; // the oldest first
+    std::optional<ServedJob> job(const QString& id) const;
+    // Cancels a queued or running job. Returns false if there is none of this id.
+    bool cancel(const QString& id);
+    // Removes a finished job and its results. Returns false if there is none of this id.
+    bool remove(const QString& id);
+    // Returns the names of a job's result files, with / between folders, sorted.
+    QStringList files(const QString& id) const;
+    // Returns the path of one of files(); empty if there is none of this name.
+    QString file(const QString& id, const QString& name) const;
+
+private:
+    QString projectOf(const ServedJob& job) const;
+    QString resultsOf(const QString& id) const;
+    void readJobs();
+    void work();
+    void run(const QString& id);
+    QJsonObject runWithinTime(const QString& id, const CancelToken& cancelToken);
+    void end(const QString& id, ServedState state, const QString& text, const QJsonObject& outcome);
+    void record(const ServedJob& job) const;
+
+    StateFolders folders_;
+    SpoolLimits limits_;
+    RunServedJob run_;
+    mutable std::mutex mutex_;
+    std::condition_variable wake_;
+    std::map<QString, ServedJob> jobs_; // by id, which begins with the time
+    int uploads_ = 0;
+    CancelToken current_;
+    QString running_; // id; empty: none
+    bool userCancelled_ = false, ending_ = false;
+    std::thread worker_;
+};
+
+} // namespace dipwright
