@@ -351,7 +351,8 @@ std::vector<float> paintedCellAreas(const DippedFilm& film,
                 }
             }
         }
-        cells[cell] = painted > 0 ? sum / painted : known > 0 ? pointSum / known : unknown;
+        // Of a cell of which half is painted, the points know J in the middle better.
+        cells[cell] = painted == 2 ? sum / painted : known > 0 ? pointSum / known : unknown;
     }
     cells = sharpened(cells, film.grid.columns - 1, film.grid.rows - 1);
     std::replace_if(
