@@ -71,24 +71,17 @@ private:
     // corners.
     template <typename Crosses>
     std::vector<int> crossingTriangles(const Crosses& crosses) const;
-    // Calls work(first point of the row) for each row, on all threads.
-    template <typename Work>
-    void forRows(const Work& work) const;
-    double rowDot(const PlaneVector& a, const PlaneVector& b, std::size_t first) const;
-    void maskHeld(PlaneVector& v, std::size_t first) const; // one row
-    // Computes out = H v, including the drag. Calls whenDone(row) for each complete row.
-    template <typename WhenDone>
-    void multiply(const PlaneVector& v, float drag, numerics::Tangent tangent, PlaneVector& out,
-                  const WhenDone& whenDone);
+    double dot(const PlaneVector& a, const PlaneVector& b) const;
+    void maskHeld(PlaneVector& v) const;
+    // Computes out = H v, including the drag.
+    void multiply(const PlaneVector& v, float drag, numerics::Tangent tangent, PlaneVector& out);
 
     PlaneFilm film_;
     StiffnessMultigrid multigrid_;
     std::vector<float> masked_; // per point: 0 if it was held at the last setFree()
     std::vector<float> areas_;  // per point: film area relative to the finest cell
-    PlaneVector gradient_, step_, start_, best_;
-    // The basis vectors of GMRES are stored with other lengths than 1; `factors_` makes them 1.
+    PlaneVector gradient_, step_, residual_, start_, best_;
     std::vector<PlaneVector> basis_, smoothed_;
-    std::vector<double> factors_;
     numerics::GmresProblem leastResiduals_;
 };
 

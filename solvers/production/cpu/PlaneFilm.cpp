@@ -34,11 +34,10 @@ RowOfForces rowOfForces(EdgeForces& forces) {
 }
 
 // Calls cellRow(j, owned, forces) for each row of cells, to compute the forces on its edges.
-// Collects the forces on the points in `result`, and calls whenDone(row) for each complete row of
-// points. Two bands compute the row of cells between them; `owned` is true for only one of them.
+// Collects the forces on the points in `result`. Two bands compute the row of cells between them;
+// `owned` is true for only one of them.
 template <typename CellRow>
-void gatherForces(int columns, int rows, PlaneVector& result, const RowWork& whenDone,
-                  const CellRow& cellRow) {
+void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cellRow) {
     const std::size_t width = std::size_t(columns), cells = width - 1;
     forRowBands(rows, columns, [&](int begin, int end) {
         EdgeForces forces(cells);
@@ -53,7 +52,6 @@ void gatherForces(int columns, int rows, PlaneVector& result, const RowWork& whe
                           forces.array(rightX), x);
                 addForces(cells, -1, forces.array(firstZ), forces.array(leftZ),
                           forces.array(rightZ), z);
-                whenDone(j);
             }
             if (j + 1 < end) {
                 float* x = result.x.data() + std::size_t(j + 1) * width;
@@ -63,9 +61,6 @@ void gatherForces(int columns, int rows, PlaneVector& result, const RowWork& whe
                 addForces(cells, 1, forces.array(secondZ), forces.array(leftZ),
                           forces.array(rightZ), z);
             }
-        }
-        if (end == rows) {
-            whenDone(rows - 1);
         }
     });
 }
@@ -202,11 +197,10 @@ RowOfShapes PlaneFilm::shapesOf(int row) const {
     return shapes;
 }
 
-double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result,
-                           const RowWork& whenDone) {
+double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result) {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
     std::vector<double> squares(std::size_t(rows_ - 1), 0.0);
-    gatherForces(columns_, rows_, result, whenDone, [&](int j, bool owned, EdgeForces& forces) {
+    gatherForces(columns_, rows_, result, [&](int j, bool owned, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
         // Both bands compute the row of cells between them, but only one band keeps its states.
         std::vector<float> spare;
@@ -270,10 +264,9 @@ RowOfStates<const float*> PlaneFilm::statesOf(int row) const {
     return states;
 }
 
-void PlaneFilm::hessian(const PlaneVector& direction, Tangent tangent, PlaneVector& result,
-                        const RowWork& whenDone) const {
+void PlaneFilm::hessian(const PlaneVector& direction, Tangent tangent, PlaneVector& result) const {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
-    gatherForces(columns_, rows_, result, whenDone, [&](int j, bool, EdgeForces& forces) {
+    gatherForces(columns_, rows_, result, [&](int j, bool, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
         const RowOfPoints points = rowOfPoints(direction, width, j);
         hessianRow(cells, unsigned(j) & 1u, points, shapesOf(j), statesOf(j), tangent,

@@ -15,13 +15,9 @@
 #include <dipwright/FilmSolver.h>
 
 #include <cstdint>
-#include <functional>
 #include <utility>
 
 namespace dipwright::cpu {
-
-// Work on one row of film points. Several threads may call it at once, for different rows.
-using RowWork = std::function<void(int row)>;
 
 class PlaneFilm {
 public:
@@ -39,13 +35,12 @@ public:
 
     // Computes the gradient at `displacement` (from rest, mm) and keeps the states for hessian().
     // Returns the root of the sum of the squared forces on horizontal edges; the residual is
-    // relative to this number. Triangles without a free corner do not count. Calls `whenDone` for
-    // each row whose result is complete.
-    double gradient(const PlaneVector& displacement, PlaneVector& result, const RowWork& whenDone);
+    // relative to this number. Triangles without a free corner do not count.
+    double gradient(const PlaneVector& displacement, PlaneVector& result);
 
-    // Multiplies the Hessian at the last gradient by `direction`. `whenDone` as for gradient().
-    void hessian(const PlaneVector& direction, numerics::Tangent tangent, PlaneVector& result,
-                 const RowWork& whenDone) const;
+    // Multiplies the Hessian at the last gradient by `direction`.
+    void hessian(const PlaneVector& direction, numerics::Tangent tangent,
+                 PlaneVector& result) const;
     // Computes the projected stiffness of the first and second triangles in a row of cells. `first`
     // and `second` have the lines that stiffnessRow() describes.
     void stiffness(int row, const Lines<float>& first, const Lines<float>& second) const;

@@ -126,26 +126,32 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
 //     to the point itself  = a0[0] + ½ a0[−] + ½ a0[+] + ½ (½ a−[0] + a−[+])
 //                            + ½ (½ a+[0] + a+[−])
 //     to the point after   = ½ a0[+] + ½ (½ a+[0] + a+[+]).
-void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>& coarse) {
+void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
+                   const Lines<float>& coarse) {
     constexpr std::size_t linesOfRow = stencilLines / 3;
     for (std::size_t line = 0; line < linesOfRow; ++line) {
-        const auto ofRow = [line](const Lines<const float>& row, std::size_t neighbour) {
-            return row[line + neighbour * linesOfRow];
-        };
-        const float *b0 = ofRow(fine.below, 0), *b1 = ofRow(fine.below, 1),
-                    *b2 = ofRow(fine.below, 2);
-        const float *h0 = ofRow(fine.here, 0), *h1 = ofRow(fine.here, 1), *h2 = ofRow(fine.here, 2);
-        const float *a0 = ofRow(fine.above, 0), *a1 = ofRow(fine.above, 1),
-                    *a2 = ofRow(fine.above, 2);
+        const float* below = fine[line];
+        const float* own = fine[line + linesOfRow];
+        const float* above = fine[line + 2 * linesOfRow];
         float* toBelow = coarse[line];
         float* toOwn = coarse[line + linesOfRow];
         float* toAbove = coarse[line + 2 * linesOfRow];
-        DIPWRIGHT_INDEPENDENT_LOOP
-        for (std::size_t i = 0; i < columns; ++i) {
-            toBelow[i] = 0.5f * (0.5f * b1[i] + b0[i]) + 0.5f * h0[i];
-            toOwn[i] = 0.5f * (0.5f * b1[i] + b2[i]) + (h1[i] + 0.5f * (h0[i] + h2[i])) +
-                       0.5f * (0.5f * a1[i] + a0[i]);
-            toAbove[i] = 0.5f * h2[i] + 0.5f * (0.5f * a1[i] + a2[i]);
+        if (offset == 0) {
+            DIPWRIGHT_INDEPENDENT_LOOP
+            for (std::size_t i = 0; i < columns; ++i) {
+                toBelow[i] += 0.5f * below[i];
+                toOwn[i] += own[i] + 0.5f * (below[i] + above[i]);
+                toAbove[i] += 0.5f * above[i];
+            }
+        } else {
+            const float* away = offset < 0 ? below : above;
+            const float* back = offset < 0 ? above : below;
+            float* toAway = offset < 0 ? toBelow : toAbove;
+            DIPWRIGHT_INDEPENDENT_LOOP
+            for (std::size_t i = 0; i < columns; ++i) {
+                toAway[i] += 0.5f * (0.5f * own[i] + away[i]);
+                toOwn[i] += 0.5f * (0.5f * own[i] + back[i]);
+            }
         }
     }
 }
@@ -328,8 +334,9 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse) {
     HWY_DYNAMIC_DISPATCH(invertMiddle)(columns, stencil, inverse);
 }
-void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>& coarse) {
-    HWY_DYNAMIC_DISPATCH(coarsenAcross)(columns, fine, coarse);
+void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
+                   const Lines<float>& coarse) {
+    HWY_DYNAMIC_DISPATCH(coarsenAcross)(columns, offset, fine, coarse);
 }
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse) {

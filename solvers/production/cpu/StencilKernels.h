@@ -49,13 +49,10 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse);
 
 // Computes the coarse operator by Galerkin interpolation, one axis after the other. The coarse grid
-// has every second point. This function works across rows. It computes the stencil of a coarse row
-// from the fine row that it lies on and from the rows below and above. A row that does not exist is
-// zero.
-struct FineRows {
-    Lines<const float> below, here, above;
-};
-void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>& coarse);
+// has every second point. This function works across rows. It adds the contribution of one fine row
+// to the stencil of a coarse row that lies `offset` (−1, 0, 1) rows below the fine row.
+void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
+                   const Lines<float>& coarse);
 // Does the same along a row with `fineColumns` points.
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse);

@@ -1,7 +1,6 @@
 #include "production/cpu/StiffnessMultigrid.h"
 
 #include "common/cpu/RowParallel.h"
-#include "production/cpu/RowKernels.h"
 #include "production/formulas/GalerkinCycle.h"
 
 #include <utility>
@@ -100,15 +99,17 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
 
 void StiffnessMultigrid::coarsen(Level& fine, Level& coarse) {
     forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
-        std::vector<float> across(stencilLines * fine.pitch), zeros(stencilLines * fine.pitch);
+        std::vector<float> across(stencilLines * fine.pitch);
         const Lines<float> lines{across.data(), fine.pitch};
-        const auto rowOf = [&](int row) {
-            return row >= 0 && row < fine.rows ? constant(fine.stencil(row))
-                                               : Lines<const float>{zeros.data(), fine.pitch};
-        };
         for (int row = begin; row < end; ++row) {
-            coarsenAcross(std::size_t(fine.columns),
-                          {rowOf(2 * row - 1), rowOf(2 * row), rowOf(2 * row + 1)}, lines);
+            std::fill(across.begin(), across.end(), 0.f);
+            for (int offset = -1; offset <= 1; ++offset) {
+                const int from = 2 * row + offset;
+                if (from >= 0 && from < fine.rows) {
+                    coarsenAcross(std::size_t(fine.columns), offset, constant(fine.stencil(from)),
+                                  lines);
+                }
+            }
             coarsenAlong(std::size_t(fine.columns), constant(lines), coarse.stencil(row));
         }
     });
@@ -227,30 +228,20 @@ void StiffnessMultigrid::cycle(std::size_t index) {
     });
 }
 
-void StiffnessMultigrid::apply(const PlaneVector& right, float factor, PlaneVector& result) {
+void StiffnessMultigrid::apply(const PlaneVector& right, PlaneVector& result) {
     Level& finest = levels_.front();
     const std::size_t width = std::size_t(finest.columns);
-    // Calls work(place, place on the finest grid) for each row.
-    const auto forRows = [&](const auto& work) {
-        forRowBands(finest.rows, finest.columns, [&](int begin, int end) {
-            for (int row = begin; row < end; ++row) {
-                work(std::size_t(row) * width, finest.at(row));
-            }
-        });
-    };
-    forRows([&](std::size_t from, std::size_t to) {
-        const auto take = [&](const std::vector<float>& values, std::vector<float>& out) {
-            std::copy_n(values.data() + from, width, out.data() + to);
-            scaleRow(width, factor, out.data() + to);
-        };
-        take(right.x, finest.right.x);
-        take(right.z, finest.right.z);
-    });
+    for (int row = 0; row < finest.rows; ++row) {
+        const std::size_t from = std::size_t(row) * width, to = finest.at(row);
+        std::copy_n(right.x.data() + from, width, finest.right.x.data() + to);
+        std::copy_n(right.z.data() + from, width, finest.right.z.data() + to);
+    }
     cycle(0);
-    forRows([&](std::size_t to, std::size_t from) {
+    for (int row = 0; row < finest.rows; ++row) {
+        const std::size_t from = finest.at(row), to = std::size_t(row) * width;
         std::copy_n(finest.now.x.data() + from, width, result.x.data() + to);
         std::copy_n(finest.now.z.data() + from, width, result.z.data() + to);
-    });
+    }
 }
 
 } // namespace dipwright::cpu

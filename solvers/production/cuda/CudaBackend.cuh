@@ -210,11 +210,7 @@ public:
                        dip_.smoothed[count], team_, memory_);
         double products[numerics::mostBasisVectors] = {};
         multiply(model_, dip_, drag, tangent, dip_.smoothed[count], team_, memory_,
-                 [&](int point, float2 image) {
-                     // The preconditioned system is nearly the identity. Without its main part,
-                     // rounding errors are smaller, and the basis stays orthogonal.
-                     const float2 product =
-                         image - dip_.basis[count][point] * small_.factors[count];
+                 [&](int point, float2 product) {
                      next[point] = product;
 #pragma unroll
                      for (int i = 0; i < numerics::mostBasisVectors; ++i) {
@@ -247,7 +243,6 @@ public:
                     column[i] = products[i] * small_.factors[i];
                 }
             }
-            column[count] += 1;
             column[count + 1] = sqrt(squares[0]);
             small_.factors[count + 1] = squares[0] > 0 ? float(1 / sqrt(squares[0])) : 0.0f;
             return 0.0;

@@ -287,7 +287,10 @@ private slots:
             turn.rotate(Eigen::AngleAxisd(radians(Degrees(angle)), Eigen::Vector3d::UnitY()));
             const RankedPoses turned =
                 search(fineSubjectOf(transformed(body, turn)), settings).ranking.front();
-            QVERIFY(std::abs(turned.objective - straight.objective) < 0.005);
+            QVERIFY2(std::abs(turned.objective - straight.objective) < 0.005,
+                     qPrintable(QStringLiteral("objectives %1 and %2")
+                                    .arg(straight.objective)
+                                    .arg(turned.objective)));
             // The best tilt is the same, except for the film's cells, which do not turn with the
             // body.
             QVERIFY(std::abs(tiltOf(turned) - tiltOf(straight)) < 12);

@@ -125,14 +125,14 @@ Grid galerkin(const Grid& fine) {
 Grid coarsened(const Grid& fine) {
     Grid coarse(fine.columns / 2 + 1, fine.rows / 2 + 1);
     for (int row = 0; row < coarse.rows; ++row) {
-        Row across(stencilLines * fine.pitch), zeros(stencilLines * fine.pitch);
+        Row across(stencilLines * fine.pitch);
         const Lines<float> lines{across.data(), fine.pitch};
-        const auto rowOf = [&](int from) {
-            return from >= 0 && from < fine.rows ? fine.constRow(from)
-                                                 : Lines<const float>{zeros.data(), fine.pitch};
-        };
-        coarsenAcross(std::size_t(fine.columns),
-                      {rowOf(2 * row - 1), rowOf(2 * row), rowOf(2 * row + 1)}, lines);
+        for (const int offset : {-1, 0, 1}) {
+            const int from = 2 * row + offset;
+            if (from >= 0 && from < fine.rows) {
+                coarsenAcross(std::size_t(fine.columns), offset, fine.constRow(from), lines);
+            }
+        }
         coarsenAlong(std::size_t(fine.columns), {across.data(), fine.pitch}, coarse.row(row));
     }
     return coarse;

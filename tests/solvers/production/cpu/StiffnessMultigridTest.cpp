@@ -51,7 +51,7 @@ struct Film {
     void prepare() {
         PlaneVector force(free.size());
         plane.setFree(free);
-        plane.gradient(displacement, force, [](int) {});
+        plane.gradient(displacement, force);
         multigrid.prepare(plane, free, area, drag);
     }
     void hold(PlaneVector& v) const {
@@ -71,7 +71,7 @@ struct Film {
     }
     PlaneVector stiffnessTimes(const PlaneVector& v) const {
         PlaneVector force(free.size());
-        plane.hessian(v, numerics::Tangent::Projected, force, [](int) {});
+        plane.hessian(v, numerics::Tangent::Projected, force);
         for (std::size_t point = 0; point < free.size(); ++point) {
             force.x[point] += drag * v.x[point];
             force.z[point] += drag * v.z[point];
@@ -81,7 +81,7 @@ struct Film {
     }
     PlaneVector cycle(const PlaneVector& right) {
         PlaneVector result(free.size());
-        multigrid.apply(right, 1, result);
+        multigrid.apply(right, result);
         return result;
     }
 
