@@ -356,7 +356,7 @@ bool writeRows(TIFF* tiff, const Sheet& sheet, const PrintCorrection& correction
             }
         }
     }
-    return true;
+    return TIFFFlush(tiff) == 1; // writes the last strip
 }
 
 } // namespace
