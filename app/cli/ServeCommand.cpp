@@ -124,6 +124,7 @@ public:
         while (!user.isCancelled()) {
             QThread::msleep(step);
         }
+        spool.stop(); // at once; the server still waits for its connections
     }
 };
 

@@ -14,6 +14,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <httplib.h>
 #include <thread>
 
@@ -73,6 +74,16 @@ QJsonObject jsonOf(const ServedJob& job) {
             {"outcome", job.outcome}};
 }
 
+// Without SO_REUSEPORT, which would let a second server share the port.
+void setSocketOptions(socket_t socket) {
+#ifdef Q_OS_UNIX
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+#else
+    httplib::default_socket_options(socket);
+#endif
+}
+
 // An upload that is removed unless it is taken.
 class Upload {
 public:
@@ -88,7 +99,9 @@ public:
     bool isPossible() const { return path_.has_value(); }
     const QString& path() const { return *path_; }
     ServedJob take(const QString& name) {
-        return spool_.add(*std::exchange(path_, std::nullopt), name);
+        ServedJob job = spool_.add(*path_, name);
+        path_.reset();
+        return job;
     }
 
 private:
@@ -122,6 +135,7 @@ struct JobServer::Data {
 
     void configure() {
         server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
+        server.set_socket_options(setSocketOptions);
         server.set_keep_alive_max_count(1);
         server.set_read_timeout(secondsWithoutByte);
         server.set_write_timeout(secondsWithoutByte);
@@ -140,7 +154,9 @@ struct JobServer::Data {
         server.set_error_handler([](const Request&, Response& response) {
             if (response.body.empty()) {
                 refuse(response, response.status,
-                       QStringLiteral("There is nothing at this address"));
+                       response.status == NotFound
+                           ? QStringLiteral("There is nothing at this address")
+                           : QStringLiteral("The request cannot be served"));
             }
         });
         server.set_exception_handler(
@@ -161,7 +177,8 @@ struct JobServer::Data {
             clearSocket(address.socket);
             server.set_address_family(AF_UNIX);
             const OwnerOnly own; // from the beginning
-            isBound = server.bind_to_port(QFile::encodeName(address.socket).toStdString(), 1);
+            isBound = server.bind_to_port(QFile::encodeName(address.socket).toStdString(), 1) &&
+                      QFile::setPermissions(address.socket, QFile::ReadOwner | QFile::WriteOwner);
         } else {
             isBound = server.bind_to_port(address.host.toStdString(), address.port);
         }
@@ -221,7 +238,8 @@ struct JobServer::Data {
         const bool isOpen = file.open(QIODevice::WriteOnly | QIODevice::NewOnly);
         const bool isWhole = isOpen && content([&](const char* bytes, std::size_t count) {
                                  received += qint64(count);
-                                 return received <= most && time.elapsed() < longestUpload &&
+                                 return !ending && received <= most &&
+                                        time.elapsed() < longestUpload &&
                                         file.write(bytes, qint64(count)) == qint64(count);
                              });
         file.close();
@@ -278,18 +296,16 @@ struct JobServer::Data {
         } else if (!spool.cancel(id)) {
             refuse(response, Conflict, QStringLiteral("The job has ended already"));
         } else {
-            answer(response, Ok, jsonOf(*spool.job(id)));
+            const std::optional<ServedJob> job = spool.job(id); // others may have removed it
+            answer(response, Ok, job ? jsonOf(*job) : QJsonObject());
         }
     }
 
     void remove(const Request& request, Response& response) {
-        const QString id = idOf(request);
-        if (!spool.job(id)) {
-            refuseUnknown(response);
-        } else if (!spool.remove(id)) {
-            refuse(response, Conflict, QStringLiteral("The job has not ended; cancel it first"));
-        } else {
+        if (spool.remove(idOf(request))) {
             answer(response, Ok, {});
+        } else {
+            refuseUnknown(response);
         }
     }
 
@@ -302,11 +318,12 @@ struct JobServer::Data {
         }
         response.set_content_provider(
             std::size_t(file->size()), "application/octet-stream",
-            [file](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+            [this, file](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
                 constexpr std::size_t piece = 1 << 20;
                 file->seek(qint64(offset));
                 const QByteArray bytes = file->read(qint64(std::min(length, piece)));
-                return !bytes.isEmpty() && sink.write(bytes.constData(), std::size_t(bytes.size()));
+                return !ending && !bytes.isEmpty() &&
+                       sink.write(bytes.constData(), std::size_t(bytes.size()));
             });
     }
 
@@ -316,6 +333,7 @@ struct JobServer::Data {
     CheckUpload check;
     httplib::Server server;
     std::thread thread;
+    std::atomic<bool> ending = false; // transfers stop
 };
 
 JobServer::JobServer(const ServerAddress& address, const QByteArray& token, JobSpool& spool,
@@ -325,6 +343,7 @@ JobServer::JobServer(const ServerAddress& address, const QByteArray& token, JobS
 }
 
 JobServer::~JobServer() {
+    data_->ending = true;
     data_->server.stop();
     data_->thread.join();
     if (data_->address.isSocket()) {

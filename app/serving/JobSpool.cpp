@@ -85,13 +85,17 @@ JobSpool::JobSpool(const QString& folder, const SpoolLimits& limits, RunServedJo
 }
 
 JobSpool::~JobSpool() {
+    stop();
+    worker_.join();
+}
+
+void JobSpool::stop() {
     {
         const std::scoped_lock lock(mutex_);
         ending_ = true;
         current_.cancel();
     }
     wake_.notify_all();
-    worker_.join();
 }
 
 QString JobSpool::projectOf(const ServedJob& job) const {
@@ -138,7 +142,8 @@ void JobSpool::readJobs() {
 
 std::optional<QString> JobSpool::newUpload() {
     const std::scoped_lock lock(mutex_);
-    const bool hasRoom = QStorageInfo(folders_.path()).bytesAvailable() > 2 * limits_.mostBytes;
+    const bool hasRoom =
+        QStorageInfo(folders_.path()).bytesAvailable() > 2 * limits_.mostBytes * (uploads_ + 1);
     if (int(jobs_.size()) + uploads_ >= limits_.mostJobs || uploads_ >= mostUploads || !hasRoom) {
         return std::nullopt;
     }
@@ -158,9 +163,9 @@ ServedJob JobSpool::add(const QString& upload, const QString& name) {
     job.name = plainName(name);
     job.submitted = QDateTime::currentDateTimeUtc();
     const std::scoped_lock lock(mutex_);
-    --uploads_;
     record(job);
     folders_.move(upload, nameOf(job.state));
+    --uploads_;
     jobs_[job.id] = job;
     wake_.notify_all();
     return job;
@@ -199,16 +204,26 @@ bool JobSpool::cancel(const QString& id) {
 bool JobSpool::remove(const QString& id) {
     const std::scoped_lock lock(mutex_);
     const auto found = jobs_.find(id);
-    if (found == jobs_.end() || !isFinished(found->second.state)) {
+    if (found == jobs_.end()) {
         return false;
     }
-    const QString project = projectOf(found->second);
+    if (running_ == id) {
+        userCancelled_ = userRemoved_ = true;
+        current_.cancel();
+    } else {
+        erase(id);
+    }
+    return true;
+}
+
+// The lock is held.
+void JobSpool::erase(const QString& id) {
+    const QString project = projectOf(jobs_.at(id));
     QFile::remove(project);
     QFile::remove(project + QStringLiteral(".txt"));
     QFile::remove(folders_.folder(records) + u'/' + id + QStringLiteral(".json"));
     QDir(resultsOf(id)).removeRecursively();
-    jobs_.erase(found);
-    return true;
+    jobs_.erase(id);
 }
 
 QStringList JobSpool::files(const QString& id) const {
@@ -247,19 +262,30 @@ void JobSpool::work() {
     }
 }
 
+// Returns false if the job is not to be run, or cannot be.
+bool JobSpool::begin(const QString& id, const CancelToken& cancelToken) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = jobs_.find(id);
+    if (found == jobs_.end() || found->second.state != ServedState::Queued || ending_) {
+        return false;
+    }
+    try {
+        folders_.move(projectOf(found->second), nameOf(ServedState::Running));
+    } catch (const Error& error) {
+        end(id, ServedState::Failed, error.sentence(), {});
+        return false;
+    }
+    found->second.state = ServedState::Running;
+    running_ = id;
+    current_ = cancelToken;
+    userCancelled_ = userRemoved_ = false;
+    return true;
+}
+
 void JobSpool::run(const QString& id) {
     CancelToken cancelToken;
-    {
-        const std::scoped_lock lock(mutex_);
-        ServedJob& job = jobs_[id];
-        if (job.state != ServedState::Queued || ending_) {
-            return;
-        }
-        folders_.move(projectOf(job), nameOf(ServedState::Running));
-        job.state = ServedState::Running;
-        running_ = id;
-        current_ = cancelToken;
-        userCancelled_ = false;
+    if (!begin(id, cancelToken)) {
+        return;
     }
     ServedState state = ServedState::Done;
     QString text;
@@ -275,6 +301,9 @@ void JobSpool::run(const QString& id) {
     } catch (const std::bad_alloc&) {
         state = ServedState::Failed;
         text = QStringLiteral("There is not enough memory for this job");
+    } catch (const std::exception& failure) {
+        state = ServedState::Failed;
+        text = QString::fromLocal8Bit(failure.what());
     }
     const std::scoped_lock lock(mutex_);
     running_.clear();
@@ -283,6 +312,9 @@ void JobSpool::run(const QString& id) {
         text.clear();
     }
     end(id, state, text, outcome);
+    if (userRemoved_) {
+        erase(id);
+    }
 }
 
 QJsonObject JobSpool::runWithinTime(const QString& id, const CancelToken& cancelToken) {
@@ -326,16 +358,23 @@ void JobSpool::end(const QString& id, ServedState state, const QString& text,
     job.text = text;
     job.outcome = outcome;
     job.progress = state == ServedState::Done ? 1 : 0;
+    const auto fail = [&job](const Error& error) { // the disk is full or gone: clients get to know
+        job.state = ServedState::Failed;
+        job.text = error.sentence();
+    };
     try {
-        record(job);
         if (isFinished(state)) {
             folders_.end(project, nameOf(state), text);
         } else {
             folders_.move(project, nameOf(state));
         }
-    } catch (const Error& error) { // the disk is full or gone: clients still get to know
-        job.state = ServedState::Failed;
-        job.text = error.sentence();
+    } catch (const Error& error) {
+        fail(error);
+    }
+    try {
+        record(job);
+    } catch (const Error& error) {
+        fail(error);
     }
 }
 

@@ -50,8 +50,9 @@ class JobSpool {
 public:
     // Locks the folder, reads its jobs and starts to run them on a thread. Throws Error.
     JobSpool(const QString& folder, const SpoolLimits& limits, RunServedJob run);
-    // Stops a running job, which is queued again, and waits for it.
-    ~JobSpool();
+    ~JobSpool(); // stops, and waits for the running job
+    // Runs no more jobs. The running job is cancelled and queued again; does not wait for it.
+    void stop();
 
     const SpoolLimits& limits() const { return limits_; }
     // Returns an empty path for a new upload in the folder `incoming`; nothing if there are too
@@ -65,7 +66,8 @@ public:
     std::optional<ServedJob> job(const QString& id) const;
     // Cancels a queued or running job. Returns false if there is none of this id.
     bool cancel(const QString& id);
-    // Removes a finished job and its results. Returns false if there is none of this id.
+    // Removes a job and its results. A running job is cancelled, and removed when it ends. Returns
+    // false if there is none of this id.
     bool remove(const QString& id);
     // Returns the names of a job's result files, with / between folders, sorted.
     QStringList files(const QString& id) const;
@@ -77,9 +79,11 @@ private:
     QString resultsOf(const QString& id) const;
     void readJobs();
     void work();
+    bool begin(const QString& id, const CancelToken& cancelToken);
     void run(const QString& id);
     QJsonObject runWithinTime(const QString& id, const CancelToken& cancelToken);
     void end(const QString& id, ServedState state, const QString& text, const QJsonObject& outcome);
+    void erase(const QString& id);
     void record(const ServedJob& job) const;
 
     StateFolders folders_;
@@ -90,8 +94,9 @@ private:
     std::map<QString, ServedJob> jobs_; // by id, which begins with the time
     int uploads_ = 0;
     CancelToken current_;
-    QString running_; // id; empty: none
-    bool userCancelled_ = false, ending_ = false;
+    QString running_;                                  // id; empty: none
+    bool userCancelled_ = false, userRemoved_ = false; // the running job
+    bool ending_ = false;
     std::thread worker_;
 };
 

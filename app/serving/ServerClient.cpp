@@ -5,6 +5,7 @@
 #include "base/OneLine.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QJsonDocument>
 #include <QThread>
@@ -19,9 +20,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Serving)
 };
 
-constexpr int secondsWithoutAnswer = 60;
+constexpr int secondsWithoutAnswer = 10; // closing the window waits for it
 constexpr std::size_t mostAnswerBytes = 8 << 20;
 constexpr unsigned long pollMilliseconds = 250;
+constexpr qint64 longestSilence = 60'000; // ms
 constexpr qint64 piece = 1 << 18;
 constexpr qint64 megabyte = 1'000'000;
 
@@ -73,6 +75,42 @@ struct ServerClient::Data {
         return object;
     }
 
+    // Returns the job, even if the server does not answer for a while.
+    QJsonObject poll(const QString& id, const CancelToken& cancelToken) {
+        QElapsedTimer silence;
+        silence.start();
+        while (true) {
+            const httplib::Result result = client.Get(jobPath(id));
+            if (result || silence.elapsed() > longestSilence) {
+                return json(result);
+            }
+            cancelToken.throwIfCancelled();
+            QThread::msleep(pollMilliseconds);
+        }
+    }
+
+    // Throws Error if the server will refuse a project of this size. A server that refuses an
+    // upload ends the connection, and its reason may be lost.
+    void requireRoom(qint64 bytes) {
+        const QJsonObject status = json(client.Get("/v1/status"));
+        const QJsonObject limits = status[QStringLiteral("limits")].toObject();
+        const qint64 most = qint64(limits[QStringLiteral("bytes")].toDouble());
+        if (bytes > most) {
+            throw Error(Text::tr("The project has %1 MB, and the server allows %2 MB")
+                            .arg(bytes / megabyte)
+                            .arg(most / megabyte),
+                        address.text());
+        }
+        int jobs = 0;
+        for (const QJsonValue& count : status[QStringLiteral("jobs")].toObject()) {
+            jobs += count.toInt();
+        }
+        if (jobs >= limits[QStringLiteral("jobs")].toInt()) {
+            throw Error(Text::tr("The server has too many jobs; remove finished ones"),
+                        address.text());
+        }
+    }
+
     ServerAddress address;
     httplib::Client client;
 };
@@ -92,15 +130,7 @@ QString ServerClient::submit(const QString& project, const QString& name,
     if (!file.open(QIODevice::ReadOnly)) {
         throw Error(Text::tr("The project cannot be read: %1").arg(file.errorString()), project);
     }
-    // A server that refuses an upload ends the connection, and its reason may be lost.
-    const qint64 most =
-        qint64(status()[QStringLiteral("limits")].toObject()[QStringLiteral("bytes")].toDouble());
-    if (file.size() > most) {
-        throw Error(Text::tr("The project has %1 MB, and the server allows %2 MB")
-                        .arg(file.size() / megabyte)
-                        .arg(most / megabyte),
-                    data_->address.text());
-    }
+    data_->requireRoom(file.size());
     const auto provider = [&](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
         file.seek(qint64(offset));
         const QByteArray bytes = file.read(std::min(qint64(length), piece));
@@ -110,8 +140,15 @@ QString ServerClient::submit(const QString& project, const QString& name,
     const httplib::Result result =
         data_->client.Post("/v1/jobs?name=" + QUrl::toPercentEncoding(name).toStdString(),
                            std::size_t(file.size()), provider, "application/zip");
-    cancelToken.throwIfCancelled();
-    return data_->json(result)[QStringLiteral("id")].toString();
+    if (!result) {
+        cancelToken.throwIfCancelled(); // the reason why nothing was answered
+    }
+    const QString id = data_->json(result)[QStringLiteral("id")].toString();
+    if (cancelToken.isCancelled()) {
+        abandon(id);
+        throw Cancelled();
+    }
+    return id;
 }
 
 QJsonObject ServerClient::job(const QString& id) {
@@ -157,27 +194,39 @@ void ServerClient::fetch(const QString& id, const QString& name, const QString& 
     }
 }
 
-QJsonObject ServerClient::wait(const QString& id, const Progress& progress) {
-    while (true) {
-        const QJsonObject state = job(id);
-        const QString word = state[QStringLiteral("state")].toString();
-        const QString text = oneLine(state[QStringLiteral("text")].toString());
-        if (word == u"done") {
-            return state;
-        }
-        if (word == u"failed" || word == u"cancelled") {
-            throw Error(Text::tr("The server could not run the job: %1").arg(text),
-                        data_->address.text());
-        }
+void ServerClient::abandon(const QString& id) {
+    for (const auto& step : {&ServerClient::cancel, &ServerClient::remove}) {
         try {
+            (this->*step)(id);
+        } catch (const Error&) { // it has ended, or the server cannot be reached
+        }
+    }
+}
+
+QJsonObject ServerClient::wait(const QString& id, const Progress& progress) {
+    try {
+        while (true) {
+            const QJsonObject state = data_->poll(id, progress.cancelToken);
+            const QString word = state[QStringLiteral("state")].toString();
+            const QString text = oneLine(state[QStringLiteral("text")].toString());
+            if (word == u"done") {
+                return state;
+            }
+            if (word == u"failed" || word == u"cancelled") {
+                throw Error(Text::tr("The server could not run the job: %1").arg(text),
+                            data_->address.text());
+            }
             progress(state[QStringLiteral("progress")].toDouble(),
                      word == u"queued" ? Text::tr("Waiting for the server")
                                        : Text::tr("On the server: %1").arg(text));
-        } catch (const Cancelled&) {
-            cancel(id);
-            throw;
+            QThread::msleep(pollMilliseconds);
         }
-        QThread::msleep(pollMilliseconds);
+    } catch (const Cancelled&) {
+        try {
+            cancel(id);
+        } catch (const Error&) { // it has ended, or the server cannot be reached
+        }
+        throw;
     }
 }
 

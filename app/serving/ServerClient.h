@@ -20,7 +20,7 @@ public:
 
     QJsonObject status();
     // Sends a project's file, if the server takes one of its size. Returns the id of the job.
-    // Throws Cancelled.
+    // Throws Cancelled, and then leaves no job on the server.
     QString submit(const QString& project, const QString& name, const CancelToken& cancelToken);
     QJsonObject job(const QString& id);
     void cancel(const QString& id);
@@ -29,8 +29,12 @@ public:
     void fetch(const QString& id, const QString& name, const QString& path, qint64 mostBytes,
                const CancelToken& cancelToken);
 
+    // Cancels and removes the job as far as the server can be reached. Throws nothing.
+    void abandon(const QString& id);
+
     // Waits until the job has ended, and reports its progress. Returns job(id). Cancels the job and
-    // throws Cancelled when cancelled. Throws Error if the job failed or was cancelled by others.
+    // throws Cancelled when cancelled. Waits a minute for a server that does not answer. Throws
+    // Error if the job failed or was cancelled by others.
     QJsonObject wait(const QString& id, const Progress& progress);
 
 private:

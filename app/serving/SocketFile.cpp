@@ -6,6 +6,7 @@
 
 #ifdef Q_OS_UNIX
 #include <algorithm>
+#include <cerrno>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -18,22 +19,24 @@ namespace dipwright {
 
 namespace {
 
-bool hasListener(const QByteArray& name) {
+// Tells whether nothing listens on the socket any more.
+bool isAbandoned(const QByteArray& name) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     std::copy(name.begin(), name.end(), address.sun_path);
     const int probe = socket(AF_UNIX, SOCK_STREAM, 0);
-    const bool answers =
-        probe >= 0 && connect(probe, reinterpret_cast<sockaddr*>(&address), sizeof(address)) == 0;
+    const bool isRefused =
+        probe >= 0 && connect(probe, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0 &&
+        errno == ECONNREFUSED;
     if (probe >= 0) {
         close(probe);
     }
-    return answers;
+    return isRefused;
 }
 
 } // namespace
 
-OwnerOnly::OwnerOnly() : before_(umask(0177)) {}
+OwnerOnly::OwnerOnly() : before_(umask(0077)) {}
 
 OwnerOnly::~OwnerOnly() {
     umask(mode_t(before_));
@@ -57,9 +60,9 @@ void clearSocket(const QString& path) {
                                    "name"),
                     path);
     }
-    if (hasListener(name)) {
-        throw Error(QStringLiteral("Another program listens on this socket; end it or choose "
-                                   "another name"),
+    if (!isAbandoned(name)) {
+        throw Error(QStringLiteral("Another program may listen on this socket; end it, or "
+                                   "choose another name"),
                     path);
     }
     unlink(name.constData());

@@ -90,11 +90,16 @@ Layer wantedLayer(const JobResult& result) {
                    });
 }
 
+// What a map shows between film points. An error is not interpolated: it is zero off the body,
+// which would hide it at the edge.
+enum class Between { Interpolated, Largest };
+
 // One value for each film point of a dip.
 struct FilmPointValues {
     std::shared_ptr<const LaidFilm> laid;
     QImage image; // of the film; transparent where this dip does not print
     std::vector<float> values;
+    Between between = Between::Interpolated;
 
     // Returns the value at a place of the body; nothing if this dip does not paint it.
     std::optional<float> at(const SurfacePoint& point) const {
@@ -103,9 +108,11 @@ struct FilmPointValues {
             return std::nullopt;
         }
         const FilmTriangle& corners = laid->triangles()[place->triangle];
-        const Eigen::Vector3f weights = laid->weights(*place);
-        return weights[0] * values[corners[0]] + weights[1] * values[corners[1]] +
-               weights[2] * values[corners[2]];
+        const Eigen::Vector3f ofCorners{values[corners[0]], values[corners[1]], values[corners[2]]};
+        if (between == Between::Largest) {
+            return ofCorners.maxCoeff<Eigen::PropagateNaN>();
+        }
+        return laid->weights(*place).dot(ofCorners);
     }
 
 private:
@@ -132,6 +139,19 @@ std::vector<float> paintedValues(const std::vector<FilmPointValues>& dips) {
     return painted.empty() ? std::vector<float>{1} : painted;
 }
 
+// Tells whether a painted place has no value.
+bool hasGaps(const std::vector<FilmPointValues>& dips) {
+    return std::ranges::any_of(dips, [](const FilmPointValues& dip) {
+        const std::vector<std::uint8_t>& isPainted = dip.laid->painted().points;
+        for (std::size_t point = 0; point < dip.values.size(); ++point) {
+            if (isPainted[point] != 0 && std::isnan(dip.values[point])) {
+                return true;
+            }
+        }
+        return false;
+    });
+}
+
 std::vector<ProofLegend::Step> legendSteps(const MapScale& scale) {
     std::vector<ProofLegend::Step> steps{{unpainted, Text::tr("bare")}};
     const int count = int(std::lround((scale.high - scale.low) / scale.step));
@@ -148,6 +168,7 @@ std::vector<ProofLegend::Step> legendSteps(const MapScale& scale) {
 // Returns a map of values on the part. Of two dips, the later one that paints a place counts.
 Layer mapLayer(const char* key, const QString& name, const QString& explanation,
                std::vector<FilmPointValues> dips, const MapScale& scale) {
+    const bool isGapped = hasGaps(dips);
     Layer map =
         layerOf(key, name, explanation, [dips = std::move(dips), scale](const SurfacePoint& place) {
             for (auto dip = dips.rbegin(); dip != dips.rend(); ++dip) {
@@ -162,15 +183,19 @@ Layer mapLayer(const char* key, const QString& name, const QString& explanation,
         });
     map.layer.isMap = true;
     map.legend.steps = legendSteps(scale);
+    if (isGapped) {
+        map.legend.steps.push_back({paintedOnceColour, Text::tr("not compared")});
+    }
     return map;
 }
 
 template <typename Values>
-std::vector<FilmPointValues> valuesOf(const JobResult& result, const Values& values) {
+std::vector<FilmPointValues> valuesOf(const JobResult& result, Between between,
+                                      const Values& values) {
     std::vector<FilmPointValues> dips;
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& dip = result.immersions[i];
-        dips.push_back({dip.laid, dip.texture->image, values(i)});
+        dips.push_back({dip.laid, dip.texture->image, values(i), between});
     }
     return dips;
 }
@@ -181,15 +206,17 @@ bool isJudged(const ImmersionResult& dip) {
 
 void addMapLayers(std::vector<Layer>& layers, const JobResult& result) {
     constexpr double leastRange = 0.02; // mm
-    const std::vector<FilmPointValues> stretch = valuesOf(
-        result, [&](std::size_t i) { return result.immersions[i].laid->painted().pointMeans; });
+    const std::vector<FilmPointValues> stretch =
+        valuesOf(result, Between::Interpolated,
+                 [&](std::size_t i) { return result.immersions[i].laid->painted().pointMeans; });
     layers.push_back(mapLayer("stretch", Text::tr("Stretch"),
                               Text::tr("How many times longer the film becomes on the part"),
                               stretch, stretchScale(paintedValues(stretch))));
     if (std::ranges::all_of(result.immersions, isJudged)) {
-        const std::vector<FilmPointValues> errors = valuesOf(result, [&](std::size_t i) {
-            return result.immersions[i].numericalError->pointErrors;
-        });
+        const std::vector<FilmPointValues> errors =
+            valuesOf(result, Between::Largest, [&](std::size_t i) {
+                return result.immersions[i].numericalError->pointErrors;
+            });
         const double limit = allowedError(Zone::C, result.project.tolerance);
         layers.push_back(
             mapLayer("error", Text::tr("Numerical error"),
@@ -199,7 +226,8 @@ void addMapLayers(std::vector<Layer>& layers, const JobResult& result) {
     }
     if (result.tolerances) {
         const std::vector<FilmPointValues> spread =
-            valuesOf(result, [&](std::size_t i) { return result.tolerances->dips[i].filmPoints; });
+            valuesOf(result, Between::Largest,
+                     [&](std::size_t i) { return result.tolerances->dips[i].filmPoints; });
         const double limit = result.project.tolerance.limits.back().value();
         layers.push_back(mapLayer("tolerance", Text::tr("Tolerance"),
                                   Text::tr("How far handling may move the picture, ± mm"), spread,
@@ -295,7 +323,7 @@ ProofPage pageOf(const JobResult& result, const std::vector<Layer>& layers,
     page.job = combinedJobNumber(jobs);
     page.note = model.tolerance > 0
                     ? Text::tr("The surface shown here is within %1 mm of the part.")
-                          .arg(number(model.tolerance, 3))
+                          .arg(number(std::ceil(1000 * model.tolerance) / 1000, 3))
                     : Text::tr("The surface shown here has all triangles of the part.");
     page.note += u' ' + Text::tr("Screens show colours differently; the print decides.");
     page.fallback = result.proof.scaledToWidth(fallbackPixels, Qt::SmoothTransformation);

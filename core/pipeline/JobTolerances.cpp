@@ -1,11 +1,18 @@
 #include "pipeline/JobTolerances.h"
 
+#include "base/Error.h"
 #include "pipeline/FilmRefinement.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SolverChoice.h"
 
+#include <QCoreApplication>
+
 namespace dipwright {
 namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Pipeline)
+};
 
 constexpr double fieldDone = 0.05;
 constexpr float mostColour = 0.5f; // least share with which a place counts for the dip
@@ -16,6 +23,13 @@ JobTolerances jobTolerances(const JobResult& result, const ToleranceSettings& se
                             const SolverRegistry& registry, const Progress& progress) {
     const Project& project = result.project;
     SolverChoice solver = chooseSolver(result.chosenSolver, registry, progress.cancelToken);
+    const SolverInfo& dipped = result.immersions.front().solver;
+    if (dipped.id == result.chosenSolver && dipped.id != solver.solver.id) {
+        throw Error(Text::tr("The dips were simulated on another computer by %1, which is not "
+                             "available here. Run the job here before you compute tolerances")
+                        .arg(dipped.name),
+                    project.name);
+    }
     const auto field = distanceFieldOf(result, progress.part(0, fieldDone));
     JobTolerances tolerances;
     const double part = (1 - fieldDone) / double(result.immersions.size());

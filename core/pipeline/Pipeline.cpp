@@ -70,6 +70,9 @@ struct Run {
     // For each immersion, whether this run has refined its film, so that nothing made from the
     // earlier film is taken over.
     std::vector<char> isRefined = {};
+    // Whether all dips are taken over from a solver that is not the one chosen here. None is then
+    // refined, so that no result mixes solvers.
+    bool isDippedElsewhere = false;
 
     const ImmersionResult* earlier(std::size_t number) const {
         return previous && number < previous->immersions.size() && !isRefined[number]
@@ -104,6 +107,28 @@ bool refines(const Run& run, const DipInputs& inputs) {
 bool isToBeJudged(const Run& run, const ImmersionResult* earlier, const DipInputs& inputs) {
     return (run.options.estimatesNumericalError || refines(run, inputs)) &&
            !(hasDipped(earlier, inputs) && earlier->numericalError);
+}
+
+// Tells whether the earlier result has all dips of the project as the solver chosen then simulated
+// them, and nothing else is wanted that has to be simulated: the wanted solver may stand for
+// another one here than on the computer where the dips were simulated.
+bool hasAllDips(const Run& run, const QString& wantedSolver) {
+    const JobResult* previous = run.previous;
+    if (!previous || previous->wantedSolver != wantedSolver ||
+        previous->immersions.size() != run.project.immersions.size() || run.options.variesLaws ||
+        run.options.computesTolerances) {
+        return false;
+    }
+    for (std::size_t number = 0; number < previous->immersions.size(); ++number) {
+        const ImmersionResult& earlier = previous->immersions[number];
+        const DipInputs wanted = dipInputs(run.project, number, previous->chosenSolver);
+        const bool isFineEnough =
+            !refines(run, wanted) || earlier.inputs.texture.dip.refinement == wanted.refinement;
+        if (!isFineEnough || !hasDipped(&earlier, wanted) || isToBeJudged(run, &earlier, wanted)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 // Returns the body's distance field; null if no dip needs it and the earlier result has none.
@@ -382,7 +407,7 @@ ImmersionResult dippedImmersion(Run& run, std::size_t number, const SheetInputs&
     now.immersion = run.project.immersions[number];
     now.body = bodyOf(run, number, wanted.body);
     now.appearance = job.painted;
-    const bool isRefinable = refines(run, wanted);
+    const bool isRefinable = refines(run, wanted) && !run.isDippedElsewhere;
     dipAndCompare(now, isDipped, run, number, job.field.get(), dipping,
                   progress.part(0, isRefinable ? firstDip : 1));
     if (isRefinable) {
@@ -737,6 +762,12 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;
     SolverChoice solver = chooseSolver(result.wantedSolver, registry, progress.cancelToken);
     result.chosenSolver = solver.solver.id;
+    if (previous && previous->chosenSolver != result.chosenSolver &&
+        hasAllDips(run, result.wantedSolver)) {
+        run.isDippedElsewhere = true;
+        result.chosenSolver = previous->chosenSolver;
+        solver.notes.clear(); // nothing is simulated
+    }
     result.notes = std::exchange(solver.notes, {});
 
     std::vector<SheetInputs> inputs;

@@ -32,6 +32,23 @@ SolverInfo solverIn(const QJsonObject& job) {
     return solver;
 }
 
+// Waits for the job, whose project was saved as `file`, and returns its dips.
+std::shared_ptr<const JobResult> dipsOf(const QString& id, const Project& project,
+                                        const QString& file, ServerClient& client,
+                                        const ServerAddress& address, const Progress& progress) {
+    const QJsonObject job = client.wait(id, progress.part(0.05, 0.85));
+    progress(0.85, Text::tr("Fetching the results"));
+    const QString dips = dipCacheFile(file);
+    client.fetch(id, QFileInfo(dips).fileName(), dips, mostDipBytes, progress.cancelToken);
+    const auto result = cachedDipsOf(project, solverIn(job), file, progress.part(0.9, 1));
+    if (!result) {
+        throw Error(Text::tr("The server's results do not fit this program. Install the same "
+                             "version of Dipwright on both computers"),
+                    address.text());
+    }
+    return result;
+}
+
 } // namespace
 
 std::shared_ptr<const JobResult> remoteDips(const Project& project, const ServerAccess& server,
@@ -42,18 +59,14 @@ std::shared_ptr<const JobResult> remoteDips(const Project& project, const Server
     saveProject(project, file);
     ServerClient client(server.address, server.token);
     const QString id = client.submit(file, project.name, progress.cancelToken);
-    const QJsonObject job = client.wait(id, progress.part(0.05, 0.85));
-    progress(0.85, Text::tr("Fetching the results"));
-    const QString dips = dipCacheFile(file);
-    client.fetch(id, QFileInfo(dips).fileName(), dips, mostDipBytes, progress.cancelToken);
-    const auto result = cachedDipsOf(project, solverIn(job), file, progress.part(0.9, 1));
-    if (!result) {
-        throw Error(Text::tr("The server's results do not fit this program. Install the same "
-                             "version of Dipwright on both computers"),
-                    server.address.text());
+    try {
+        const auto result = dipsOf(id, project, file, client, server.address, progress);
+        client.remove(id);
+        return result;
+    } catch (...) {
+        client.abandon(id);
+        throw;
     }
-    client.remove(id);
-    return result;
 }
 
 } // namespace dipwright

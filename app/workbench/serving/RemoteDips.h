@@ -14,7 +14,7 @@ struct ServerAccess {
 
 // Sends the project, waits until it has run, and returns its films, laid on the body again: a
 // result that can be passed to runJob() as `previous`, as cachedDips() returns it. Removes the job
-// from the server; cancels it when cancelled. Any thread. Throws Error or Cancelled.
+// from the server, also after an error or when cancelled. Any thread. Throws Error or Cancelled.
 std::shared_ptr<const JobResult> remoteDips(const Project& project, const ServerAccess& server,
                                             const Progress& progress);
 

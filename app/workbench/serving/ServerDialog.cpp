@@ -20,16 +20,20 @@ constexpr qint64 longestToken = 4096;
 const QString addressKey = QStringLiteral("server/address");
 const QString tokenFileKey = QStringLiteral("server/tokenFile"); // the token itself is not kept
 
-bool isFile(const QString& text) {
-    return text.contains(u'/') && QFileInfo(text).isFile();
+bool isPath(const QString& text) {
+    return text.contains(u'/');
 }
 
+// No error names the text, which may be the token.
 QByteArray tokenOf(const QString& text) {
+    if (isPath(text) && !QFileInfo(text).isFile()) {
+        throw Error(ServerDialog::tr("There is no such file"), {});
+    }
     const QByteArray token =
-        isFile(text) ? readSmallFile(text, longestToken).trimmed() : text.toLatin1();
+        isPath(text) ? readSmallFile(text, longestToken).trimmed() : text.toLatin1();
     if (token.isEmpty() || token.contains('\n') || token.contains('\r')) {
         throw Error(ServerDialog::tr("Paste the server's token, or write the path of its file"),
-                    text);
+                    {});
     }
     return token;
 }
@@ -51,6 +55,11 @@ ServerDialog::ServerDialog(QWidget* parent)
     token_->setText(settings.value(tokenFileKey).toString());
     token_->setToolTip(tr("The token that the server asks for, or the path of the file that holds "
                           "it. Only the path is remembered."));
+    const auto hideToken = [this] {
+        token_->setEchoMode(isPath(token_->text()) ? QLineEdit::Normal : QLineEdit::Password);
+    };
+    connect(token_, &QLineEdit::textChanged, this, hideToken);
+    hideToken();
     auto* words = new QLabel(tr("The server simulates the dips of this project. Its results then "
                                 "appear here like those of a run on this computer."));
     words->setWordWrap(true);
@@ -76,7 +85,7 @@ void ServerDialog::accept() {
         const ServerAccess server{serverAddress(address_->text()), tokenOf(token)};
         QSettings settings;
         settings.setValue(addressKey, server.address.text());
-        settings.setValue(tokenFileKey, isFile(token) ? token : QString());
+        settings.setValue(tokenFileKey, isPath(token) ? token : QString());
         emit sent(server);
         QDialog::accept();
     } catch (const Error& error) {

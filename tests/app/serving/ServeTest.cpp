@@ -209,6 +209,67 @@ private slots:
         QTRY_COMPARE(spool_->job(id)->state, ServedState::Cancelled);
     }
 
+    void submit_cancelledBeforeOrAfterSending_leavesNoJob() {
+        start();
+        CancelToken cancelToken;
+        server_.reset();
+        server_ = std::make_unique<JobServer>(serverAddress(socket_), token, *spool_,
+                                              [&](const QString&) { cancelToken.cancel(); });
+        for (int i = 0; i < 2; ++i) { // the second time, nothing is sent
+            QVERIFY_EXCEPTION_THROWN(connected().submit(path("wait.dipw"), "a", cancelToken),
+                                     Cancelled);
+            QTRY_VERIFY(spool_->jobs().empty());
+            requireNothing();
+        }
+    }
+
+    void submit_tooManyJobs_saysWhatToDo() {
+        limits_.mostJobs = 1;
+        start();
+        ServerClient client = connected();
+        client.wait(client.submit(path("ball.dipw"), "ball", {}), {});
+        try {
+            client.submit(path("ball.dipw"), "ball", {});
+            QFAIL("was taken");
+        } catch (const Error& error) {
+            QVERIFY(error.message().contains("remove finished"));
+        }
+    }
+
+    void remove_runningJob_cancelsAndRemovesIt() {
+        start();
+        ServerClient client = connected();
+        const QString running = client.submit(path("wait.dipw"), "a", {});
+        const QString queued = client.submit(path("wait.dipw"), "b", {});
+        QTRY_COMPARE(client.job(running)["text"].toString(), "waiting");
+        client.remove(queued);
+        client.remove(running);
+        QTRY_VERIFY(spool_->jobs().empty());
+        requireNothing();
+        QCOMPARE(filesBelow(path("jobs/cancelled")), QStringList());
+        client.wait(client.submit(path("ball.dipw"), "ball", {}), {}); // the next one runs
+    }
+
+    void run_projectCannotBeMoved_failsAndTheServerLives() {
+        start();
+        QVERIFY(QDir(path("jobs/running")).removeRecursively());
+        ServerClient client = connected();
+        const QString id = client.submit(path("ball.dipw"), "ball", {});
+        QTRY_COMPARE(spool_->job(id)->state, ServedState::Failed);
+        QVERIFY(spool_->job(id)->text.contains("cannot be moved"));
+        QVERIFY(QDir().mkpath(path("jobs/running")));
+        client.wait(client.submit(path("ball.dipw"), "ball", {}), {});
+    }
+
+    void stop_runningJob_isQueuedAgainWhileTheServerAnswers() {
+        start();
+        ServerClient client = connected();
+        const QString id = client.submit(path("wait.dipw"), "a", {});
+        QTRY_COMPARE(spool_->job(id)->state, ServedState::Running);
+        spool_->stop();
+        QTRY_COMPARE(client.job(id)["state"].toString(), "queued");
+    }
+
     void run_tooLong_fails() {
         limits_.mostSeconds = 0;
         start();
@@ -314,6 +375,7 @@ private slots:
             } catch (const Error&) { // in use
             }
         }
+        QVERIFY_EXCEPTION_THROWN(JobServer(address, token, *spool_, checkProject), Error);
         ServerClient client(address, token);
         client.wait(client.submit(path("ball.dipw"), "ball", {}), {});
         ServerClient stranger(address, "wrong");

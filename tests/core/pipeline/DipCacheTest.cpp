@@ -124,10 +124,23 @@ private slots:
         JobOptions options;
         bool isDipped = false;
         options.observer = [&](std::size_t, const FilmFrame&) { isDipped = true; };
-        const JobResult now = runJob(there.project, *registry_, options, fetched.get(), {});
-        QVERIFY(!isDipped);
-        QCOMPARE(now.immersions[0].sheet.image, result_.immersions[0].sheet.image);
-        QCOMPARE(now.solver.id, there.chosenSolver);
+        for (const bool refines : {false, true}) {
+            options.refines = refines;
+            const JobResult now = runJob(there.project, *registry_, options, fetched.get(), {});
+            QVERIFY(!isDipped);
+            QCOMPARE(now.immersions[0].sheet.image, result_.immersions[0].sheet.image);
+            QCOMPARE(now.solver.id, there.chosenSolver);
+            QCOMPARE(now.chosenSolver, there.chosenSolver);
+        }
+        // What has to be simulated here is simulated as a whole here.
+        options.refines = false;
+        Project turned = there.project;
+        turned.immersions[1].rotation[0] = Degrees(170);
+        const JobResult now = runJob(turned, *registry_, options, fetched.get(), {});
+        QVERIFY(isDipped);
+        for (const ImmersionResult& dip : now.immersions) {
+            QVERIFY(dip.solver.id != there.chosenSolver);
+        }
     }
 
     void cachedDips_otherInputs_areNotFound_data() {

@@ -111,6 +111,18 @@ private slots:
         QVERIFY(!proof_.html.contains("Cost"));
     }
 
+    void sharedProof_placeWithoutError_isInTheLegend() {
+        QVERIFY(!proof_.html.contains("not compared"));
+        JobResult result = result_;
+        NumericalErrorEstimate error = *result.immersions[0].numericalError;
+        for (float& value : error.pointErrors) {
+            value = std::nanf("");
+        }
+        result.immersions[0].numericalError =
+            std::make_shared<const NumericalErrorEstimate>(std::move(error));
+        QVERIFY(sharedProof(result, {}).html.contains("not compared"));
+    }
+
     void sharedProof_equalResults_giveEqualBytes() {
         const SharedProof again = sharedProof(result_, {});
         QCOMPARE(again.glb, proof_.glb);
