@@ -224,10 +224,10 @@ private slots:
     }
 
     void import_manyUnnamedFaces_areNumbered() {
-        writeBoxes(path("boxes.step"), 850);
+        writeBoxes(path("boxes.step"), 300);
         const QStringList names = materialNames(import(path("boxes.step")).model);
-        QCOMPARE(names.size(), 850 * 6);
-        QCOMPARE(names.last(), QStringLiteral("Face 5100"));
+        QCOMPARE(names.size(), 300 * 6);
+        QCOMPARE(names.last(), QStringLiteral("Face 1800"));
     }
 
     void import_withPicture_saysThatItHasNoPlace() {
