@@ -97,6 +97,7 @@ public:
         for (const QString& line : filmsText(films)) {
             console.out() << line << '\n';
         }
+        printWarnings(filmsWarnings(films), console.out());
         if (!folder.isEmpty()) {
             writeFilms(films, folder, progress.part(0.9, 1));
             console.out() << QStringLiteral("Wrote %1\n").arg(folder);

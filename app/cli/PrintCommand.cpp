@@ -169,7 +169,8 @@ void writePlates(const JobResult& result, const PrintRequest& request, const QSt
             names << prefix + old;
         }
         const SeparationProof proof = separationProof(sheet, correction);
-        out << QStringLiteral("%1\n").arg(sheet.job.immersion) << figuresTable(proof.figures);
+        out << QStringLiteral("%1\n").arg(sheet.job.immersion)
+            << figuresTable(proof.figures, sheet.passes);
         for (const ProofFile& file : proof.files) {
             names << prefix + file.name;
             files.push_back({prefix + file.name, file.contents});

@@ -69,7 +69,7 @@ void setIccFile(Profile& profile, const QString& option, const QString& path,
                          QStringLiteral("--") + option);
     }
     printer->*member = readSmallFile(path, mostProfileBytes);
-    if (printer->iccProfile.isEmpty()) {
+    if (member == &PrinterProfile::deviceLink && printer->iccProfile.isEmpty()) {
         throw UsageError(QStringLiteral("A device link needs the printer's ICC profile, too; give "
                                         "it with --icc"),
                          QStringLiteral("--") + option);

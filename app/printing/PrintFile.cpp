@@ -88,7 +88,7 @@ Sheet numberedFor(const std::optional<PrinterProfile>& profile, const Sheet& she
     numbered.job.hash += suffix;
     for (SheetPiece& piece : numbered.pieces) {
         const QString number = piece.job.hash + suffix;
-        if (piece.whole) {
+        if (piece.whole && !piece.job.hash.isEmpty()) {
             SheetLayout whole = *piece.whole;
             whole.jobLineText.replaceInStrings(piece.job.hash, number);
             piece.whole = std::make_shared<const SheetLayout>(whole);

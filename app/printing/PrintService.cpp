@@ -449,12 +449,13 @@ PrintPlan planPrint(PrintSystem& system, const Sheet& unnumbered, const PrintReq
     PrintPlan plan;
     plan.printer = readyPrinter(system, request.printer);
     checkColour(plan.printer, original, request, plan.warnings);
-    const std::optional<PaperChoice> whole =
-        findPaper(plan.printer, pageSize(original), request.turning);
+    // Packed films are laid out for the direction of their web.
+    const Turning turning = original.pieces.empty() ? request.turning : Turning::Never;
+    const std::optional<PaperChoice> whole = findPaper(plan.printer, pageSize(original), turning);
     const bool tiled = request.tile && (!request.tilePaper.isEmpty() || !whole ||
                                         (whole->isCustom && !whole->media.ready));
     const PaperChoice paper = tiled ? PaperChoice{tilePaper(plan.printer, request.tilePaper), false}
-                                    : paperFor(plan.printer, pageSize(original), request.turning);
+                                    : paperFor(plan.printer, pageSize(original), turning);
     checkLoaded(plan.printer, paper.media, request, plan.warnings);
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     PrintCorrection correction = printCorrection(request.profile, colour.get());
@@ -505,9 +506,10 @@ namespace {
 // Returns the roll for a series of sheets, or nothing if the sheets are printed one by one.
 std::optional<PackingFilm> rollFor(PrintSystem& system, const std::vector<Sheet>& sheets,
                                    const PrintRequest& request) {
-    const bool arePacked = std::any_of(sheets.begin(), sheets.end(),
-                                       [](const Sheet& sheet) { return !sheet.pieces.empty(); });
-    if (arePacked || request.tile || !request.profile || !request.profile->rollGap) {
+    const bool areSingle = std::any_of(sheets.begin(), sheets.end(), [](const Sheet& sheet) {
+        return !sheet.pieces.empty() || sheet.passes > 1; // packed, or fed again for each pass
+    });
+    if (areSingle || request.tile || !request.profile || !request.profile->rollGap) {
         return std::nullopt;
     }
     const PrinterInfo printer = readyPrinter(system, request.printer);
@@ -519,7 +521,9 @@ std::optional<PackingFilm> rollFor(PrintSystem& system, const std::vector<Sheet>
     roll.size = *size;
     roll.isRoll = roll.wholeSheets = true;
     roll.spacing = *request.profile->rollGap;
-    roll.edges = larger(roll.edges, unreachable(printer.customMedia->margins, request.profile));
+    roll.edges = larger(
+        roll.edges, clippedEdges(*size, unreachable(printer.customMedia->margins, request.profile),
+                                 printCorrection(request.profile, nullptr))); // of the longest page
     return roll;
 }
 
@@ -546,7 +550,6 @@ std::vector<PrintPlan> planPrints(PrintSystem& system, const std::vector<Sheet>&
     if (const std::optional<PackingFilm> roll = rollFor(system, sheets, request)) {
         PrintRequest once = request;
         once.copies = 1;
-        once.turning = Turning::Never; // the roll's own direction
         for (const Sheet& film : seriesOn(*roll, sheets, request)) {
             plans.push_back(planPrint(system, film, once));
             plans.back().warnings.prepend(

@@ -482,7 +482,8 @@ std::optional<InkOptions> inkOptions(const JobResult& result, const Progress& pr
     double reported = 0;
     bool isPerInk = false;
     for (const ImmersionResult& dip : result.immersions) {
-        if (!dip.inputs.texture.isReversed() || !dip.texture) {
+        // Options are computed from colours, but amounts of ink are printed without them.
+        if (!dip.inputs.texture.isReversed() || !dip.texture || !dip.texture->inks.isNull()) {
             return std::nullopt;
         }
         reported += dip.inkShortfall.value_or(dip.texture->shortfallArea);

@@ -63,6 +63,7 @@ QJsonObject filmJson(const Sheet& sheet, const PlannedFilm& film, std::size_t nu
             {"job", sheet.job.hash},
             {"size_mm", QJsonArray{film.size.width(), film.size.height()}},
             {"used", film.used},
+            {"passes", sheet.passes},
             {"pieces", pieces}};
 }
 
@@ -119,6 +120,15 @@ QStringList filmsText(const PackedFilms& films) {
                      .arg(QString::number(100 * film.used, 'f', 0));
     }
     return lines;
+}
+
+QStringList filmsWarnings(const PackedFilms& films) {
+    if (!losesInks(films.pieces)) {
+        return {};
+    }
+    return {Text::tr("The jobs differ in their ink settings or CMYK profiles, so that the films do "
+                     "not keep all amounts of ink of CMYK pictures or compensate each ink by "
+                     "itself; give all jobs the same ink settings and profiles")};
 }
 
 void checkFilmsFolder(const QString& folder) {

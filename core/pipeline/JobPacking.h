@@ -38,6 +38,8 @@ Sheet sheetOf(const PackedFilms& films, std::size_t number);
 
 // Describes each film in one sentence: size, number of pieces and used share.
 QStringList filmsText(const PackedFilms& films);
+// Returns sentences, without full stops, about what the films do not keep of their jobs.
+QStringList filmsWarnings(const PackedFilms& films);
 
 // Throws Error if writeFilms() cannot write into `folder`. Call it before the work begins.
 void checkFilmsFolder(const QString& folder);

@@ -403,7 +403,11 @@ void PackDialog::take(LaidOut laid) {
     const QStringList lines = filmsText(*laid_.films);
     shown_->clear();
     shown_->addItems(lines);
-    tell(tr("Films: %1. They are printed at true size.").arg(lines.size()));
+    QString told = tr("Films: %1. They are printed at true size.").arg(lines.size());
+    for (const QString& warning : filmsWarnings(*laid_.films)) {
+        told += u' ' + warning + u'.';
+    }
+    tell(told);
 }
 
 void PackDialog::showFilm(int number) {

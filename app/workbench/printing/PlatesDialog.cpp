@@ -127,6 +127,7 @@ PlatesDialog::PlatesDialog(std::shared_ptr<const JobResult> result, std::size_t 
     layout->addLayout(bottom);
     progress_->setRange(0, 1000);
     stop_->setAutoDefault(false);
+    stop_->setObjectName(QStringLiteral("platesStop"));
     stop_->setToolTip(tr("Stops the computation. Choose another view or sheet to start again."));
     for (QWidget* shownWhileBusy :
          {static_cast<QWidget*>(progress_), static_cast<QWidget*>(stop_)}) {
@@ -301,7 +302,7 @@ void PlatesDialog::separateSheet() {
         return;
     }
     jobs_.cancelAll();
-    jobs_.start(std::make_unique<ValueJob<Separation>>(
+    separating_ = jobs_.start(std::make_unique<ValueJob<Separation>>(
         tr("Making the plates"),
         [sheet = sheet(), correction = printCorrection(profile, colour.get()), colour,
          limit = limit(), size = film()](const Progress& progress) {
@@ -319,14 +320,22 @@ void PlatesDialog::separateSheet() {
             return made;
         },
         [this](const Separation& made) { takeSeparation(made); },
-        [this](std::exception_ptr failure) { fail(failure); }));
+        [this](std::exception_ptr failure) {
+            separating_.reset();
+            fail(failure);
+        }));
 }
 
 void PlatesDialog::takeSeparation(const Separation& separation) {
     separation_ = separation;
+    separating_.reset();
     fillTable();
     showFigures();
-    draw();
+    if (separation_->figures.limit != limit()) { // changed meanwhile
+        measure();
+    } else {
+        draw();
+    }
 }
 
 void PlatesDialog::measure() {
@@ -350,6 +359,9 @@ void PlatesDialog::measure() {
 void PlatesDialog::draw() {
     ground_->setEnabled(view() == View::Print);
     if (!separation_) {
+        if (!separating_ || separating_->isCancelled()) {
+            separateSheet();
+        }
         return;
     }
     const std::array<QColor, 3> grounds{QColor(Qt::white), greyGround,

@@ -65,7 +65,8 @@ private:
     std::size_t shown_; // the dip
     LengthUnit unit_;
     std::optional<Separation> separation_;
-    std::optional<QPoint> cursor_; // pixel of the plates, moved by keys
+    std::optional<CancelToken> separating_; // the job that makes the plates, until it has ended
+    std::optional<QPoint> cursor_;          // pixel of the plates, moved by keys
     QLabel* notice_;
     PicturePanel* picture_;
     QComboBox *dip_, *view_, *ground_;

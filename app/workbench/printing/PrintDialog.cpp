@@ -264,11 +264,12 @@ void PrintDialog::showSheet(std::size_t number) {
 void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int proofing) {
     // Use the film image, not the page preview, whose colours are limited to the screen's.
     const double scale = page.page.width() / page.size.width();
-    const Sheet small = scaledSheet(sheet, (page.film.size() * scale).toSize());
+    const QSize pixels = (page.film.size() * scale).toSize();
     jobs_.start(std::make_unique<ValueJob<PrintProof>>(
         tr("Computing the soft proof"),
-        [small, profile = *outcome_.result->project.profiles.printer,
+        [sheet, pixels, profile = *outcome_.result->project.profiles.printer,
          marked = proof_->currentIndex() == 2](const Progress&) {
+            const Sheet small = scaledSheet(sheet, pixels);
             const auto colour = printerColour(profile);
             PrintProof proof = printProof(small, printCorrection(profile, colour.get()), marked);
             Sheet proofed = small;

@@ -200,7 +200,8 @@ std::vector<PropertySection> printerSections() {
              Text::tr("What is printed in one ink alone instead of a mixture. “Black”: greys of "
                       "RGB pictures, and black alone in CMYK pictures. “All”: cyan, magenta "
                       "and yellow alone, too. Keeps text and lines sharp. CMYK pictures in the "
-                      "printer's own ICC profile always keep their amounts of ink."),
+                      "printer's own ICC profile always keep their amounts of ink, unless a "
+                      "device link from CMYK converts them."),
          .words = {{QStringLiteral("none"), Text::tr("As the ICC profile mixes them")},
                    {QStringLiteral("black"), Text::tr("Black")},
                    {QStringLiteral("pure"), Text::tr("All")}}},

@@ -394,7 +394,7 @@ void ProfilesDialog::exportFile(const QString& path) const {
 void ProfilesDialog::setIccFile(const QString& path, QByteArray PrinterProfile::*file) {
     auto printer = std::get<PrinterProfile>(*chosen_);
     printer.*file = readSmallFile(path, mostProfileBytes);
-    if (printer.iccProfile.isEmpty()) {
+    if (file == &PrinterProfile::deviceLink && printer.iccProfile.isEmpty()) {
         throw Error(tr("A device link needs the printer's ICC profile, too; choose that first"),
                     path);
     }

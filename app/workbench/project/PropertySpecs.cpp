@@ -559,7 +559,8 @@ std::vector<PropertySection> inkProperties() {
            .label = Text::tr("Densest colour"),
            .help = Text::tr("A tone curve lightens the darkest colours of the texture to this "
                             "density and keeps them apart, so that the ink suffices on stretched "
-                            "film. Usual: 0.8 to 1.8. At 10 the texture stays as it is."),
+                            "film. Usual: 0.8 to 1.8. At 10 the texture stays as it is. The "
+                            "amounts of ink of CMYK pictures do not change."),
            .unit = Unit::Density},
           {.path = QStringLiteral("ink.passes"),
            .label = Text::tr("Passes of ink"),

@@ -134,6 +134,14 @@ void checkPieces(const std::vector<PieceToPack>& pieces) {
                             .arg(pieces.front().sheet.settings.resolution.value()),
                         nameOf(piece));
         }
+        if (piece.sheet.passes != pieces.front().sheet.passes) {
+            throw Error(Text::tr("This job's sheet is printed in %1 passes, but the sheet of %2 in "
+                                 "%3; give both the same number of passes")
+                            .arg(piece.sheet.passes)
+                            .arg(nameOf(pieces.front()))
+                            .arg(pieces.front().sheet.passes),
+                        nameOf(piece));
+        }
     }
     if (count < 1 || count > mostPieces) {
         throw Error(Text::tr("%1 pieces cannot be packed; choose 1 to %2 pieces")
@@ -313,16 +321,24 @@ const WantedInk* firstInks(const std::vector<PieceToPack>& pieces) {
     return found == pieces.end() ? nullptr : &*found->sheet.wanted;
 }
 
+// Returns the settings without the tone curve, which the wanted colours have already.
+InkSettings untoned(InkSettings ink) {
+    ink.densest = leastLightening;
+    return ink;
+}
+
 // Returns the ink settings that all pieces share, for CMYK printers; none if the pieces differ. If
-// a piece has amounts of ink, its settings count, and pieces without wanted colours fit to them.
+// a piece has amounts of ink, its settings count, and pieces without wanted colours fit to them if
+// there is one pass. With more, their pictures have the ink of one pass already.
 std::optional<InkSettings> commonInk(const std::vector<PieceToPack>& pieces) {
     const std::optional<WantedInk>& front = pieces.front().sheet.wanted;
     const WantedInk* const inks = firstInks(pieces);
     const WantedInk* const first = inks ? inks : front ? &*front : nullptr;
     const bool isCommon =
         first && std::all_of(pieces.begin(), pieces.end(), [&](const PieceToPack& piece) {
-            return piece.sheet.wanted ? piece.sheet.wanted->settings == first->settings
-                                      : inks != nullptr;
+            return piece.sheet.wanted
+                       ? untoned(piece.sheet.wanted->settings) == untoned(first->settings)
+                       : inks != nullptr && first->settings.printedPasses() == 1;
         });
     return isCommon ? std::optional(first->settings) : std::nullopt;
 }
@@ -450,6 +466,16 @@ private:
 
 } // namespace
 
+bool losesInks(const std::vector<PieceToPack>& pieces) {
+    const bool isCommon = commonInk(pieces).has_value();
+    const WantedInk* const first = firstInks(pieces);
+    return std::any_of(pieces.begin(), pieces.end(), [&](const PieceToPack& piece) {
+        const std::optional<WantedInk>& wanted = piece.sheet.wanted;
+        return wanted &&
+               (!isCommon || (!wanted->inks.isNull() && wanted->inks.space != first->inks.space));
+    });
+}
+
 Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
                 const FilmPlan& plan, std::size_t number, qint64 mostKeptPixels) {
     const PlannedFilm& planned = plan.films[number];
@@ -460,6 +486,7 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
     sheet.filmWidth = Millimetres(planned.size.width());
     sheet.filmHeight = Millimetres(planned.size.height());
     sheet.settings = pieces.front().sheet.settings;
+    sheet.passes = pieces.front().sheet.passes;
     sheet.settings.paper = QStringLiteral("film");
     sheet.settings.landscape = false;
     sheet.settings.ruler = sheet.settings.ruler && !film.wholeSheets; // they have their own

@@ -57,8 +57,12 @@ struct FilmPlan {
 };
 
 // Plans the films. Throws Error if there is no piece, a piece has no ink or is larger than the
-// film, the resolutions differ, or a limit above is exceeded.
+// film, the resolutions or the numbers of passes differ, or a limit above is exceeded.
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film);
+
+// Tells whether the films lose wanted colours or amounts of ink of a piece, because the pieces
+// differ in their ink settings or in the spaces of their inks.
+bool losesInks(const std::vector<PieceToPack>& pieces);
 
 // Returns the film `number`, counted from 0, as a sheet that can be written and printed. Each
 // picture keeps the pixels of its own sheet, turned if the piece is turned. The pictures of a film

@@ -208,12 +208,14 @@ InkFigures inkFigures(const Plates& plates, const PrinterColour& colour, QSizeF 
     return figures;
 }
 
-QString figuresTable(const InkFigures& figures) {
-    QString table = QStringLiteral("%1 %2 %3 %4\n")
-                        .arg(QStringLiteral("plate"), -16)
-                        .arg(QStringLiteral("full tint mm²"), 14)
-                        .arg(QStringLiteral("inked mm²"), 12)
-                        .arg(QStringLiteral("largest %"), 10);
+QString figuresTable(const InkFigures& figures, int passes) {
+    QString table =
+        passes > 1 ? QStringLiteral("figures of one pass of %1\n").arg(passes) : QString();
+    table += QStringLiteral("%1 %2 %3 %4\n")
+                 .arg(QStringLiteral("plate"), -16)
+                 .arg(QStringLiteral("full tint mm²"), 14)
+                 .arg(QStringLiteral("inked mm²"), 12)
+                 .arg(QStringLiteral("largest %"), 10);
     for (const PlateFigures& one : figures.plates) {
         table += QStringLiteral("%1 %2 %3 %4\n")
                      .arg(one.plate.ink, -16)

@@ -41,8 +41,9 @@ struct InkFigures {
 // `film` is the size of the film in mm.
 InkFigures inkFigures(const Plates& plates, const PrinterColour& colour, QSizeF film,
                       const std::optional<double>& limit);
-// Returns the figures as a table for the terminal, and as the content of plates.json.
-QString figuresTable(const InkFigures& figures);
+// Returns the figures as a table for the terminal, and as the content of plates.json. They are
+// those of one of the sheet's `passes`.
+QString figuresTable(const InkFigures& figures, int passes = 1);
 QJsonObject figuresJson(const InkFigures& figures);
 
 // Returns the tint of one channel at a pixel, 0 … 255.

@@ -125,6 +125,8 @@ private slots:
     void print_largeSheet_arrivesInTiles();
     void print_rollPrinter_getsItsOwnSize();
     void print_seriesOnRoll_isOnePageWithCutMarks();
+    void print_passesOnRoll_areNoSeries();
+    void print_packedFilm_isNeverTurnedOnRoll();
     void print_filmWithWebAcross_isTurnedOnRoll();
     void print_printerMargins_marksStayInside();
     void planPrint_unknownPrinter_isRefused();
@@ -474,6 +476,37 @@ void PrintTest::print_seriesOnRoll_isOnePageWithCutMarks() {
     QCOMPARE(narrow.size(), std::size_t(1));
     QVERIFY(std::abs(narrow[0].task.media.size.width() - 300) < 0.5);
     QVERIFY(narrow[0].task.media.size.height() > 600);
+    // A printer that prints too short gets a longer page, whose ends it still reaches.
+    request.copies = 6;
+    request.profile->rollWidth.reset();
+    request.profile->scaleY = 0.99;
+    QCOMPARE(planPrints(*system_, sheets, request).size(), std::size_t(1));
+}
+
+// The film of a sheet with several passes is fed again for each pass.
+void PrintTest::print_passesOnRoll_areNoSeries() {
+    PrintRequest request = to("roll");
+    request.profile = PrinterProfile{};
+    request.profile->rollGap = Millimetres(10);
+    std::vector<Sheet> sheets{chessSheet("Top"), chessSheet("Bottom")};
+    sheets[0].passes = sheets[1].passes = 2;
+    const std::vector<PrintPlan> plans = planPrints(*system_, sheets, request);
+    QCOMPARE(plans.size(), std::size_t(2));
+    QVERIFY(plans[0].warnings.join(u' ').contains("2 times"));
+}
+
+// Packed films are laid out for the web of the roll, whatever the request says.
+void PrintTest::print_packedFilm_isNeverTurnedOnRoll() {
+    Sheet film = chessSheet("Top", {300, 420});
+    film.pieces.emplace_back();
+    PrintRequest request = to("roll");
+    for (const Turning turning : {Turning::Allowed, Turning::Always}) {
+        request.turning = turning;
+        QCOMPARE(planPrint(*system_, film, request).task.media.size, QSizeF(300, 420));
+    }
+    film = chessSheet("Top", {700, 500});
+    film.pieces.emplace_back();
+    QVERIFY(!refusal(*system_, film, request).isEmpty());
 }
 
 // The web of a film that was computed for its long edge first runs across the sheet.

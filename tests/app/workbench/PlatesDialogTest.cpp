@@ -99,6 +99,24 @@ private slots:
         QVERIFY(tableOf(dialog).item(4, 1)->text().contains(QStringLiteral("> limit")));
     }
 
+    void limit_changedBeforeThePlatesAreMade_isMeasured() {
+        PlatesDialog dialog(result(true), 0, LengthUnit::Millimetre);
+        dialog.findChild<NumberBox*>(QStringLiteral("platesLimit"))->setValue(200);
+        dialog.show();
+        QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QLabel*>(QStringLiteral("platesFigures"))
+                                     ->text()
+                                     .contains(QStringLiteral("400 mm², 50.00 %")),
+                                 patience());
+    }
+
+    void stop_thenAnotherView_startsAgain() {
+        PlatesDialog dialog(result(true), 0, LengthUnit::Millimetre);
+        dialog.show();
+        dialog.findChild<QPushButton*>(QStringLiteral("platesStop"))->click();
+        dialog.findChild<QComboBox*>(QStringLiteral("platesView"))->setCurrentIndex(2);
+        QTRY_VERIFY_WITH_TIMEOUT(!viewOf(dialog).isEmpty(), patience());
+    }
+
     void plates_withoutCmykProfile_saysWhatToDo() {
         PlatesDialog dialog(result(false), 0, LengthUnit::Millimetre);
         dialog.show();

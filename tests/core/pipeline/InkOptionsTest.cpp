@@ -161,6 +161,12 @@ private slots:
 
     void options_inkSuffices_areNone() {
         QVERIFY(!inkOptions(sphere(QColor(200, 200, 200)), {}));
+        JobResult amounts = sphere(QColor(72, 72, 72)); // printed without its colours
+        auto texture = std::make_shared<ReverseTexture>(*amounts.immersions[0].texture);
+        const QImage plane(4, 4, QImage::Format_RGBA8888);
+        texture->inks = {plane, plane, QStringLiteral("press")};
+        amounts.immersions[0].texture = texture;
+        QVERIFY(!inkOptions(amounts, {}));
         JobResult uncompensated = sphere(QColor(72, 72, 72));
         uncompensated.project.ink.compensate = false;
         QVERIFY(!inkOptions(uncompensated, {}));

@@ -264,6 +264,37 @@ private slots:
         QVERIFY(!filmSheet(parts, {}, planFilms(parts, {}), 0).wanted);
     }
 
+    void filmSheet_passes_areThoseOfItsPieces() {
+        std::vector<PieceToPack> parts{part("One", {40, 50, 30, 40}),
+                                       part("Two", {60, 70, 30, 40})};
+        parts[0].sheet.passes = parts[1].sheet.passes = 2;
+        QCOMPARE(filmSheet(parts, {}, planFilms(parts, {}), 0).passes, 2);
+    }
+
+    void filmSheet_amountsOfInk_areKeptOnlyWithTheSameInk() {
+        std::vector<PieceToPack> parts{part("Inks", {40, 50, 30, 40}),
+                                       part("Also", {60, 70, 30, 40})};
+        const QSize size = parts[0].sheet.image.size();
+        const QImage plane(size, QImage::Format_RGBA8888);
+        const WantedInk inks{parts[0].sheet.image, unstretched(size), {}, {plane, plane, "press"}};
+        parts[0].sheet.wanted = parts[1].sheet.wanted = inks;
+        parts[1].sheet.wanted->settings.densest = 1.2; // in the wanted colours already
+        const auto film = [&] { return filmSheet(parts, {}, planFilms(parts, {}), 0); };
+        const std::optional<WantedInk> kept = film().wanted;
+        QVERIFY(kept && !kept->inks.isNull() && !losesInks(parts));
+        parts[1].sheet.wanted->settings.limit = 1;
+        QVERIFY(losesInks(parts));
+        parts[1].sheet.wanted = inks;
+        parts[1].sheet.wanted->inks.space = QStringLiteral("other");
+        QVERIFY(losesInks(parts));
+        // A picture without wanted colours is compensated already, for one pass of several.
+        parts[1].sheet.wanted.reset();
+        QVERIFY(!losesInks(parts));
+        parts[0].sheet.wanted->settings.passes = 2;
+        parts[0].sheet.passes = parts[1].sheet.passes = 2;
+        QVERIFY(!film().wanted && losesInks(parts));
+    }
+
     void planFilms_copies_areInRows() {
         const std::vector<PieceToPack> parts{part("Button", {90, 120, 30, 30}, 12)};
         const FilmPlan plan = planFilms(parts, {});
@@ -501,6 +532,9 @@ private slots:
         std::vector<PieceToPack> mixed{part("A", {90, 120, 30, 30}), part("B", {90, 120, 30, 30})};
         mixed[1].sheet.settings.resolution = DotsPerInch(600);
         QVERIFY(refused(mixed, "same resolution"));
+        mixed[1].sheet.settings.resolution = mixed[0].sheet.settings.resolution;
+        mixed[1].sheet.passes = 2;
+        QVERIFY(refused(mixed, "same number of passes"));
     }
 };
 

@@ -153,6 +153,8 @@ private slots:
         QCOMPARE(json["plates"][5]["ink"].toString(), QStringLiteral("White"));
         QCOMPARE(json["limit"].toDouble(), 2.2);
         QVERIFY(figuresTable(proof.figures).contains("above the limit of 220.0 %: 0.0 mm²"));
+        QVERIFY(!figuresTable(proof.figures).contains("pass"));
+        QVERIFY(figuresTable(proof.figures, 2).contains("figures of one pass of 2"));
     }
 };
 
