@@ -1713,6 +1713,10 @@
         <source>Writing the proof to share</source>
         <translation>Vorschau zum Weitergeben wird geschrieben</translation>
     </message>
+    <message>
+        <source>The dips were simulated on another computer by %1, which is not available here. Run the job here before you compute tolerances</source>
+        <translation>Die Tauchvorgänge wurden auf einem anderen Computer mit %1 simuliert, das hier nicht verfügbar ist. Führen Sie den Auftrag hier aus, bevor Sie Toleranzen berechnen</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -2699,6 +2703,10 @@
         <source>The normals of a brush stroke have parts from −1 to 1</source>
         <translation>Die Normalen eines Pinselstrichs haben Komponenten von −1 bis 1</translation>
     </message>
+    <message>
+        <source>There is no such value; write its path as in the project file</source>
+        <translation>Einen solchen Wert gibt es nicht; schreiben Sie seinen Pfad wie in der Projektdatei</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -3057,6 +3065,10 @@
     <message>
         <source>Licence of the viewer</source>
         <translation>Lizenz der Darstellung</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>nicht verglichen</translation>
     </message>
 </context>
 <context>
@@ -4324,6 +4336,10 @@
     <message>
         <source>The server&apos;s results do not fit this program. Install the same version of Dipwright on both computers</source>
         <translation>Die Ergebnisse des Servers passen nicht zu diesem Programm. Installieren Sie auf beiden Rechnern dieselbe Version von Dipwright</translation>
+    </message>
+    <message>
+        <source>The server has too many jobs; remove finished ones</source>
+        <translation>Der Server hat zu viele Aufträge; entfernen Sie beendete</translation>
     </message>
 </context>
 <context>
@@ -10520,8 +10536,8 @@ Unterschiede</translation>
         <translation>Toleranz der Dreiecke</translation>
     </message>
     <message>
-        <source>The largest distance of the triangles from the surfaces of the CAD file. A smaller one shows curves more exactly and makes more triangles. Usual: 0.01 to 0.1 mm. Zones, masks and artwork stay.</source>
-        <translation>Der größte Abstand der Dreiecke von den Flächen der CAD-Datei. Eine kleinere Toleranz zeigt Rundungen genauer und macht mehr Dreiecke. Üblich: 0,01 bis 0,1 mm. Zonen, Masken und Bilder bleiben.</translation>
+        <source>The largest distance of the triangles from the surfaces of the CAD file. A smaller one shows curves more exactly and makes more triangles. Usual: 0.005 to 0.1 mm. Zones, masks and artwork stay.</source>
+        <translation>Der größte Abstand der Dreiecke von den Flächen der CAD-Datei. Eine kleinere Toleranz zeigt Rundungen genauer und macht mehr Dreiecke. Üblich: 0,005 bis 0,1 mm. Zonen, Masken und Bilder bleiben.</translation>
     </message>
 </context>
 <context>
@@ -10701,6 +10717,10 @@ Ergebnisse: %2</translation>
     <message>
         <source>This Dipwright was built without the reader of CAD files; save the model as %1, or use a Dipwright with CAD (dipwright-cad-reader)</source>
         <translation>Dieses Dipwright wurde ohne den Leser für CAD-Dateien gebaut; speichern Sie das Modell als %1, oder verwenden Sie ein Dipwright mit CAD (dipwright-cad-reader)</translation>
+    </message>
+    <message>
+        <source>The CAD file was not read, because it made the file reader crash; save it again as STEP (AP214 or AP242) in the CAD program</source>
+        <translation>Die CAD-Datei wurde nicht gelesen, weil sie das Leseprogramm zum Absturz brachte; speichern Sie sie im CAD-Programm neu als STEP (AP214 oder AP242)</translation>
     </message>
 </context>
 <context>
@@ -11237,6 +11257,10 @@ mm je mm</translation>
     <message>
         <source>&amp;Send</source>
         <translation>&amp;Senden</translation>
+    </message>
+    <message>
+        <source>There is no such file</source>
+        <translation>Diese Datei gibt es nicht</translation>
     </message>
 </context>
 <context>

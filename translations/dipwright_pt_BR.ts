@@ -1713,6 +1713,10 @@
         <source>Writing the proof to share</source>
         <translation>Gravando a prova para compartilhar</translation>
     </message>
+    <message>
+        <source>The dips were simulated on another computer by %1, which is not available here. Run the job here before you compute tolerances</source>
+        <translation>As imersões foram simuladas em outro computador com %1, que não está disponível aqui. Execute o trabalho aqui antes de calcular tolerâncias</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -2699,6 +2703,10 @@
         <source>The normals of a brush stroke have parts from −1 to 1</source>
         <translation>As normais de uma pincelada têm componentes de −1 a 1</translation>
     </message>
+    <message>
+        <source>There is no such value; write its path as in the project file</source>
+        <translation>Esse valor não existe; escreva o caminho dele como no arquivo do projeto</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -3057,6 +3065,10 @@
     <message>
         <source>Licence of the viewer</source>
         <translation>Licença do visualizador</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>não comparado</translation>
     </message>
 </context>
 <context>
@@ -4324,6 +4336,10 @@
     <message>
         <source>The server&apos;s results do not fit this program. Install the same version of Dipwright on both computers</source>
         <translation>Os resultados do servidor não servem para este programa. Instale a mesma versão do Dipwright nos dois computadores</translation>
+    </message>
+    <message>
+        <source>The server has too many jobs; remove finished ones</source>
+        <translation>O servidor tem trabalhos demais; remova os concluídos</translation>
     </message>
 </context>
 <context>
@@ -10520,8 +10536,8 @@ diferenças</translation>
         <translation>Tolerância dos triângulos</translation>
     </message>
     <message>
-        <source>The largest distance of the triangles from the surfaces of the CAD file. A smaller one shows curves more exactly and makes more triangles. Usual: 0.01 to 0.1 mm. Zones, masks and artwork stay.</source>
-        <translation>A maior distância entre os triângulos e as superfícies do arquivo CAD. Uma tolerância menor mostra curvas com mais exatidão e gera mais triângulos. Usual: 0,01 a 0,1 mm. Zonas, máscaras e arte permanecem.</translation>
+        <source>The largest distance of the triangles from the surfaces of the CAD file. A smaller one shows curves more exactly and makes more triangles. Usual: 0.005 to 0.1 mm. Zones, masks and artwork stay.</source>
+        <translation>A maior distância entre os triângulos e as superfícies do arquivo CAD. Uma tolerância menor mostra curvas com mais exatidão e gera mais triângulos. Usual: 0,005 a 0,1 mm. Zonas, máscaras e arte permanecem.</translation>
     </message>
 </context>
 <context>
@@ -10701,6 +10717,10 @@ Resultados: %2</translation>
     <message>
         <source>This Dipwright was built without the reader of CAD files; save the model as %1, or use a Dipwright with CAD (dipwright-cad-reader)</source>
         <translation>Este Dipwright foi compilado sem o leitor de arquivos CAD; salve o modelo como %1 ou use um Dipwright com CAD (dipwright-cad-reader)</translation>
+    </message>
+    <message>
+        <source>The CAD file was not read, because it made the file reader crash; save it again as STEP (AP214 or AP242) in the CAD program</source>
+        <translation>O arquivo CAD não foi lido, porque fez o leitor falhar; salve-o de novo como STEP (AP214 ou AP242) no programa CAD</translation>
     </message>
 </context>
 <context>
@@ -11237,6 +11257,10 @@ mm por mm</translation>
     <message>
         <source>&amp;Send</source>
         <translation>E&amp;nviar</translation>
+    </message>
+    <message>
+        <source>There is no such file</source>
+        <translation>Este arquivo não existe</translation>
     </message>
 </context>
 <context>

@@ -165,6 +165,7 @@ void importJig(Project& project, const std::vector<JigSpec>& specs,
     for (const JigSpec& spec : specs) {
         ImportOptions options = spec.options;
         options.allowOutside = parser.isSet(outsideOption);
+        options.tessellation = project.modelOrigin.tessellation;
         const ImportedModel imported = importModel(spec.path, options, console.progress());
         print(imported.report, spec.part.placed.name + QStringLiteral(": "), console);
         if (const QString remark = imported.report.remarks(); !remark.isEmpty()) {
@@ -173,6 +174,7 @@ void importJig(Project& project, const std::vector<JigSpec>& specs,
         parts.push_back(spec.part);
         parts.back().model = std::make_shared<const TexturedMesh>(imported.model);
     }
+    project.modelOrigin.tessellation = Millimetres(0); // the jig is no CAD model
     project.modelOrigin.remarks = remarks.join(QStringLiteral("; "));
     auto jig = std::make_shared<const TexturedMesh>(jigModel(parts));
     if (project.fieldResolution == Project().fieldResolution) {

@@ -8,8 +8,8 @@
 
 namespace dipwright::cli {
 
-// Declares --film, --spacing, --margin, --whole, --feed and --turn. `withoutFilm` is a sentence about a
-// command line without --film.
+// Declares --film, --spacing, --margin, --whole, --feed and --turn. `withoutFilm` is a sentence
+// about a command line without --film.
 void declarePacking(CommandSyntax& syntax, const QString& withoutFilm);
 // Tells whether --film is given.
 bool packs(const QCommandLineParser& parser);

@@ -35,7 +35,7 @@ void setError(PyObject* type, const Error& error) {
 void bindErrors(py::module_& module) {
     static PyObject* const error = newException(module, "Error", errorText);
     static PyObject* const cancelled = newException(module, "Cancelled", cancelledText);
-    py::register_exception_translator([](std::exception_ptr thrown) {
+    py::register_local_exception_translator([](std::exception_ptr thrown) {
         try {
             std::rethrow_exception(thrown);
         } catch (const Error& fault) {

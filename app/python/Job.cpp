@@ -17,8 +17,11 @@ namespace {
 
 constexpr std::size_t mostImmersions = 2;
 
+// Lets other threads of Python go on meanwhile: "model.tessellation_mm" takes seconds.
 void setIn(Project& project, const QString& path, const py::object& value) {
-    setByPath(project, path, settingText(valueByPath(project, path), value));
+    const QString text = settingText(valueByPath(project, path), value);
+    const py::gil_scoped_release released;
+    setByPath(project, path, text);
 }
 
 void setAll(Project& project, const Values& values, const QString& prefix = {}) {
@@ -41,13 +44,18 @@ void addTo(Project& project, const Values& values) {
     setAll(project, values, QStringLiteral("immersions[%1].").arg(index));
 }
 
+// Python may change its current folder.
+QString wholePath(const QString& path) {
+    return QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+}
+
 } // namespace
 
 Job Job::opened(const QString& path) {
     Job job;
     job.known_ = FileVersion::of(path);
     job.project_ = loadProject(path);
-    job.path_ = path;
+    job.path_ = wholePath(path);
     return job;
 }
 
@@ -79,7 +87,7 @@ py::object Job::value(const QString& path) const {
 }
 
 void Job::setValue(const QString& path, const py::object& value) {
-    setIn(project_, path, value);
+    setValues({{path, value}});
 }
 
 void Job::setValues(const Values& values) {
@@ -113,21 +121,22 @@ void Job::useProfile(const QString& kind, const QString& name) {
 }
 
 void Job::save(const std::optional<Path>& wanted) {
-    const QString path = wanted ? pathText(*wanted) : path_;
-    if (path.isEmpty()) {
+    const QString asked = wanted ? pathText(*wanted) : path_;
+    if (asked.isEmpty()) {
         throw Error(QStringLiteral("The project has no file yet; name one, such as "
                                    "save(\"part.dipw\")"),
                     project_.name);
     }
+    const QString path = wholePath(asked);
     const ProjectFile locked(path);
-    if (QDir::cleanPath(QFileInfo(path).absoluteFilePath()) !=
-        QDir::cleanPath(QFileInfo(path_).absoluteFilePath())) {
-        known_ = FileVersion::of(path);
-    }
+    FileVersion known = path == path_ ? known_ : FileVersion::of(path);
+    Project project = project_;
     if (path_.isEmpty()) {
-        project_.name = projectName(path);
+        project.name = projectName(path);
     }
-    replaceProject(project_, path, known_);
+    replaceProject(project, path, known);
+    project_ = std::move(project);
+    known_ = known;
     path_ = path;
 }
 

@@ -15,8 +15,8 @@ QString partText(const py::handle& value) {
     if (value.is_none()) {
         return QStringLiteral("null");
     }
-    if (py::isinstance<py::bool_>(value)) {
-        return value.cast<bool>() ? QStringLiteral("true") : QStringLiteral("false");
+    if (const std::optional<bool> flag = boolOf(value)) {
+        return *flag ? QStringLiteral("true") : QStringLiteral("false");
     }
     if (py::isinstance<py::str>(value)) {
         return value.cast<QString>();
@@ -52,6 +52,12 @@ py::object loaded(const QByteArray& json, bool wholeNumbers) {
 }
 
 } // namespace
+
+std::optional<bool> boolOf(const py::handle& value) {
+    constexpr bool withConversions = false;
+    py::detail::make_caster<bool> caster;
+    return caster.load(value, withConversions) ? std::optional(bool(caster)) : std::nullopt;
+}
 
 QString pathText(const Path& path) {
     return QString::fromStdString(path.string());

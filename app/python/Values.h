@@ -49,6 +49,8 @@ std::vector<QString> listOf(const QStringList& texts);
 py::object toPython(const ProjectValue& value);
 // Returns the object as a dict, as the module json reads it.
 py::object toPython(const QJsonObject& object);
+// Returns the value of a bool of Python or NumPy; nothing for other objects.
+std::optional<bool> boolOf(const py::handle& value);
 // Returns the text from which setByPath() reads the new value of `old`: a str itself, otherwise the
 // parts of a tuple, the items of a list, or the JSON of a list of marks. Throws py::type_error for
 // other objects.

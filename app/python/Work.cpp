@@ -54,7 +54,7 @@ bool wantsMore(const py::object& report, const std::optional<Step>& step) {
     if (PyErr_CheckSignals() != 0) {
         throw py::error_already_set();
     }
-    return !step || report.is_none() || !report(step->share, step->text).is(py::bool_(false));
+    return !step || report.is_none() || boolOf(report(step->share, step->text)) != false;
 }
 
 } // namespace

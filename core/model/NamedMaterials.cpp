@@ -1,6 +1,7 @@
 #include "model/NamedMaterials.h"
 
 #include "geometry/SurfaceQuery.h"
+#include "settings/SurfaceMark.h"
 
 #include <QSet>
 
@@ -20,7 +21,7 @@ QStringList materialNames(const SurfaceAppearance& model) {
     QStringList names;
     QSet<QString> known{QString()};
     for (const Material& material : model.materials) {
-        if (!known.contains(material.name)) {
+        if (!known.contains(material.name) && material.name.size() <= longestMaterialName) {
             known.insert(material.name);
             names.append(material.name);
         }

@@ -487,7 +487,10 @@ PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs
     if (!film.wanted.isNull()) {
         film.wanted = moved(film.wanted);
         film.stretch = stretchOfPicture(moved(pictureOfStretch(film.stretch)));
-        film.inks = film.inks.each(moved);
+        film.inks = film.inks.each([&](const QImage& plane) {
+            return correctedImage(plane, project.film.width, project.film.height, error,
+                                  inputs.correction->strength, Resampling::Nearest);
+        });
     }
     return film;
 }

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "import/trusted/ImportModel.h"
 #include "project/Project.h"
+#include "settings/SurfaceMark.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -29,7 +30,7 @@ void takeModel(Project& project, ImportedModel imported, const QString& path) {
         origin.tessellation = Millimetres(cad->tessellation);
         origin.fileUnit = cad->unit;
         origin.unitMillimetres = imported.report.unitMillimetres;
-        project.cad = {QFileInfo(path).fileName(), imported.cadFile};
+        project.cad = {QFileInfo(path).fileName().right(longestMaterialName), imported.cadFile};
     }
     project.model = std::make_shared<const TexturedMesh>(std::move(imported.model));
 }

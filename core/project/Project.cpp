@@ -304,7 +304,7 @@ namespace {
 // cannot be set, because its field is only an id. Returns false if there is no such value.
 bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
     static const QRegularExpression layerPath(
-        QStringLiteral("^artwork\\.layers\\[(\\d{1,3})\\]\\.(.+)$"));
+        QStringLiteral("^artwork\\.layers\\[(0|[1-9]\\d{0,2})\\]\\.(.+)$"));
     const QString own = QString::fromLatin1(artworkPath) + QLatin1Char('.');
     if (const auto match = layerPath.match(path); match.hasMatch()) {
         const auto index = match.captured(1).toUInt();
@@ -367,7 +367,7 @@ bool setTessellationAt(Project& project, const QString& path, const QString& val
 
 void setByPath(Project& project, const QString& path, const QString& value) {
     static const QRegularExpression immersionPath(
-        QStringLiteral("^immersions\\[(\\d{1,3})\\]\\.(.+)$"));
+        QStringLiteral("^immersions\\[(0|[1-9]\\d{0,2})\\]\\.(.+)$"));
     if (const auto match = immersionPath.match(path); match.hasMatch()) {
         const auto index = match.captured(1).toUInt();
         if (index >= project.immersions.size()) {

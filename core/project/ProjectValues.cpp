@@ -4,12 +4,17 @@
 #include "project/FieldJson.h"
 #include "project/Schema.h"
 
+#include <QCoreApplication>
 #include <QJsonArray>
 
 #include <algorithm>
 
 namespace dipwright {
 namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Project)
+};
 
 template <typename Owner>
 void addValues(std::vector<ProjectValue>& values, const QString& prefix, const Owner& owner,
@@ -65,6 +70,8 @@ ProjectValue valueByPath(const Project& project, const QString& path) {
     if (found == values.end()) {
         Project copy = project;
         setByPath(copy, path, {}); // says why there is no such value
+        throw Error(Text::tr("There is no such value; write its path as in the project file"),
+                    path);
     }
     return *found;
 }

@@ -220,10 +220,11 @@ void BadModulesTest::solverRegistry_otherInterfaceVersion_isNotLoaded() {
     const auto solvers = SolverRegistry({folder.path()}).solvers();
     QCOMPARE(solvers.size(), std::size_t(1));
     QVERIFY(!solvers.front().available);
-    QCOMPARE(solvers.front().reason,
-             QStringLiteral("It was built for solver interface %1, but this program has 3 to 4; get "
-                            "the plugin for this version of the program, or build it again")
-                 .arg(version));
+    QCOMPARE(
+        solvers.front().reason,
+        QStringLiteral("It was built for solver interface %1, but this program has 3 to 4; get "
+                       "the plugin for this version of the program, or build it again")
+            .arg(version));
 }
 
 void BadModulesTest::solverRegistry_auto_skipsBadModules() {

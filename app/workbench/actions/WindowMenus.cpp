@@ -33,8 +33,8 @@ WindowMenus::WindowMenus(QMainWindow& window, const WindowActions& actions,
     makeFileMenu(*bar.addMenu(tr("&File")), actions);
     makeEditMenu(*bar.addMenu(tr("&Edit")), actions);
     makeViewMenu(*bar.addMenu(tr("&View")), actions);
-    addGroups(*bar.addMenu(tr("&Dip")),
-              {{a.run, a.cancel, a.live, a.sendToServer}, {a.play, a.findPoses, a.numericalError, a.tolerances}});
+    addGroups(*bar.addMenu(tr("&Dip")), {{a.run, a.cancel, a.live, a.sendToServer},
+                                         {a.play, a.findPoses, a.numericalError, a.tolerances}});
     makeWindowMenu(*bar.addMenu(tr("&Window")), actions, docks);
     addGroups(*bar.addMenu(tr("&Help")), {{a.tour, a.guide, a.whatsThis}, {a.about}});
     makeMainToolBar(window, actions);

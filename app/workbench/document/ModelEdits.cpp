@@ -1,5 +1,7 @@
 #include "workbench/document/ModelEdits.h"
 
+#include "import/trusted/CadFacts.h"
+
 #include <QCoreApplication>
 #include <algorithm>
 
@@ -40,6 +42,15 @@ void scaleArtwork(Artwork& artwork, double factor) {
     }
 }
 
+// The triangles grow with the part, and so does their tolerance.
+void scaleTessellation(Project& project, double factor) {
+    if (!project.cad.name.isEmpty()) {
+        Millimetres& tolerance = project.modelOrigin.tessellation;
+        tolerance = Millimetres(
+            std::clamp(tolerance.value() * factor, finestTessellation, coarsestTessellation));
+    }
+}
+
 } // namespace
 
 void resizeModel(Document& document, Millimetres longestEdge) {
@@ -54,6 +65,7 @@ void resizeModel(Document& document, Millimetres longestEdge) {
                       project.model = std::move(resized);
                       project.modelOrigin.unitMillimetres *= factor;
                       project.modelOrigin.sha256.clear();
+                      scaleTessellation(project, factor);
                       scaleMarks(project.share.marks, factor);
                       scaleMarks(project.tolerance.marks, factor);
                       scaleMarks(project.masks, factor);

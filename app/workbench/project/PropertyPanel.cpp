@@ -332,7 +332,7 @@ void PropertyPanel::addTessellation(QFormLayout& form) {
     tolerance->setKeyboardTracking(false);
     tolerance->setToolTip(
         tr("The largest distance of the triangles from the surfaces of the CAD file. A smaller one "
-           "shows curves more exactly and makes more triangles. Usual: 0.01 to 0.1 mm. Zones, "
+           "shows curves more exactly and makes more triangles. Usual: 0.005 to 0.1 mm. Zones, "
            "masks and artwork stay."));
     form.addRow(tr("Tolerance of triangles"), tolerance);
     connect(tolerance, &QDoubleSpinBox::valueChanged, this, [this](double value) {

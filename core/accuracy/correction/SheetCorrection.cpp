@@ -80,6 +80,16 @@ public:
         const Eigen::Array3d light = sum.head<3>() / sum[3];
         code_.write(pixel, light.cast<float>(), std::min(alpha, code_.opaque()));
     }
+    // Writes the nearest pixel, unchanged.
+    void writeNearest(uchar* pixel, double x, double y) const {
+        const QPoint nearest(int(std::floor(x)), int(std::floor(y)));
+        if (image_.rect().contains(nearest)) {
+            std::copy_n(image_.constScanLine(nearest.y()) + nearest.x() * code_.bytes(),
+                        code_.bytes(), pixel);
+        } else {
+            std::fill_n(pixel, code_.bytes(), uchar(0));
+        }
+    }
 
 private:
     void add(Eigen::Array4d& sum, int column, int row, double share) const {
@@ -120,7 +130,7 @@ bool isCorrected(const AsBuilt& built, int dip) {
 }
 
 QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres height,
-                      const RepeatingError& error, double strength) {
+                      const RepeatingError& error, double strength, Resampling resampling) {
     const QImage from =
         isWide(filmImage) ? filmImage : filmImage.convertToFormat(QImage::Format_RGBA8888);
     const std::ptrdiff_t pixelBytes = PixelCode(from).bytes();
@@ -140,7 +150,11 @@ QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres he
             const Eigen::Array2d place(column + 0.5, row + 0.5);
             const Eigen::Array2d by = dense.at(place.x() / to.width(), place.y() / to.height());
             const Eigen::Array2d at = place + strength * by * pixelsPerMillimetre;
-            colours.write(pixel, at.x(), at.y());
+            if (resampling == Resampling::Nearest) {
+                colours.writeNearest(pixel, at.x(), at.y());
+            } else {
+                colours.write(pixel, at.x(), at.y());
+            }
         }
     });
     return to;

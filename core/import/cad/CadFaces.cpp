@@ -1,6 +1,7 @@
 #include "import/cad/CadFaces.h"
 
 #include "base/Budgets.h"
+#include "base/OneLine.h"
 
 #include <QCoreApplication>
 #include <QHash>
@@ -19,6 +20,8 @@
 #include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
@@ -35,8 +38,10 @@ struct Text {
 
 constexpr int longestName = 150; // letters of a face's name
 
+// Returns a name that is the same after it was sent and sanitized.
 QString cleaned(const QString& name) {
-    const QString clean = name.simplified().left(longestName);
+    const QString start = oneLine(name).simplified().left(longestName).trimmed();
+    const QString clean = QString::fromUtf8(start.toUtf8()); // it may have halves of letters
     return clean.compare(QLatin1String("none"), Qt::CaseInsensitive) == 0 ? QString() : clean;
 }
 
@@ -48,11 +53,8 @@ QString nameOf(const TDF_Label& label) {
     return cleaned(QString::fromUtf16(name->Get().ToExtString(), name->Get().Length()));
 }
 
-// Returns the name of the file's entity from which a face was made.
-QString nameInFile(const TopoDS_Face& face, const CadDocument& document) {
-    constexpr int finalResult = -1;
-    const Handle(Standard_Transient) entity =
-        document.session->TransferReader()->EntityFromShapeResult(face, finalResult);
+// Returns the name of an entity of the file.
+QString nameOf(const Handle(Standard_Transient) & entity) {
     Handle(TCollection_HAsciiString) name;
     if (const auto step = Handle(StepRepr_RepresentationItem)::DownCast(entity); !step.IsNull()) {
         name = step->Name();
@@ -63,10 +65,29 @@ QString nameInFile(const TopoDS_Face& face, const CadDocument& document) {
     return name.IsNull() ? QString() : cleaned(QString::fromUtf8(name->ToCString()));
 }
 
+using NamesInFile = QHash<const TopoDS_TShape*, QString>;
+
+// Returns the names of the file's entities from which faces were made, by these faces.
+NamesInFile namesInFile(const XSControl_WorkSession& session) {
+    NamesInFile names;
+    const Handle(Transfer_TransientProcess) process = session.TransferReader()->TransientProcess();
+    for (int i = 1; i <= process->NbMapped(); ++i) {
+        const Handle(Standard_Transient) entity = process->Mapped(i);
+        const QString name = nameOf(entity);
+        const TopoDS_Shape shape =
+            name.isEmpty() ? TopoDS_Shape() : TransferBRep::ShapeResult(process, entity);
+        if (!shape.IsNull() && shape.ShapeType() == TopAbs_FACE &&
+            !names.contains(shape.TShape().get())) {
+            names.insert(shape.TShape().get(), name);
+        }
+    }
+    return names;
+}
+
 class FaceList {
 public:
     FaceList(const CadDocument& document, const QString& path)
-        : document_(document), path_(path),
+        : path_(path), namesInFile_(namesInFile(*document.session)),
           shapes_(XCAFDoc_DocumentTool::ShapeTool(document.document->Main())),
           colours_(XCAFDoc_DocumentTool::ColorTool(document.document->Main())) {
         TDF_LabelSequence labels;
@@ -141,9 +162,9 @@ private:
             const TopoDS_Face face = TopoDS::Face(shape);
             const int* found = places.Seek(face);
             const QString name = found ? nameOf(named[std::size_t(*found)]) : QString();
-            result_.faces.push_back({face, place,
-                                     name.isEmpty() ? nameInFile(face, document_) : name,
-                                     colourAt(face, otherwise)});
+            result_.faces.push_back(
+                {face, place, name.isEmpty() ? namesInFile_.value(face.TShape().get()) : name,
+                 colourAt(face, otherwise)});
             requireWithin(Budget::Faces, qint64(result_.faces.size()), path_);
         };
         for (TopExp_Explorer solid(part, TopAbs_SOLID); solid.More(); solid.Next()) {
@@ -163,7 +184,6 @@ private:
         QHash<QString, int> counts;
         for (std::size_t number = 0; number < result_.faces.size(); ++number) {
             QString& name = result_.faces[number].name;
-            //: An unnamed face of a CAD model, by its number
             const QString plain = name.isEmpty() ? QStringLiteral("Face %1").arg(number + 1) : name;
             name = plain;
             while (taken.contains(name)) {
@@ -173,8 +193,8 @@ private:
         }
     }
 
-    const CadDocument& document_;
     const QString& path_;
+    NamesInFile namesInFile_;
     Handle(XCAFDoc_ShapeTool) shapes_;
     Handle(XCAFDoc_ColorTool) colours_;
     TopTools_MapOfShape partsSeen_;

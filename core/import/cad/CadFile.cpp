@@ -12,6 +12,7 @@
 #include <XCAFApp_Application.hxx>
 
 #include <cstdio>
+#include <new>
 #include <sstream>
 #include <utility>
 
@@ -81,9 +82,11 @@ void readIges(const QByteArray& bytes, const QString& path, CadDocument& result)
     IGESCAFControl_Reader reader;
     chooseContents(reader);
     QByteArray content = bytes;
-    // OpenCASCADE closes it.
-    std::FILE* const before =
-        std::exchange(stdin, fmemopen(content.data(), std::size_t(content.size()), "r"));
+    std::FILE* const stream = fmemopen(content.data(), std::size_t(content.size()), "r");
+    if (!stream) {
+        throw std::bad_alloc();
+    }
+    std::FILE* const before = std::exchange(stdin, stream); // OpenCASCADE closes the stream
     const IFSelect_ReturnStatus status = reader.ReadFile("");
     stdin = before;
     requireRead(status, path);

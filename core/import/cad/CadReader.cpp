@@ -35,7 +35,6 @@ UntrustedModel read(const QString& path, UntrustedFiles& files, const Tessellati
     UntrustedModel model;
     CadFacts facts;
     facts.unit = document.unit;
-    facts.faces = int(faces.faces.size());
     model.mesh = cadTriangles(faces, tessellation, facts.tessellation, model.warnings, path,
                               progress.part(0.6, 1));
     model.cad = facts;

@@ -1,6 +1,7 @@
 #include "import/sandboxed/SceneConversion.h"
 
 #include "base/Budgets.h"
+#include "settings/SurfaceMark.h"
 
 #include <QCoreApplication>
 
@@ -61,7 +62,7 @@ private:
             return 0;
         }
         const aiMaterial& source = *scene_.mMaterials[sceneMaterial];
-        material.name = QString::fromUtf8(source.GetName().C_Str());
+        material.name = QString::fromUtf8(source.GetName().C_Str()).left(longestMaterialName);
         aiColor4D colour;
         if (source.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
             source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {

@@ -28,7 +28,6 @@ struct Tessellation {
 struct CadFacts {
     QString unit;            // of the file, in the file's word, such as "inch"; empty: unknown
     double tessellation = 0; // tolerance that was used, mm on the part
-    int faces = 0;
 };
 
 } // namespace dipwright

@@ -280,8 +280,8 @@ private:
     QByteArray content_;
 };
 
-ImportedModel cadModel(const QString& path, const QByteArray& content, const ImportOptions& options,
-                       const Progress& progress) {
+ImportedModel cadModel(const QString& path, const QByteArray& content, const ReadPicture& texture,
+                       const ImportOptions& options, const Progress& progress) {
     OneFile file(content);
     Tessellation tessellation;
     tessellation.tolerance = options.tessellation.value();
@@ -292,7 +292,7 @@ ImportedModel cadModel(const QString& path, const QByteArray& content, const Imp
     constexpr qint64 bytesOfTriangle = 50; // as in a binary STL file
     const qint64 bytes = bytesOfTriangle * qint64(foreign.mesh.mesh.triangles.size());
     ImportedModel result =
-        finished(std::move(foreign), ReadPicture(), path, options, bytes, progress.part(0.7, 1));
+        finished(std::move(foreign), texture, path, options, bytes, progress.part(0.7, 1));
     result.cadFile = content;
     return result;
 }
@@ -306,7 +306,7 @@ ImportedModel import(const QString& path, const ImportOptions& options, const Pr
         if (!content) {
             throw Error(Text::tr("The model file cannot be read; check its permissions"), path);
         }
-        return cadModel(path, *content, options, progress);
+        return cadModel(path, *content, texture, options, progress);
     }
     ModelFolder folder(path, options.allowOutside, options.outsideFiles);
     UntrustedModel foreign =
@@ -366,7 +366,7 @@ ImportedModel importCad(const QString& name, const QByteArray& content,
                         const ImportOptions& options, const Progress& progress) {
     return withinMemory(name, [&] {
         checkOptions(options);
-        return cadModel(name, content, options, progress);
+        return cadModel(name, content, {}, options, progress);
     });
 }
 

@@ -73,9 +73,8 @@ PhotoFacts readFacts(const QByteArray& bytes) {
 }
 
 QByteArray cadBytes(const CadFacts& facts) {
-    return streamed([&](QDataStream& stream) {
-        stream << facts.unit.toUtf8() << facts.tessellation << qint32(facts.faces);
-    });
+    return streamed(
+        [&](QDataStream& stream) { stream << facts.unit.toUtf8() << facts.tessellation; });
 }
 
 CadFacts readCadFacts(const QByteArray& bytes) {
@@ -84,10 +83,8 @@ CadFacts readCadFacts(const QByteArray& bytes) {
     stream.setByteOrder(QDataStream::LittleEndian);
     CadFacts facts;
     QByteArray unit;
-    qint32 faces = 0;
-    stream >> unit >> facts.tessellation >> faces;
+    stream >> unit >> facts.tessellation;
     facts.unit = QString::fromUtf8(unit);
-    facts.faces = faces;
     return facts;
 }
 

@@ -13,6 +13,7 @@
 #include <QDataStream>
 #include <QFileInfo>
 #include <QProcess>
+#include <QSet>
 #include <QtEndian>
 
 namespace dipwright {
@@ -256,6 +257,12 @@ private:
             process_.exitCode() == readerOutOfTime) {
             throwOutOfTime();
         }
+        if (hasEnded && isCad_) {
+            throw Error(Text::tr("The CAD file was not read, because it made the file reader "
+                                 "crash; save it again as STEP (AP214 or AP242) in the CAD "
+                                 "program"),
+                        where_);
+        }
         if (hasEnded) {
             throw Error(Text::tr("The file was not read, because it made the file reader crash; "
                                  "save it again (a model as %1, a picture as PNG)")
@@ -341,8 +348,13 @@ UntrustedModel readCadInProcess(const QString& path, const Tessellation& tessell
     if (!model.cad) {
         reader.throwInvalidData();
     }
+    QSet<QString> taken{QString()}; // no face is without a name
     for (Material& material : model.mesh.materials) {
         material.name = sanitized(material.name.toUtf8()).left(longestFaceName);
+        if (taken.contains(material.name)) {
+            reader.throwInvalidData();
+        }
+        taken.insert(material.name);
     }
     return model;
 }

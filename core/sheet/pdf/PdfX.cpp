@@ -4,6 +4,7 @@
 #include "base/Sha256.h"
 
 #include <QDate>
+#include <QRegularExpression>
 #include <QUuid>
 #include <QXmlStreamWriter>
 
@@ -112,6 +113,12 @@ void declarePdfX(QPDF& pdf, const PdfSettings& settings) {
     };
     info.replaceKey("/Title", text(title));
     info.replaceKey("/GTS_PDFXVersion", QPDFObjectHandle::newString(version));
+    if (isForOlderRip(settings)) { // PDF/X-1a requires them
+        const std::string time =
+            "D:" + moment(settings.date).remove(QRegularExpression("[-:T]")).toStdString();
+        info.replaceKey("/CreationDate", QPDFObjectHandle::newString(time));
+        info.replaceKey("/ModDate", QPDFObjectHandle::newString(time));
+    }
 
     XmpWriter xmp;
     xmp.write(standard, "GTS_PDFXVersion", QLatin1String(version));

@@ -386,7 +386,8 @@ Plates separate(const Sheet& sheet, const PrintCorrection& correction) {
 }
 
 double inkShortfall(const Sheet& sheet, const PrintCorrection& correction) {
-    if (!sheet.wanted || !correction.colour || !correction.colour->isCmyk()) {
+    if (!sheet.wanted || !sheet.wanted->settings.compensate || !correction.colour ||
+        !correction.colour->isCmyk()) {
         return 0;
     }
     const PlateCompensation law(*correction.colour, sheet.wanted->settings);

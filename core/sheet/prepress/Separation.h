@@ -38,7 +38,7 @@ private:
 
 // Returns the area of the part, in mm², that stays visibly paler than wanted. There, full ink does
 // not compensate the stretch, or one of the two ink limits forbids more ink. 0 if the sheet does
-// not have the film's stretch.
+// not have the film's stretch, or is not compensated.
 double inkShortfall(const Sheet& sheet, const PrintCorrection& correction);
 
 // How much of one ink a sheet takes.

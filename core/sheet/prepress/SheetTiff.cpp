@@ -356,7 +356,7 @@ bool writeRows(TIFF* tiff, const Sheet& sheet, const PrintCorrection& correction
             }
         }
     }
-    return true;
+    return TIFFFlush(tiff) == 1; // writes the last strip
 }
 
 } // namespace
@@ -366,8 +366,9 @@ void writeSheetTiff(const Sheet& sheet, QIODevice& device, const PrintCorrection
     for (const char* mode : {"w", "w8"}) { // BigTIFF only if the file is too large without
         device.seek(start);
         TiffFile file(device, mode);
-        const bool isComplete = writeRows(file.tiff(), sheet, correction);
-        if (file.isGood() && !isComplete && mode[1] == '\0') {
+        const bool isOpen = file.tiff() != nullptr;
+        const bool isComplete = isOpen && writeRows(file.tiff(), sheet, correction);
+        if (isOpen && file.isGood() && !isComplete && mode[1] == '\0') {
             continue;
         }
         if (!file.finish() || !isComplete) {

@@ -33,6 +33,10 @@ def test_value_kinds_areThoseOfPython(ball):
     assert ball["film.relaxation_time_s"] == 2.0 and isinstance(ball["film.relaxation_time_s"], float)
     ball["share.enabled"] = False
     assert ball["share.enabled"] is False
+    ball["share.enabled"] = numpy.True_
+    assert ball["share.enabled"] is True
+    ball["share.enabled"] = numpy.False_
+    assert ball["share.enabled"] is False
     assert ball["film.points"] == (24, 32) and isinstance(ball["film.points"][0], int)
     ball["immersions[0].name"] = "Öl – 油"
     assert ball["immersions[0].name"] == "Öl – 油"
@@ -61,6 +65,7 @@ def test_marks_listOfDicts_isSetAsAWhole(ball):
     ("film.swell", (9, 9), "from 0.5 to 2"),
     ("film.swel", 1, "no such setting"),
     ("immersions[7].name", "x", "no such dip"),
+    ("immersions[00].name", "x", "no such setting"),
     ("model.unit_mm", 1, "no such setting"),
     ("film.lattice", "cubic", "expected one of"),
 ])
@@ -134,6 +139,26 @@ def test_save_changedByAnother_isRefused(ball, tmp_path):
     with pytest.raises(dipwright.Error, match="Another program has changed"):
         ball.save()
     assert dipwright.open(ball.path)["immersions[0].name"] == "Other"
+
+
+def test_save_afterAChangeOfFolder_writesTheSameFile(ball, tmp_path, monkeypatch):
+    (tmp_path / "elsewhere").mkdir()
+    monkeypatch.chdir(tmp_path)
+    ball.save("ball.dipw")
+    opened = dipwright.open("ball.dipw")
+    monkeypatch.chdir(tmp_path / "elsewhere")
+    opened.save()
+    assert opened.path == str(tmp_path / "ball.dipw")
+    assert list((tmp_path / "elsewhere").iterdir()) == []
+
+
+def test_save_elsewhereFails_canStillBeSaved(ball, tmp_path):
+    ball.save(tmp_path / "ball.dipw")
+    ball["film.swell"] = "1.02;1.03"
+    with pytest.raises(dipwright.Error):
+        ball.save(tmp_path / "no folder" / "copy.dipw")
+    ball.save()
+    assert dipwright.open(tmp_path / "ball.dipw")["film.swell"] == (1.02, 1.03)
 
 
 def test_save_opened_hasTheSameValues(ball, tmp_path):

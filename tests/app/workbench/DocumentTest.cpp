@@ -230,6 +230,18 @@ private slots:
         QCOMPARE(document.project(), project);
     }
 
+    void resizeModel_ofACadFile_scalesTheTolerance() {
+        Project project = boxProject();
+        project.cad.name = QStringLiteral("box.step");
+        project.modelOrigin.tessellation = Millimetres(0.02);
+        const double edge = longestEdgeOf(project.model->mesh);
+        Document document(project);
+        resizeModel(document, Millimetres(2 * edge));
+        QVERIFY(std::abs(document.project().modelOrigin.tessellation.value() - 0.04) < 1e-6);
+        document.undoStack().undo();
+        QCOMPARE(document.project(), project);
+    }
+
     void freshness_inkChanged_onlyDipStaysFresh() {
         Document document(boxProject());
         QVERIFY(document.freshness(0) == Freshness({false, false, false}));

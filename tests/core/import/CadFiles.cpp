@@ -5,6 +5,7 @@
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
 #include <IGESCAFControl_Writer.hxx>
 #include <IGESControl_Controller.hxx>
@@ -18,6 +19,7 @@
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_ColorTool.hxx>
@@ -111,6 +113,18 @@ void writeDoubled(const QString& path, int levels) {
         below = above;
     }
     shapes->UpdateAssemblies();
+    write(document, path, "MM");
+}
+
+void writeBoxes(const QString& path, int boxes) {
+    const Handle(TDocStd_Document) document = newDocument();
+    TopoDS_Compound part;
+    const BRep_Builder builder;
+    builder.MakeCompound(part);
+    for (int box = 0; box < boxes; ++box) {
+        builder.Add(part, BRepPrimAPI_MakeBox(gp_Pnt(2 * box, 0, 0), 1, 1, 1).Shape());
+    }
+    XCAFDoc_DocumentTool::ShapeTool(document->Main())->AddShape(part, false);
     write(document, path, "MM");
 }
 

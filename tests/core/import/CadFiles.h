@@ -15,4 +15,7 @@ void writeBracket(const QString& path, const char* unit = "MM");
 // boxes.
 void writeDoubled(const QString& path, int levels);
 
+// Writes unnamed boxes as STEP, all in one part.
+void writeBoxes(const QString& path, int boxes);
+
 } // namespace dipwright::test

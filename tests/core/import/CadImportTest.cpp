@@ -11,6 +11,7 @@
 #include "project/Project.h"
 #include "project/ProjectStore.h"
 
+#include <QImage>
 #include <QtTest>
 
 using namespace dipwright;
@@ -220,6 +221,32 @@ private slots:
         writeDoubled(path("four.step"), 2);
         const TexturedMesh model = import(path("four.step")).model;
         QCOMPARE(materialNames(model).size(), 4 * 6);
+    }
+
+    void import_manyUnnamedFaces_areNumbered() {
+        writeBoxes(path("boxes.step"), 850);
+        const QStringList names = materialNames(import(path("boxes.step")).model);
+        QCOMPARE(names.size(), 850 * 6);
+        QCOMPARE(names.last(), QStringLiteral("Face 5100"));
+    }
+
+    void import_withPicture_saysThatItHasNoPlace() {
+        QImage picture(8, 8, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        QVERIFY(picture.save(path("red.png")));
+        ImportOptions options;
+        options.texture = path("red.png");
+        const ImportedModel bracket = import(step_, options);
+        QVERIFY(bracket.model.textures.empty());
+        const QString warnings = bracket.report.warnings.join(u' ');
+        QVERIFY2(warnings.contains(QLatin1String("texture coordinates")), qPrintable(warnings));
+    }
+
+    void project_longFileName_canBeOpened() {
+        const QString file = path(QString(240, u'n') + QStringLiteral(".step"));
+        QVERIFY(QFile::copy(step_, file));
+        saveProject(projectOf(file), path("long.dipw"));
+        QVERIFY(loadProject(path("long.dipw")).cad.name.endsWith(QLatin1String("n.step")));
     }
 
 private:

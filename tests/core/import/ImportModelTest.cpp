@@ -456,8 +456,11 @@ void ImportModelTest::threeMf_components_arePlacedInMillimetres() {
 
 void ImportModelTest::modelFilePatterns_listEveryFormatOnce() {
     const QStringList patterns = modelFilePatterns();
-    QCOMPARE(patterns.join(u' '),
-             QStringLiteral("*.obj *.ply *.stl *.gltf *.glb *.3mf *.dae *.fbx *.3ds"));
+    QString expected = QStringLiteral("*.obj *.ply *.stl *.gltf *.glb *.3mf *.dae *.fbx *.3ds");
+#ifdef DIPWRIGHT_HAS_CAD
+    expected += QStringLiteral(" *.step *.stp *.iges *.igs");
+#endif
+    QCOMPARE(patterns.join(u' '), expected);
     QCOMPARE(QSet<QString>(patterns.begin(), patterns.end()).size(), patterns.size());
 }
 

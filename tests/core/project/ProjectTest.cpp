@@ -360,7 +360,8 @@ private slots:
     }
 
     void valueByPath_unknownPath_isRefusedAsBySetting() {
-        for (const QString path : {"film.nothing", "immersions[9].name", "model.unit_mm", ""}) {
+        for (const QString path : {"film.nothing", "immersions[9].name", "immersions[00].name",
+                                   "artwork.layers[00].turn_deg", "model.unit_mm", ""}) {
             try {
                 valueByPath(sampleProject(), path);
                 QFAIL(qPrintable(path));

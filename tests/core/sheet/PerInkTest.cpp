@@ -263,6 +263,8 @@ void PerInkTest::inkShortfall_fullInkTooPale_isReported() {
     const double wanted = patch * patch * (1.3 + 1.7 + 2.2);
     QVERIFY2(std::abs(area - wanted) < 0.02 * wanted,
              qPrintable(QStringLiteral("shortfall %1 mm², expected %2 mm²").arg(area).arg(wanted)));
+    sheet.wanted->settings.compensate = false;
+    QCOMPARE(inkShortfall(sheet, correction), 0.0);
     sheet.wanted.reset();
     QCOMPARE(inkShortfall(sheet, correction), 0.0);
 }

@@ -545,6 +545,9 @@ void PrepressTest::pdfTarget_keepsAllPlates() {
     QCOMPARE(document.count("/OPM 1"), 1 + qsizetype(!blends)); // the cut contour, the plates
     QVERIFY(document.contains("/GTS_PDFXVersion (" + version + ")"));
     QCOMPARE(document.startsWith("%PDF-1.4"), target == PdfTarget::OlderRip);
+    for (const char* key : {"/CreationDate (D:", "/ModDate (D:"}) { // of the project
+        QCOMPARE(document.contains(key), target == PdfTarget::OlderRip);
+    }
     // The contour is drawn by the page itself, after the plates.
     const QByteArray picture = blends ? "/Plates Do" : "/Plate2 Do";
     const qsizetype place = document.indexOf(picture);

@@ -171,6 +171,21 @@ private slots:
         const QColor half = correctedImage(film, width, height, error, 0.5).pixelColor(247, 302);
         QVERIFY(half.alpha() > 200 && std::abs(half.red() - 200) < 3);
         QCOMPARE(correctedImage(film, width, height, error, 0), film);
+        // Amounts of ink are moved, but never mixed.
+        QImage inks(420, 594, QImage::Format_RGBA8888);
+        for (int y = 0; y < inks.height(); ++y) {
+            for (int x = 0; x < inks.width(); ++x) {
+                inks.setPixelColor(x, y, (x / 3 + y / 2) % 2 ? QColor(200, 40, 10) : Qt::black);
+            }
+        }
+        const QImage kept = correctedImage(inks, width, height, error, 0.77, Resampling::Nearest);
+        QVERIFY(kept != inks);
+        for (int y = 0; y < inks.height(); ++y) {
+            for (int x = 0; x < inks.width(); ++x) {
+                const QRgb pixel = kept.pixel(x, y);
+                QVERIFY(pixel == qRgb(200, 40, 10) || pixel == qRgb(0, 0, 0) || pixel == 0);
+            }
+        }
     }
 
     void correctionPicture_isDrawnAtTheWantedSize() {
