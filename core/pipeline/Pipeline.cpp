@@ -131,6 +131,24 @@ bool hasAllDips(const Run& run, const QString& wantedSolver) {
     return true;
 }
 
+// Chooses the solver. If it is another one than the earlier result's, or is missing, but the
+// earlier result has all dips, these stay, and nothing is simulated.
+SolverChoice solverOf(Run& run, const QString& wanted) {
+    const bool hasAll = hasAllDips(run, wanted);
+    try {
+        SolverChoice choice = chooseSolver(wanted, run.registry, run.user);
+        if (!hasAll || choice.solver.id == run.previous->chosenSolver) {
+            return choice;
+        }
+    } catch (const Error&) {
+        if (!hasAll) {
+            throw;
+        }
+    }
+    run.isDippedElsewhere = true;
+    return {run.previous->immersions.front().solver, {}, run.user};
+}
+
 // Returns the body's distance field; null if no dip needs it and the earlier result has none.
 std::shared_ptr<const DistanceField> fieldOf(const Run& run, const std::vector<SheetInputs>& inputs,
                                              const Progress& progress) {
@@ -760,14 +778,8 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     result.project = project;
     result.mask = run.mask;
     result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;
-    SolverChoice solver = chooseSolver(result.wantedSolver, registry, progress.cancelToken);
-    result.chosenSolver = solver.solver.id;
-    if (previous && previous->chosenSolver != result.chosenSolver &&
-        hasAllDips(run, result.wantedSolver)) {
-        run.isDippedElsewhere = true;
-        result.chosenSolver = previous->chosenSolver;
-        solver.notes.clear(); // nothing is simulated
-    }
+    SolverChoice solver = solverOf(run, result.wantedSolver);
+    result.chosenSolver = run.isDippedElsewhere ? previous->chosenSolver : solver.solver.id;
     result.notes = std::exchange(solver.notes, {});
 
     std::vector<SheetInputs> inputs;

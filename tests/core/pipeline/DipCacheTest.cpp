@@ -132,6 +132,12 @@ private slots:
             QCOMPARE(now.solver.id, there.chosenSolver);
             QCOMPARE(now.chosenSolver, there.chosenSolver);
         }
+        // The project may even name a solver that is missing here.
+        auto named = std::make_shared<JobResult>(*fetched);
+        named->project.process.solver = named->wantedSolver = there.chosenSolver;
+        QCOMPARE(runJob(named->project, *registry_, options, named.get(), {}).chosenSolver,
+                 there.chosenSolver);
+        QVERIFY(!isDipped);
         // What has to be simulated here is simulated as a whole here.
         options.refines = false;
         Project turned = there.project;
