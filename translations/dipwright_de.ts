@@ -1717,6 +1717,10 @@
         <source>The dips were simulated on another computer by %1, which is not available here. Run the job here before you compute tolerances</source>
         <translation>Die Tauchvorgänge wurden auf einem anderen Computer mit %1 simuliert, das hier nicht verfügbar ist. Führen Sie den Auftrag hier aus, bevor Sie Toleranzen berechnen</translation>
     </message>
+    <message>
+        <source>The jobs differ in their ink settings or CMYK profiles, so that the films do not keep all amounts of ink of CMYK pictures or compensate each ink by itself; give all jobs the same ink settings and profiles</source>
+        <translation>Die Aufträge haben verschiedene Tinteneinstellungen oder CMYK-Profile, sodass die Filme nicht alle Tintenmengen von CMYK-Bildern behalten oder nicht jede Tinte für sich ausgleichen; geben Sie allen Aufträgen dieselben Tinteneinstellungen und Profile</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -2470,10 +2474,6 @@
         <translation>Reine Tinten</translation>
     </message>
     <message>
-        <source>What is printed in one ink alone instead of a mixture. “Black”: greys of RGB pictures, and black alone in CMYK pictures. “All”: cyan, magenta and yellow alone, too. Keeps text and lines sharp. CMYK pictures in the printer&apos;s own ICC profile always keep their amounts of ink.</source>
-        <translation>Was in einer einzigen Tinte statt in einer Mischung gedruckt wird. „Schwarz“: Grautöne von RGB-Bildern und reines Schwarz in CMYK-Bildern. „Alle“: auch reines Cyan, Magenta und Gelb. Hält Text und Linien scharf. CMYK-Bilder im ICC-Profil des Druckers behalten immer ihre Tintenmengen.</translation>
-    </message>
-    <message>
         <source>As the ICC profile mixes them</source>
         <translation>Wie das ICC-Profil sie mischt</translation>
     </message>
@@ -2484,6 +2484,10 @@
     <message>
         <source>All</source>
         <translation>Alle</translation>
+    </message>
+    <message>
+        <source>What is printed in one ink alone instead of a mixture. “Black”: greys of RGB pictures, and black alone in CMYK pictures. “All”: cyan, magenta and yellow alone, too. Keeps text and lines sharp. CMYK pictures in the printer&apos;s own ICC profile always keep their amounts of ink, unless a device link from CMYK converts them.</source>
+        <translation>Was in einer einzigen Tinte statt in einer Mischung gedruckt wird. „Schwarz“: Grautöne von RGB-Bildern und reines Schwarz in CMYK-Bildern. „Alle“: auch reines Cyan, Magenta und Gelb. Hält Text und Linien scharf. CMYK-Bilder im ICC-Profil des Druckers behalten immer ihre Tintenmengen, außer wenn ein Device-Link von CMYK sie umrechnet.</translation>
     </message>
 </context>
 <context>
@@ -4040,16 +4044,16 @@
         <translation>Dichteste Farbe</translation>
     </message>
     <message>
-        <source>A tone curve lightens the darkest colours of the texture to this density and keeps them apart, so that the ink suffices on stretched film. Usual: 0.8 to 1.8. At 10 the texture stays as it is.</source>
-        <translation>Eine Gradationskurve hellt die dunkelsten Farben der Textur bis zu dieser Dichte auf und hält sie auseinander, damit die Tinte auf gedehntem Film reicht. Üblich: 0,8 bis 1,8. Bei 10 bleibt die Textur, wie sie ist.</translation>
-    </message>
-    <message>
         <source>Passes of ink</source>
         <translation>Durchgänge der Tinte</translation>
     </message>
     <message>
         <source>How many times the printer prints each sheet onto the same film. Two passes reach twice the ink limit. The film must not move between the passes, and takes longer to dry. Usual: 1.</source>
         <translation>Wie oft der Drucker jedes Blatt auf denselben Film druckt. Zwei Durchgänge erreichen das doppelte Tintenlimit. Der Film darf sich zwischen den Durchgängen nicht bewegen und trocknet länger. Üblich: 1.</translation>
+    </message>
+    <message>
+        <source>A tone curve lightens the darkest colours of the texture to this density and keeps them apart, so that the ink suffices on stretched film. Usual: 0.8 to 1.8. At 10 the texture stays as it is. The amounts of ink of CMYK pictures do not change.</source>
+        <translation>Eine Gradationskurve hellt die dunkelsten Farben der Textur bis zu dieser Dichte auf und hält sie auseinander, damit die Tinte auf gedehntem Film reicht. Üblich: 0,8 bis 1,8. Bei 10 bleibt die Textur, wie sie ist. Die Tintenmengen von CMYK-Bildern ändern sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -11368,6 +11372,10 @@ mm je mm</translation>
     <message>
         <source>Job %1 · %2 · copy %3 of %4</source>
         <translation>Auftrag %1 · %2 · Exemplar %3 von %4</translation>
+    </message>
+    <message>
+        <source>This job&apos;s sheet is printed in %1 passes, but the sheet of %2 in %3; give both the same number of passes</source>
+        <translation>Das Blatt dieses Auftrags wird in %1 Durchgängen gedruckt, das Blatt von %2 aber in %3; geben Sie beiden dieselbe Zahl von Durchgängen</translation>
     </message>
 </context>
 <context>

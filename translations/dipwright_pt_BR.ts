@@ -1717,6 +1717,10 @@
         <source>The dips were simulated on another computer by %1, which is not available here. Run the job here before you compute tolerances</source>
         <translation>As imersões foram simuladas em outro computador com %1, que não está disponível aqui. Execute o trabalho aqui antes de calcular tolerâncias</translation>
     </message>
+    <message>
+        <source>The jobs differ in their ink settings or CMYK profiles, so that the films do not keep all amounts of ink of CMYK pictures or compensate each ink by itself; give all jobs the same ink settings and profiles</source>
+        <translation>Os trabalhos diferem nas configurações de tinta ou nos perfis CMYK, de modo que as películas não mantêm todas as quantidades de tinta das imagens CMYK ou não compensam cada tinta por si; dê a todos os trabalhos as mesmas configurações de tinta e os mesmos perfis</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -2470,10 +2474,6 @@
         <translation>Tintas puras</translation>
     </message>
     <message>
-        <source>What is printed in one ink alone instead of a mixture. “Black”: greys of RGB pictures, and black alone in CMYK pictures. “All”: cyan, magenta and yellow alone, too. Keeps text and lines sharp. CMYK pictures in the printer&apos;s own ICC profile always keep their amounts of ink.</source>
-        <translation>O que é impresso em uma única tinta em vez de uma mistura. “Preto”: cinzas de imagens RGB e preto puro em imagens CMYK. “Todas”: também ciano, magenta e amarelo puros. Mantém textos e linhas nítidos. Imagens CMYK no perfil ICC da própria impressora sempre mantêm suas quantidades de tinta.</translation>
-    </message>
-    <message>
         <source>As the ICC profile mixes them</source>
         <translation>Como o perfil ICC as mistura</translation>
     </message>
@@ -2484,6 +2484,10 @@
     <message>
         <source>All</source>
         <translation>Todas</translation>
+    </message>
+    <message>
+        <source>What is printed in one ink alone instead of a mixture. “Black”: greys of RGB pictures, and black alone in CMYK pictures. “All”: cyan, magenta and yellow alone, too. Keeps text and lines sharp. CMYK pictures in the printer&apos;s own ICC profile always keep their amounts of ink, unless a device link from CMYK converts them.</source>
+        <translation>O que é impresso em uma única tinta em vez de uma mistura. “Preto”: cinzas de imagens RGB e preto puro em imagens CMYK. “Todas”: também ciano, magenta e amarelo puros. Mantém textos e linhas nítidos. Imagens CMYK no perfil ICC da própria impressora sempre mantêm suas quantidades de tinta, a menos que um device link de CMYK as converta.</translation>
     </message>
 </context>
 <context>
@@ -4040,16 +4044,16 @@
         <translation>Cor mais densa</translation>
     </message>
     <message>
-        <source>A tone curve lightens the darkest colours of the texture to this density and keeps them apart, so that the ink suffices on stretched film. Usual: 0.8 to 1.8. At 10 the texture stays as it is.</source>
-        <translation>Uma curva tonal clareia as cores mais escuras da textura até esta densidade e as mantém distintas, para que a tinta baste na película esticada. Usual: 0,8 a 1,8. Em 10 a textura fica como está.</translation>
-    </message>
-    <message>
         <source>Passes of ink</source>
         <translation>Passadas de tinta</translation>
     </message>
     <message>
         <source>How many times the printer prints each sheet onto the same film. Two passes reach twice the ink limit. The film must not move between the passes, and takes longer to dry. Usual: 1.</source>
         <translation>Quantas vezes a impressora imprime cada folha na mesma película. Duas passadas alcançam o dobro do limite de tinta. A película não pode se mover entre as passadas e leva mais tempo para secar. Usual: 1.</translation>
+    </message>
+    <message>
+        <source>A tone curve lightens the darkest colours of the texture to this density and keeps them apart, so that the ink suffices on stretched film. Usual: 0.8 to 1.8. At 10 the texture stays as it is. The amounts of ink of CMYK pictures do not change.</source>
+        <translation>Uma curva tonal clareia as cores mais escuras da textura até esta densidade e as mantém distintas, para que a tinta baste na película esticada. Usual: 0,8 a 1,8. Em 10 a textura fica como está. As quantidades de tinta de imagens CMYK não mudam.</translation>
     </message>
 </context>
 <context>
@@ -11368,6 +11372,10 @@ mm por mm</translation>
     <message>
         <source>Job %1 · %2 · copy %3 of %4</source>
         <translation>Trabalho %1 · %2 · cópia %3 de %4</translation>
+    </message>
+    <message>
+        <source>This job&apos;s sheet is printed in %1 passes, but the sheet of %2 in %3; give both the same number of passes</source>
+        <translation>A folha deste trabalho é impressa em %1 passadas, mas a folha de %2 em %3; dê a ambas o mesmo número de passadas</translation>
     </message>
 </context>
 <context>
