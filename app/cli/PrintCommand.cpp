@@ -151,7 +151,7 @@ std::unique_ptr<PrinterColour> plateColour(const PrintRequest& request, const QS
     return colour;
 }
 
-// Writes the plates of all sheets, replaces those of an earlier call, and writes their figures.
+// Writes the plates of all sheets and their figures. Replaces the files of an earlier call.
 void writePlates(const JobResult& result, const PrintRequest& request, const QString& folder,
                  const Progress& progress, QTextStream& out) {
     const std::unique_ptr<PrinterColour> colour = plateColour(request, folder);

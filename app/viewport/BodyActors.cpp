@@ -2,6 +2,7 @@
 
 #include "VtkConversions.h"
 #include "base/Units.h"
+#include "reduction/VtkSurface.h"
 
 #include <cmath>
 #include <vtkCellArray.h>
@@ -69,7 +70,7 @@ void BodyActors::setModel(std::shared_ptr<const TexturedMesh> model) {
     for (std::size_t material = 0; material < model_->materials.size(); ++material) {
         addPart(material, normals);
     }
-    surface_ = vtkSurface(model_->mesh);
+    surface_ = polyDataOf(model_->mesh);
     waterline_.setSurface(surface_);
     section_.setSurface(surface_);
     for (vtkActor* line : lines) {

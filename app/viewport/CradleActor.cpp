@@ -1,6 +1,7 @@
 #include "CradleActor.h"
 
 #include "VtkConversions.h"
+#include "reduction/VtkSurface.h"
 
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -21,7 +22,7 @@ void CradleActor::setMesh(std::shared_ptr<const TriangleMesh> mesh) {
     actor_->SetVisibility(mesh != nullptr);
     if (mesh) {
         auto* mapper = vtkPolyDataMapper::SafeDownCast(actor_->GetMapper());
-        mapper->SetInputData(vtkSurface(*mesh));
+        mapper->SetInputData(polyDataOf(*mesh));
     }
 }
 

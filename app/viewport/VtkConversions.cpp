@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <vtkCellArray.h>
 #include <vtkImageData.h>
-#include <vtkPoints.h>
 
 namespace dipwright {
 
@@ -18,23 +16,6 @@ vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Eigen::Isometry3d& transform) {
         }
     }
     return matrix;
-}
-
-vtkSmartPointer<vtkPolyData> vtkSurface(const TriangleMesh& mesh) {
-    auto points = vtkSmartPointer<vtkPoints>::New();
-    points->SetNumberOfPoints(vtkIdType(mesh.positions.size()));
-    for (std::size_t p = 0; p < mesh.positions.size(); ++p) {
-        points->SetPoint(vtkIdType(p), mesh.positions[p].x(), mesh.positions[p].y(),
-                         mesh.positions[p].z());
-    }
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    for (const auto& [a, b, c] : mesh.triangles) {
-        cells->InsertNextCell({vtkIdType(a), vtkIdType(b), vtkIdType(c)});
-    }
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints(points);
-    data->SetPolys(cells);
-    return data;
 }
 
 vtkSmartPointer<vtkTexture> vtkTextureOf(const QImage& picture) {

@@ -1,8 +1,7 @@
 // Converts the project's values to VTK objects.
 #pragma once
 
-#include "geometry/TriangleMesh.h"
-
+#include <Eigen/Geometry>
 #include <QColor>
 #include <QImage>
 #include <vtkMatrix4x4.h>
@@ -13,7 +12,6 @@
 namespace dipwright {
 
 vtkSmartPointer<vtkMatrix4x4> vtkMatrix(const Eigen::Isometry3d& transform);
-vtkSmartPointer<vtkPolyData> vtkSurface(const TriangleMesh& mesh); // with shared points
 // Returns the picture as a texture. As in OBJ, the picture's row 0 is at the texture coordinate v =
 // 1.
 vtkSmartPointer<vtkTexture> vtkTextureOf(const QImage& picture);

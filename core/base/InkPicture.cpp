@@ -18,7 +18,7 @@ QString iccIdentity(const QByteArray& profile) {
     if (profile.isEmpty()) {
         return {};
     }
-    // Of the header (ICC.1, 7.2) only class, colour space and connection space.
+    // Takes only class, colour space and connection space from the header (ICC.1, 7.2).
     const QByteArray counted = profile.mid(12, 12) + profile.mid(headerBytes);
     return QString::fromLatin1(QCryptographicHash::hash(counted, QCryptographicHash::Md5).toHex());
 }

@@ -351,7 +351,8 @@ std::vector<float> paintedCellAreas(const DippedFilm& film,
                 }
             }
         }
-        // Of a cell of which half is painted, the points know J in the middle better.
+        // If one triangle of the cell is painted, the mean of the points is nearer to J in the
+        // cell's middle than this triangle's J.
         cells[cell] = painted == 2 ? sum / painted : known > 0 ? pointSum / known : unknown;
     }
     cells = sharpened(cells, film.grid.columns - 1, film.grid.rows - 1);

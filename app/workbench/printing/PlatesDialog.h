@@ -1,6 +1,6 @@
 // Shows the plates of a job's sheets before they are printed: each plate alone or several together,
-// the ink under the cursor, and where the total ink exceeds a limit. The plates are those of the
-// print files.
+// the ink under the cursor, and where the total ink exceeds a limit. Print files get
+// the same plates.
 #pragma once
 
 #include "pipeline/JobResult.h"

@@ -24,6 +24,15 @@ QByteArray streamed(const Write& write) {
     return bytes;
 }
 
+// Reads what streamed() has written.
+class ReadStream : public QDataStream {
+public:
+    explicit ReadStream(const QByteArray& bytes) : QDataStream(bytes) {
+        setVersion(Qt_6_4);
+        setByteOrder(LittleEndian);
+    }
+};
+
 } // namespace
 
 QByteArray headerBytes(ReaderMessage kind, qint64 length) {
@@ -44,9 +53,7 @@ QByteArray jobBytes(const ReaderJob& job) {
 }
 
 ReaderJob readJob(const QByteArray& bytes) {
-    QDataStream stream(bytes);
-    stream.setVersion(QDataStream::Qt_6_4);
-    stream.setByteOrder(QDataStream::LittleEndian);
+    ReadStream stream(bytes);
     ReaderJob job;
     quint8 kind = 0;
     Tessellation& cad = job.tessellation;
@@ -62,9 +69,7 @@ QByteArray factsBytes(const PhotoFacts& facts) {
 }
 
 PhotoFacts readFacts(const QByteArray& bytes) {
-    QDataStream stream(bytes);
-    stream.setVersion(QDataStream::Qt_6_4);
-    stream.setByteOrder(QDataStream::LittleEndian);
+    ReadStream stream(bytes);
     PhotoFacts facts;
     QByteArray taken;
     stream >> taken >> facts.focalLength;
@@ -78,9 +83,7 @@ QByteArray cadBytes(const CadFacts& facts) {
 }
 
 CadFacts readCadFacts(const QByteArray& bytes) {
-    QDataStream stream(bytes);
-    stream.setVersion(QDataStream::Qt_6_4);
-    stream.setByteOrder(QDataStream::LittleEndian);
+    ReadStream stream(bytes);
     CadFacts facts;
     QByteArray unit;
     stream >> unit >> facts.tessellation;
@@ -100,8 +103,7 @@ QByteArray pictureHeaderBytes(const QImage& picture) {
 }
 
 QImage emptyPicture(const QByteArray& header) {
-    QDataStream stream(header);
-    stream.setByteOrder(QDataStream::LittleEndian);
+    ReadStream stream(header);
     qint32 width = 0, height = 0, dotsPerMeterX = 0, dotsPerMeterY = 0, wide = 0, inks = 0;
     ColourNote note;
     stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY >> wide >> inks >> note.clipped;
