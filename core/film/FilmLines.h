@@ -8,7 +8,7 @@ namespace dipwright {
 // The largest ratio between the sizes of neighbouring cells.
 inline constexpr double mostCellGrowth = 1.15;
 // The size of the largest cell relative to the finest.
-inline constexpr double coarsestCell = 2.5;
+inline constexpr double coarsestCell = 8;
 
 // Returns ascending line positions from −length/2 to length/2, mm. Between `from` and `to`, the
 // lines are at most `cell` apart. Outside, the spacing grows within the limits above. `refinement`

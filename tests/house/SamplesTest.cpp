@@ -77,10 +77,10 @@ const JobResult& resultOf(const QByteArray& name) {
     return results[name];
 }
 
-// Returns the largest difference between two pictures of a sheet, in grey levels averaged over 3 ×
-// 3 mm.
+// Returns the largest difference between two pictures of a sheet, in grey levels averaged over 1 ×
+// 1 mm. The letter on the turtle's shell, which shows whether it is mirrored, has strokes of 1 mm.
 int largestDifference(const QImage& a, const QImage& b, const FilmSettings& film) {
-    const QSize coarse(int(film.width.value() / 3), int(film.height.value() / 3));
+    const QSize coarse(int(film.width.value()), int(film.height.value()));
     const auto blurred = [&](const QImage& image) {
         return image.convertToFormat(QImage::Format_RGB32)
             .scaled(coarse, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
