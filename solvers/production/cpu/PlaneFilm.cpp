@@ -41,25 +41,28 @@ void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cel
     const std::size_t width = std::size_t(columns), cells = width - 1;
     forRowBands(rows, columns, [&](int begin, int end) {
         EdgeForces forces(cells);
-        std::fill(result.x.begin() + begin * columns, result.x.begin() + end * columns, 0.f);
-        std::fill(result.z.begin() + begin * columns, result.z.begin() + end * columns, 0.f);
+        const auto clear = [&](int row) {
+            std::fill_n(result.x.data() + std::size_t(row) * width, width, 0.f);
+            std::fill_n(result.z.data() + std::size_t(row) * width, width, 0.f);
+        };
+        const auto give = [&](int row, float sign, int edgeX, int edgeZ) {
+            addForces(cells, sign, forces.array(edgeX), forces.array(leftX), forces.array(rightX),
+                      result.x.data() + std::size_t(row) * width);
+            addForces(cells, sign, forces.array(edgeZ), forces.array(leftZ), forces.array(rightZ),
+                      result.z.data() + std::size_t(row) * width);
+        };
+        clear(begin);
         for (int j = std::max(begin - 1, 0); j < std::min(end, rows - 1); ++j) {
-            cellRow(j, j >= begin, forces);
-            if (j >= begin) {
-                float* x = result.x.data() + std::size_t(j) * width;
-                float* z = result.z.data() + std::size_t(j) * width;
-                addForces(cells, -1, forces.array(firstX), forces.array(leftX),
-                          forces.array(rightX), x);
-                addForces(cells, -1, forces.array(firstZ), forces.array(leftZ),
-                          forces.array(rightZ), z);
+            const bool hasLower = j >= begin, hasUpper = j + 1 < end;
+            cellRow(j, hasLower, forces);
+            if (hasLower) {
+                give(j, -1, firstX, firstZ);
             }
-            if (j + 1 < end) {
-                float* x = result.x.data() + std::size_t(j + 1) * width;
-                float* z = result.z.data() + std::size_t(j + 1) * width;
-                addForces(cells, 1, forces.array(secondX), forces.array(leftX),
-                          forces.array(rightX), x);
-                addForces(cells, 1, forces.array(secondZ), forces.array(leftZ),
-                          forces.array(rightZ), z);
+            if (hasLower && hasUpper) {
+                clear(j + 1);
+            }
+            if (hasUpper) {
+                give(j + 1, 1, secondX, secondZ);
             }
         }
     });
@@ -130,7 +133,8 @@ Matrix2<float> PlaneFilm::wholeGradient(const Crossing& triangle,
 
 void PlaneFilm::setFree(const std::vector<float>& free) {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
-    for (std::size_t j = 0; j + 1 < std::size_t(rows_); ++j) {
+    forRows(rows_ - 1, columns_, [&](int row) {
+        const std::size_t j = std::size_t(row);
         const float* lower = free.data() + j * width;
         const float* upper = lower + width;
         for (std::size_t i = 0; i < cells; ++i) {
@@ -138,7 +142,7 @@ void PlaneFilm::setFree(const std::vector<float>& free) {
             moving_[0][j * cells + i] = std::max({lower[i], lower[right], upper[odd ? i : right]});
             moving_[1][j * cells + i] = std::max({upper[i], upper[right], lower[odd ? right : i]});
         }
-    }
+    });
 }
 
 numerics::EdgePair<float> PlaneFilm::edges(int triangle, const PlaneVector& displacement) const {

@@ -126,32 +126,24 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
 //     to the point itself  = a0[0] + ½ a0[−] + ½ a0[+] + ½ (½ a−[0] + a−[+])
 //                            + ½ (½ a+[0] + a+[−])
 //     to the point after   = ½ a0[+] + ½ (½ a+[0] + a+[+]).
-void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
-                   const Lines<float>& coarse) {
+void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>& coarse) {
     constexpr std::size_t linesOfRow = stencilLines / 3;
     for (std::size_t line = 0; line < linesOfRow; ++line) {
-        const float* below = fine[line];
-        const float* own = fine[line + linesOfRow];
-        const float* above = fine[line + 2 * linesOfRow];
-        float* toBelow = coarse[line];
-        float* toOwn = coarse[line + linesOfRow];
-        float* toAbove = coarse[line + 2 * linesOfRow];
-        if (offset == 0) {
-            DIPWRIGHT_INDEPENDENT_LOOP
-            for (std::size_t i = 0; i < columns; ++i) {
-                toBelow[i] += 0.5f * below[i];
-                toOwn[i] += own[i] + 0.5f * (below[i] + above[i]);
-                toAbove[i] += 0.5f * above[i];
-            }
-        } else {
-            const float* away = offset < 0 ? below : above;
-            const float* back = offset < 0 ? above : below;
-            float* toAway = offset < 0 ? toBelow : toAbove;
-            DIPWRIGHT_INDEPENDENT_LOOP
-            for (std::size_t i = 0; i < columns; ++i) {
-                toAway[i] += 0.5f * (0.5f * own[i] + away[i]);
-                toOwn[i] += 0.5f * (0.5f * own[i] + back[i]);
-            }
+        const std::size_t ownLine = line + linesOfRow, aboveLine = line + 2 * linesOfRow;
+        const float *beforeBelow = fine.before[line], *beforeOwn = fine.before[ownLine],
+                    *beforeAbove = fine.before[aboveLine];
+        const float *below = fine.here[line], *own = fine.here[ownLine],
+                    *above = fine.here[aboveLine];
+        const float *afterBelow = fine.after[line], *afterOwn = fine.after[ownLine],
+                    *afterAbove = fine.after[aboveLine];
+        float *toBelow = coarse[line], *toOwn = coarse[ownLine], *toAbove = coarse[aboveLine];
+        DIPWRIGHT_INDEPENDENT_LOOP
+        for (std::size_t i = 0; i < columns; ++i) {
+            toBelow[i] = 0.5f * (0.5f * beforeOwn[i] + beforeBelow[i]) + 0.5f * below[i];
+            toOwn[i] = (0.5f * (0.5f * beforeOwn[i] + beforeAbove[i]) +
+                        (own[i] + 0.5f * (below[i] + above[i]))) +
+                       0.5f * (0.5f * afterOwn[i] + afterBelow[i]);
+            toAbove[i] = 0.5f * above[i] + 0.5f * (0.5f * afterOwn[i] + afterAbove[i]);
         }
     }
 }
@@ -334,9 +326,8 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse) {
     HWY_DYNAMIC_DISPATCH(invertMiddle)(columns, stencil, inverse);
 }
-void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
-                   const Lines<float>& coarse) {
-    HWY_DYNAMIC_DISPATCH(coarsenAcross)(columns, offset, fine, coarse);
+void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>& coarse) {
+    HWY_DYNAMIC_DISPATCH(coarsenAcross)(columns, fine, coarse);
 }
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse) {
