@@ -11,13 +11,13 @@
 // as floats.
 
 #include "Bench.h"
+#include "BenchBody.h"
 #include "paper/cpu/PaperFilm.h"
 #include "paper/cuda/PaperDips.h"
 #include "production/cpu/ProductionFilm.h"
 #include "production/cuda/ProductionDips.h"
 #include "solvers/TestFilm.h"
 
-#include <fstream>
 #include <limits>
 
 using namespace dipwright;
@@ -25,38 +25,6 @@ using namespace dipwright::bench;
 using namespace dipwright::test;
 
 namespace {
-
-// A body with its lowest point (y) and its height, in mm, in its own coordinates.
-struct Body {
-    SampledBody sampled;
-    double lowest = 0, height = 0;
-};
-
-Body bodyOf(const std::string& name) {
-    if (name == "sphere") {
-        return {sphere(35, 128), -35, 70};
-    }
-    if (name == "cone") { // sides at 45°, tip down
-        return {sampledBody(96, 128,
-                            [](double x, double y, double z) {
-                                const double side = (std::hypot(x, z) - (y + 25)) * std::sqrt(0.5);
-                                return std::max(side, y - 20);
-                            }),
-                -25, 45};
-    }
-    Body body;
-    solver::FieldView& view = body.sampled.view;
-    std::ifstream file(name, std::ios::binary);
-    file >> view.size[0] >> view.size[1] >> view.size[2] >> view.origin[0] >> view.origin[1] >>
-        view.origin[2] >> view.spacing >> body.lowest >> body.height;
-    file.ignore();
-    body.sampled.distance.resize(std::size_t(view.size[0]) * std::size_t(view.size[1]) *
-                                 std::size_t(view.size[2]));
-    file.read(reinterpret_cast<char*>(body.sampled.distance.data()),
-              std::streamsize(body.sampled.distance.size() * sizeof(float)));
-    view.distance = body.sampled.distance.data();
-    return body;
-}
 
 struct Options {
     bool isProduction = false;
@@ -114,14 +82,9 @@ void compare(const Ending& a, const Ending& b) {
 }
 
 solver::DipSetup setupOf(const Options& options, const Body& body, int columns, int rows) {
-    solver::DipSetup setup = paperDip(body.sampled, body.lowest, columns, rows, body.height + 2.5);
-    if (options.isProduction) {
-        setup.settings.lattice = solver::Lattice::Isotropic;
-        setup.settings.support = solver::Support::Water;
-        setup.settings.contactTravel = 0.25;
-        setup.settings.relaxationTime = options.relaxationTime;
-    }
-    return setup;
+    return options.isProduction
+               ? productionDip(body, columns, rows, options.relaxationTime)
+               : paperDip(body.sampled, body.lowest, columns, rows, body.height + 2.5);
 }
 
 void run(const cuda::Device& device, const Options& options, const Body& body, int columns,

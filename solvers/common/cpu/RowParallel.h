@@ -1,31 +1,48 @@
-// Distributes the rows of a grid over all cores in bands that do not depend on the number of
-// threads.
+// Distributes the rows of a grid over the threads. What a row computes must not depend on its band.
 #pragma once
 
 #include "common/cpu/FlushDenormals.h"
 #include "parallel/ParallelFor.h"
+#include "parallel/Threads.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 namespace dipwright::cpu {
 
-inline constexpr int pointsPerBand = 8192;
+// A band with less is not worth a thread.
+inline constexpr int leastPointsPerBand = 1024, leastRowsPerBand = 8;
+
+// Returns the number of bands of a grid: one for each thread, or fewer.
+inline int bandCount(int rows, int columns) {
+    const int most = std::min(rows * columns / leastPointsPerBand, rows / leastRowsPerBand);
+    return most > 1 ? std::min(loopThreads(), most) : 1;
+}
+inline int firstRowOfBand(int rows, int bands, int band) {
+    return int(std::int64_t(rows) * band / bands);
+}
 
 // Calls work(begin, end) for each band of rows of a grid.
 template <typename Work>
 void forRowBands(int rows, int columns, const Work& work) {
-    const int rowsPerBand = std::max(pointsPerBand / columns, 8);
-    if (rows <= rowsPerBand) { // a coarse grid is not worth a task
+    const int bands = bandCount(rows, columns);
+    if (bands == 1) {
         work(0, rows);
         return;
     }
-    const int bands = (rows + rowsPerBand - 1) / rowsPerBand;
-    parallelForPieces(0, bands, 1, [&](int first, int last) {
+    parallelForEvenly(0, bands, [&](int band) {
         const FlushDenormals flush;
-        for (int band = first; band < last; ++band) {
-            work(band * rowsPerBand, std::min(rows, (band + 1) * rowsPerBand));
+        work(firstRowOfBand(rows, bands, band), firstRowOfBand(rows, bands, band + 1));
+    });
+}
+
+// Calls work(row) for each row of a grid.
+template <typename Work>
+void forRows(int rows, int columns, const Work& work) {
+    forRowBands(rows, columns, [&](int begin, int end) {
+        for (int row = begin; row < end; ++row) {
+            work(row);
         }
     });
 }
@@ -36,46 +53,44 @@ void forRowBands(int rows, int columns, const Work& work) {
 // wait until the stage before is complete in all bands.
 template <int stages, typename Work>
 void forRowStages(int rows, int columns, const Work& work) {
-    const auto inner = [rows](int stage, int begin, int end) {
-        const int first = begin > 0 ? std::min(begin + stage, end) : begin;
-        return std::pair(first, end < rows ? std::max(end - stage, first) : end);
-    };
+    static_assert(2 * (stages - 1) <= leastRowsPerBand);
     forRowBands(rows, columns, [&](int begin, int end) {
         for (int front = begin; front < end + stages - 1; ++front) {
             for (int stage = 0; stage < stages; ++stage) {
                 const int row = front - stage;
-                const auto [first, last] = inner(stage, begin, end);
+                const int first = begin > 0 ? begin + stage : begin;
+                const int last = end < rows ? end - stage : end;
                 if (row >= first && row < last) {
                     work(stage, row);
                 }
             }
         }
     });
-    for (int stage = 1; stage < stages; ++stage) {
-        forRowBands(rows, columns, [&](int begin, int end) {
-            const auto [first, last] = inner(stage, begin, end);
-            for (int row = begin; row < first; ++row) {
+    const int bands = bandCount(rows, columns);
+    const auto joinToBandBefore = [&](int band) {
+        const FlushDenormals flush;
+        const int begin = firstRowOfBand(rows, bands, band);
+        for (int stage = 1; stage < stages; ++stage) {
+            for (int row = begin - stage; row < begin + stage; ++row) {
                 work(stage, row);
             }
-            for (int row = last; row < end; ++row) {
-                work(stage, row);
-            }
-        });
+        }
+    };
+    if (bands == 2) { // a few rows are not worth another meeting of the threads
+        joinToBandBefore(1);
+    } else {
+        parallelForEvenly(1, bands, joinToBandBefore);
     }
 }
 
-// Returns the sum of sumOfRow(row) over all rows, always added in the same order.
-template <typename SumOfRow>
-double sumOverRows(int rows, int columns, const SumOfRow& sumOfRow) {
-    std::vector<double> sums(std::size_t(rows), 0.0);
-    forRowBands(rows, columns, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row) {
-            sums[std::size_t(row)] = sumOfRow(row);
-        }
-    });
-    double sum = 0;
-    for (const double rowSum : sums) {
-        sum += rowSum;
+// Returns the sum of sumOfRow(row) over all rows. A Sum begins at zero and has a member add(other).
+template <typename Sum, typename SumOfRow>
+Sum sumOverRows(int rows, int columns, const SumOfRow& sumOfRow) {
+    std::vector<Sum> sums(static_cast<std::size_t>(rows));
+    forRows(rows, columns, [&](int row) { sums[std::size_t(row)] = sumOfRow(row); });
+    Sum sum;
+    for (const Sum& ofRow : sums) {
+        sum.add(ofRow);
     }
     return sum;
 }

@@ -41,25 +41,28 @@ void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cel
     const std::size_t width = std::size_t(columns), cells = width - 1;
     forRowBands(rows, columns, [&](int begin, int end) {
         EdgeForces forces(cells);
-        std::fill(result.x.begin() + begin * columns, result.x.begin() + end * columns, 0.f);
-        std::fill(result.z.begin() + begin * columns, result.z.begin() + end * columns, 0.f);
+        const auto clear = [&](int row) {
+            std::fill_n(result.x.data() + std::size_t(row) * width, width, 0.f);
+            std::fill_n(result.z.data() + std::size_t(row) * width, width, 0.f);
+        };
+        const auto give = [&](int row, float sign, int edgeX, int edgeZ) {
+            addForces(cells, sign, forces.array(edgeX), forces.array(leftX), forces.array(rightX),
+                      result.x.data() + std::size_t(row) * width);
+            addForces(cells, sign, forces.array(edgeZ), forces.array(leftZ), forces.array(rightZ),
+                      result.z.data() + std::size_t(row) * width);
+        };
+        clear(begin);
         for (int j = std::max(begin - 1, 0); j < std::min(end, rows - 1); ++j) {
-            cellRow(j, j >= begin, forces);
-            if (j >= begin) {
-                float* x = result.x.data() + std::size_t(j) * width;
-                float* z = result.z.data() + std::size_t(j) * width;
-                addForces(cells, -1, forces.array(firstX), forces.array(leftX),
-                          forces.array(rightX), x);
-                addForces(cells, -1, forces.array(firstZ), forces.array(leftZ),
-                          forces.array(rightZ), z);
+            const bool hasLower = j >= begin, hasUpper = j + 1 < end;
+            cellRow(j, hasLower, forces);
+            if (hasLower) {
+                give(j, -1, firstX, firstZ);
             }
-            if (j + 1 < end) {
-                float* x = result.x.data() + std::size_t(j + 1) * width;
-                float* z = result.z.data() + std::size_t(j + 1) * width;
-                addForces(cells, 1, forces.array(secondX), forces.array(leftX),
-                          forces.array(rightX), x);
-                addForces(cells, 1, forces.array(secondZ), forces.array(leftZ),
-                          forces.array(rightZ), z);
+            if (hasLower && hasUpper) {
+                clear(j + 1);
+            }
+            if (hasUpper) {
+                give(j + 1, 1, secondX, secondZ);
             }
         }
     });
@@ -130,7 +133,8 @@ Matrix2<float> PlaneFilm::wholeGradient(const Crossing& triangle,
 
 void PlaneFilm::setFree(const std::vector<float>& free) {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
-    for (std::size_t j = 0; j + 1 < std::size_t(rows_); ++j) {
+    forRows(rows_ - 1, columns_, [&](int row) {
+        const std::size_t j = std::size_t(row);
         const float* lower = free.data() + j * width;
         const float* upper = lower + width;
         for (std::size_t i = 0; i < cells; ++i) {
@@ -138,7 +142,7 @@ void PlaneFilm::setFree(const std::vector<float>& free) {
             moving_[0][j * cells + i] = std::max({lower[i], lower[right], upper[odd ? i : right]});
             moving_[1][j * cells + i] = std::max({upper[i], upper[right], lower[odd ? right : i]});
         }
-    }
+    });
 }
 
 numerics::EdgePair<float> PlaneFilm::edges(int triangle, const PlaneVector& displacement) const {
@@ -199,7 +203,7 @@ RowOfShapes PlaneFilm::shapesOf(int row) const {
 
 double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result) {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
-    std::vector<double> squares(std::size_t(rows_ - 1), 0.0);
+    std::vector<numerics::SquareSum> squares(std::size_t(rows_ - 1));
     gatherForces(columns_, rows_, result, [&](int j, bool owned, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
         // Both bands compute the row of cells between them, but only one band keeps its states.
@@ -238,19 +242,19 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
                                                inverseShape(triangle.cell, triangle.second),
                                                areaOf(triangle)));
         }
-        for (const int which : {firstX, firstZ, secondX, secondZ}) {
-            const std::vector<float>& moving = moving_[which == secondX || which == secondZ];
-            if (owned) {
-                squares[std::size_t(j)] +=
-                    rowWeightedSquares(moving.data() + first, forces.array(which), cells);
-            }
+        if (owned) {
+            numerics::SquareSum& sum = squares[std::size_t(j)];
+            sum = rowWeightedSquares(moving_[0].data() + first,
+                                     {forces.array(firstX), forces.array(firstZ)}, cells);
+            sum.add(rowWeightedSquares(moving_[1].data() + first,
+                                       {forces.array(secondX), forces.array(secondZ)}, cells));
         }
     });
-    double sum = 0;
-    for (const double square : squares) {
-        sum += square;
+    numerics::SquareSum sum;
+    for (const numerics::SquareSum& ofRow : squares) {
+        sum.add(ofRow);
     }
-    return std::sqrt(sum);
+    return sum.root();
 }
 
 RowOfStates<const float*> PlaneFilm::statesOf(int row) const {

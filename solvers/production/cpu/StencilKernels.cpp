@@ -126,32 +126,24 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
 //     to the point itself  = a0[0] + ½ a0[−] + ½ a0[+] + ½ (½ a−[0] + a−[+])
 //                            + ½ (½ a+[0] + a+[−])
 //     to the point after   = ½ a0[+] + ½ (½ a+[0] + a+[+]).
-void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
-                   const Lines<float>& coarse) {
+void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>& coarse) {
     constexpr std::size_t linesOfRow = stencilLines / 3;
     for (std::size_t line = 0; line < linesOfRow; ++line) {
-        const float* below = fine[line];
-        const float* own = fine[line + linesOfRow];
-        const float* above = fine[line + 2 * linesOfRow];
-        float* toBelow = coarse[line];
-        float* toOwn = coarse[line + linesOfRow];
-        float* toAbove = coarse[line + 2 * linesOfRow];
-        if (offset == 0) {
-            DIPWRIGHT_INDEPENDENT_LOOP
-            for (std::size_t i = 0; i < columns; ++i) {
-                toBelow[i] += 0.5f * below[i];
-                toOwn[i] += own[i] + 0.5f * (below[i] + above[i]);
-                toAbove[i] += 0.5f * above[i];
-            }
-        } else {
-            const float* away = offset < 0 ? below : above;
-            const float* back = offset < 0 ? above : below;
-            float* toAway = offset < 0 ? toBelow : toAbove;
-            DIPWRIGHT_INDEPENDENT_LOOP
-            for (std::size_t i = 0; i < columns; ++i) {
-                toAway[i] += 0.5f * (0.5f * own[i] + away[i]);
-                toOwn[i] += 0.5f * (0.5f * own[i] + back[i]);
-            }
+        const std::size_t ownLine = line + linesOfRow, aboveLine = line + 2 * linesOfRow;
+        const float *beforeBelow = fine.before[line], *beforeOwn = fine.before[ownLine],
+                    *beforeAbove = fine.before[aboveLine];
+        const float *below = fine.here[line], *own = fine.here[ownLine],
+                    *above = fine.here[aboveLine];
+        const float *afterBelow = fine.after[line], *afterOwn = fine.after[ownLine],
+                    *afterAbove = fine.after[aboveLine];
+        float *toBelow = coarse[line], *toOwn = coarse[ownLine], *toAbove = coarse[aboveLine];
+        DIPWRIGHT_INDEPENDENT_LOOP
+        for (std::size_t i = 0; i < columns; ++i) {
+            toBelow[i] = 0.5f * (0.5f * beforeOwn[i] + beforeBelow[i]) + 0.5f * below[i];
+            toOwn[i] = (0.5f * (0.5f * beforeOwn[i] + beforeAbove[i]) +
+                        (own[i] + 0.5f * (below[i] + above[i]))) +
+                       0.5f * (0.5f * afterOwn[i] + afterBelow[i]);
+            toAbove[i] = 0.5f * above[i] + 0.5f * (0.5f * afterOwn[i] + afterAbove[i]);
         }
     }
 }
@@ -171,14 +163,14 @@ void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
             const auto give = [&](std::size_t c, bool hasBefore, bool hasHere, bool hasAfter) {
                 const std::size_t i = 2 * c;
                 float outBefore = 0, outOwn = 0, outAfter = 0;
+                if (hasBefore) {
+                    outBefore += 0.5f * (0.5f * own[i - 1] + before[i - 1]);
+                    outOwn += 0.5f * (0.5f * own[i - 1] + after[i - 1]);
+                }
                 if (hasHere) {
                     outBefore += 0.5f * before[i];
                     outOwn += own[i] + 0.5f * (before[i] + after[i]);
                     outAfter += 0.5f * after[i];
-                }
-                if (hasBefore) {
-                    outBefore += 0.5f * (0.5f * own[i - 1] + before[i - 1]);
-                    outOwn += 0.5f * (0.5f * own[i - 1] + after[i - 1]);
                 }
                 if (hasAfter) {
                     outOwn += 0.5f * (0.5f * own[i + 1] + before[i + 1]);
@@ -204,44 +196,42 @@ struct Pair {
     Vector x, z;
 };
 
-// Returns K·now at the points i, i + 1, …, summed over the nine neighbours row by row.
-HWY_INLINE Pair product(const Lines<const float>& stencil, std::size_t pitch,
-                        const RowOfVectors<const float>& now, std::size_t i) {
-    Pair sum{hn::Zero(lanes), hn::Zero(lanes)};
+// Returns right − K·now at the points i, i + 1, …. Subtracts the nine neighbours' parts row by row.
+HWY_INLINE Pair residualAt(const Lines<const float>& stencil, std::size_t pitch,
+                           const RowOfVectors<const float>& right,
+                           const RowOfVectors<const float>& now, std::size_t i) {
+    Pair left{load(right.x + i), load(right.z + i)};
     for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
         const std::ptrdiff_t to = (std::ptrdiff_t(neighbour / 3) - 1) * std::ptrdiff_t(pitch) +
                                   std::ptrdiff_t(neighbour % 3) - 1 + std::ptrdiff_t(i);
         const Vector x = load(now.x + to), z = load(now.z + to);
         const std::size_t line = 4 * neighbour;
-        sum.x = hn::Add(sum.x, hn::Add(hn::Mul(load(stencil[line] + i), x),
-                                       hn::Mul(load(stencil[line + 1] + i), z)));
-        sum.z = hn::Add(sum.z, hn::Add(hn::Mul(load(stencil[line + 2] + i), x),
-                                       hn::Mul(load(stencil[line + 3] + i), z)));
+        left.x = hn::Sub(left.x, hn::Add(hn::Mul(load(stencil[line] + i), x),
+                                         hn::Mul(load(stencil[line + 1] + i), z)));
+        left.z = hn::Sub(left.z, hn::Add(hn::Mul(load(stencil[line + 2] + i), x),
+                                         hn::Mul(load(stencil[line + 3] + i), z)));
     }
-    return sum;
+    return left;
 }
 
 // Rows have space for whole vectors past their end. Stencils and inverses are 0 there.
 HWY_INLINE void takeStep(const ChebyshevRow& row, std::size_t i, const Pair& residual,
                          const Pair& now) {
-    const Vector gain = hn::Set(lanes, row.gain), keep = hn::Set(lanes, row.keep);
+    const Vector gain = hn::Set(lanes, row.gain);
     const Vector xx = load(row.inverse[0] + i), xz = load(row.inverse[1] + i),
                  zz = load(row.inverse[2] + i);
     const Vector x = hn::Add(hn::Mul(xx, residual.x), hn::Mul(xz, residual.z));
     const Vector z = hn::Add(hn::Mul(xz, residual.x), hn::Mul(zz, residual.z));
-    const Vector dx = hn::Add(hn::Mul(keep, load(row.direction.x + i)), hn::Mul(gain, x));
-    const Vector dz = hn::Add(hn::Mul(keep, load(row.direction.z + i)), hn::Mul(gain, z));
+    Vector dx = hn::Mul(gain, x), dz = hn::Mul(gain, z);
+    if (row.keep != 0) { // otherwise the old direction may be anything
+        const Vector keep = hn::Set(lanes, row.keep);
+        dx = hn::Add(hn::Mul(keep, load(row.direction.x + i)), dx);
+        dz = hn::Add(hn::Mul(keep, load(row.direction.z + i)), dz);
+    }
     hn::StoreU(dx, lanes, row.direction.x + i);
     hn::StoreU(dz, lanes, row.direction.z + i);
     hn::StoreU(hn::Add(now.x, dx), lanes, row.result.x + i);
     hn::StoreU(hn::Add(now.z, dz), lanes, row.result.z + i);
-}
-
-HWY_INLINE Pair residualAt(const Lines<const float>& stencil, std::size_t pitch,
-                           const RowOfVectors<const float>& right,
-                           const RowOfVectors<const float>& now, std::size_t i) {
-    const Pair force = product(stencil, pitch, now, i);
-    return {hn::Sub(load(right.x + i), force.x), hn::Sub(load(right.z + i), force.z)};
 }
 
 void smoothFirst(std::size_t columns, const ChebyshevRow& row) {
@@ -334,9 +324,8 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse) {
     HWY_DYNAMIC_DISPATCH(invertMiddle)(columns, stencil, inverse);
 }
-void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
-                   const Lines<float>& coarse) {
-    HWY_DYNAMIC_DISPATCH(coarsenAcross)(columns, offset, fine, coarse);
+void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>& coarse) {
+    HWY_DYNAMIC_DISPATCH(coarsenAcross)(columns, fine, coarse);
 }
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse) {

@@ -48,11 +48,14 @@ void holdPoints(std::size_t columns, const RowsOfFree& free, float drag, const f
 void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse);
 
+// The stencils of three fine rows: the one that a coarse row lies on, and those before and after
+// it. Beyond the grid's ends they are 0.
+struct FineRows {
+    Lines<const float> before, here, after;
+};
 // Computes the coarse operator by Galerkin interpolation, one axis after the other. The coarse grid
-// has every second point. This function works across rows. It adds the contribution of one fine row
-// to the stencil of a coarse row that lies `offset` (−1, 0, 1) rows below the fine row.
-void coarsenAcross(std::size_t columns, int offset, const Lines<const float>& fine,
-                   const Lines<float>& coarse);
+// has every second point. This function works across rows, for one coarse row.
+void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>& coarse);
 // Does the same along a row with `fineColumns` points.
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse);

@@ -50,6 +50,10 @@ RowOfVectors<const float> StiffnessMultigrid::Level::row(const Vectors& vectors,
 
 namespace {
 
+struct Nothing {
+    void operator()(int) const {}
+};
+
 Lines<const float> constant(const Lines<float>& lines) {
     return {lines.first, lines.pitch};
 }
@@ -72,66 +76,69 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
     Level& level = levels_.front();
     const std::size_t width = std::size_t(level.columns), padded = width + 2;
     const auto freeRow = [&](int row) { return free_.data() + std::size_t(row + 1) * padded; };
-    for (int row = 0; row < level.rows; ++row) {
+    forRows(level.rows, level.columns, [&](int row) {
         std::copy_n(free.data() + std::size_t(row) * width, width, freeRow(row) + 1);
-    }
+    });
+    const auto clear = [&](int row) {
+        std::fill_n(level.stencil(row).first, stencilLines * level.pitch, 0.f);
+    };
+    const auto finish = [&](int row) {
+        holdPoints(width, {freeRow(row - 1), freeRow(row), freeRow(row + 1)}, drag,
+                   area.data() + std::size_t(row) * width, level.stencil(row));
+        invert(level, row);
+    };
     forRowBands(level.rows, level.columns, [&](int begin, int end) {
         std::vector<float> lines(2 * triangleLines * width);
         const Lines<float> first{lines.data(), width},
             second{lines.data() + triangleLines * width, width};
-        std::fill(level.stencil(begin).first,
-                  level.stencil(begin).first +
-                      std::size_t(end - begin) * stencilLines * level.pitch,
-                  0.f);
+        clear(begin);
         // Both bands compute the row of cells between them.
         for (int j = std::max(begin - 1, 0); j < std::min(end, level.rows - 1); ++j) {
+            const bool hasLower = j >= begin, hasUpper = j + 1 < end;
+            if (hasLower && hasUpper) {
+                clear(j + 1);
+            }
             film.stiffness(j, first, second);
             addToStencils(width - 1, unsigned(j) & 1u, {constant(first), constant(second)},
-                          j >= begin ? level.stencil(j) : Lines<float>{},
-                          j + 1 < end ? level.stencil(j + 1) : Lines<float>{});
+                          hasLower ? level.stencil(j) : Lines<float>{},
+                          hasUpper ? level.stencil(j + 1) : Lines<float>{});
+            if (hasLower) {
+                finish(j);
+            }
         }
-        for (int row = begin; row < end; ++row) {
-            holdPoints(width, {freeRow(row - 1), freeRow(row), freeRow(row + 1)}, drag,
-                       area.data() + std::size_t(row) * width, level.stencil(row));
+        if (end == level.rows) {
+            finish(end - 1);
         }
     });
 }
 
 void StiffnessMultigrid::coarsen(Level& fine, Level& coarse) {
+    const std::vector<float> zeros(fine.pitch);
+    const auto fineRow = [&](int row) {
+        return row >= 0 && row < fine.rows ? constant(fine.stencil(row))
+                                           : Lines<const float>{zeros.data(), 0};
+    };
     forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
         std::vector<float> across(stencilLines * fine.pitch);
         const Lines<float> lines{across.data(), fine.pitch};
         for (int row = begin; row < end; ++row) {
-            std::fill(across.begin(), across.end(), 0.f);
-            for (int offset = -1; offset <= 1; ++offset) {
-                const int from = 2 * row + offset;
-                if (from >= 0 && from < fine.rows) {
-                    coarsenAcross(std::size_t(fine.columns), offset, constant(fine.stencil(from)),
-                                  lines);
-                }
-            }
+            coarsenAcross(std::size_t(fine.columns),
+                          {fineRow(2 * row - 1), fineRow(2 * row), fineRow(2 * row + 1)}, lines);
             coarsenAlong(std::size_t(fine.columns), constant(lines), coarse.stencil(row));
+            invert(coarse, row);
         }
     });
 }
 
-void StiffnessMultigrid::invert(Level& level) {
-    forRowBands(level.rows, level.columns, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row) {
-            invertMiddle(std::size_t(level.columns), constant(level.stencil(row)),
-                         level.inverse(row));
-        }
-    });
+void StiffnessMultigrid::invert(Level& level, int row) {
+    invertMiddle(std::size_t(level.columns), constant(level.stencil(row)), level.inverse(row));
 }
 
 void StiffnessMultigrid::prepare(const PlaneFilm& film, const std::vector<float>& free,
                                  const std::vector<float>& area, float drag) {
     assemble(film, free, area, drag);
-    for (std::size_t index = 0; index < levels_.size(); ++index) {
-        if (index > 0) {
-            coarsen(levels_[index - 1], levels_[index]);
-        }
-        invert(levels_[index]);
+    for (std::size_t index = 1; index < levels_.size(); ++index) {
+        coarsen(levels_[index - 1], levels_[index]);
     }
 }
 
@@ -162,10 +169,13 @@ void StiffnessMultigrid::solveCoarsest(Level& level) {
     }
 }
 
-// Smooths from zero into `now`, and writes the residual that is left into `next`.
-void StiffnessMultigrid::smoothFromZero(Level& level) {
+// Smooths from zero into `now`, and writes the residual that is left into `next`. First calls
+// take(row) for each row, which sets its right side.
+template <typename Take>
+void StiffnessMultigrid::smoothFromZero(Level& level, const Take& take) {
     forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
         if (stage == 0) {
+            take(row);
             smoothRowOf(level, row, smoothingSteps[0], nullptr, level.next);
         } else if (stage == 1) {
             smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
@@ -206,7 +216,8 @@ void StiffnessMultigrid::addCorrection(const Level& coarse, Level& fine, bool is
     interpolateRow(columns, lower.z, upper.z, free, to.z);
 }
 
-void StiffnessMultigrid::cycle(std::size_t index) {
+template <typename Take, typename Give>
+void StiffnessMultigrid::cycle(std::size_t index, const Take& take, const Give& give) {
     static_assert(smoothingSteps.size() == 2);
     Level& level = levels_[index];
     if (index + 1 == levels_.size()) {
@@ -214,9 +225,9 @@ void StiffnessMultigrid::cycle(std::size_t index) {
         return;
     }
     Level& coarse = levels_[index + 1];
-    smoothFromZero(level);
+    smoothFromZero(level, take);
     restrictResidual(level, coarse);
-    cycle(index + 1);
+    cycle(index + 1, Nothing{}, Nothing{});
     forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
         if (stage == 0) {
             addCorrection(coarse, level, index == 0, row);
@@ -224,24 +235,25 @@ void StiffnessMultigrid::cycle(std::size_t index) {
             smoothRowOf(level, row, smoothingSteps[0], &level.now, level.next);
         } else {
             smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
+            give(row);
         }
     });
 }
 
-void StiffnessMultigrid::apply(const PlaneVector& right, PlaneVector& result) {
+void StiffnessMultigrid::apply(const PlaneVector& right, float factor, PlaneVector& result) {
     Level& finest = levels_.front();
     const std::size_t width = std::size_t(finest.columns);
-    for (int row = 0; row < finest.rows; ++row) {
+    const auto take = [&](int row) {
         const std::size_t from = std::size_t(row) * width, to = finest.at(row);
-        std::copy_n(right.x.data() + from, width, finest.right.x.data() + to);
-        std::copy_n(right.z.data() + from, width, finest.right.z.data() + to);
-    }
-    cycle(0);
-    for (int row = 0; row < finest.rows; ++row) {
+        scaledRow(width, factor, right.x.data() + from, finest.right.x.data() + to);
+        scaledRow(width, factor, right.z.data() + from, finest.right.z.data() + to);
+    };
+    const auto give = [&](int row) {
         const std::size_t from = finest.at(row), to = std::size_t(row) * width;
         std::copy_n(finest.now.x.data() + from, width, result.x.data() + to);
         std::copy_n(finest.now.z.data() + from, width, result.z.data() + to);
-    }
+    };
+    cycle(0, take, give);
 }
 
 } // namespace dipwright::cpu

@@ -19,8 +19,8 @@ public:
     void prepare(const PlaneFilm& film, const std::vector<float>& free,
                  const std::vector<float>& area, float drag);
 
-    // Computes result ≈ K⁻¹·right with one cycle; zero at held points.
-    void apply(const PlaneVector& right, PlaneVector& result);
+    // Computes result ≈ K⁻¹·(factor·right) with one cycle; zero at held points.
+    void apply(const PlaneVector& right, float factor, PlaneVector& result);
 
 private:
     // One grid. In all its arrays, a row has `pitch` numbers, and its first point is `margin`
@@ -45,14 +45,18 @@ private:
     void assemble(const PlaneFilm& film, const std::vector<float>& free,
                   const std::vector<float>& area, float drag);
     static void coarsen(Level& fine, Level& coarse);
-    static void invert(Level& level);
+    static void invert(Level& level, int row);
     static void smoothRowOf(Level& level, int row, const numerics::galerkin::ChebyshevStep& step,
                             const Level::Vectors* now, Level::Vectors& result);
     static void solveCoarsest(Level& level);
-    static void smoothFromZero(Level& level);
+    template <typename Take>
+    static void smoothFromZero(Level& level, const Take& take);
     static void restrictResidual(const Level& fine, Level& coarse);
     void addCorrection(const Level& coarse, Level& fine, bool isFinest, int row) const;
-    void cycle(std::size_t index);
+    // Calls take(row) before it uses the right side of a row, and give(row) when the row's result
+    // is in `now`.
+    template <typename Take, typename Give>
+    void cycle(std::size_t index, const Take& take, const Give& give);
 
     std::vector<Level> levels_;
     std::vector<float> free_; // finest grid, with one extra number at both ends of each row

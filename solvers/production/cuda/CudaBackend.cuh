@@ -208,7 +208,7 @@ public:
         float2* next = dip_.basis[count + 1];
         multigridCycle(model_, dip_, {dip_.basis[count], small_.factors[count]},
                        dip_.smoothed[count], team_, memory_);
-        double products[numerics::mostBasisVectors] = {};
+        std::int64_t products[numerics::mostBasisVectors] = {};
         multiply(model_, dip_, drag, tangent, dip_.smoothed[count], team_, memory_,
                  [&](int point, float2 product) {
                      next[point] = product;
@@ -216,35 +216,44 @@ public:
                      for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                          if (i <= count) {
                              const float2 earlier = dip_.basis[i][point];
-                             products[i] += double(product.x * earlier.x + product.y * earlier.y);
+                             products[i] += numerics::ProductSum::multiple(
+                                 double(product.x * earlier.x + product.y * earlier.y) *
+                                 double(small_.factors[i]));
                          }
                      }
                  });
         team_.sum(products, count + 1);
-        double squares[1] = {0};
+        float weights[numerics::mostBasisVectors];
+#pragma unroll
+        for (int i = 0; i < numerics::mostBasisVectors; ++i) {
+            if (i <= count) {
+                weights[i] =
+                    float(numerics::ProductSum::value(products[i]) * double(small_.factors[i]));
+            }
+        }
+        numerics::SquareSum squares;
         forPoints([&](int point) {
             float2 left = next[point];
 #pragma unroll
             for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                 if (i <= count) {
-                    const double factor = small_.factors[i];
-                    left = left - dip_.basis[i][point] * float(products[i] * factor * factor);
+                    left = left - dip_.basis[i][point] * weights[i];
                 }
             }
             next[point] = left;
-            squares[0] += double(left.x * left.x + left.y * left.y);
+            squares.add(double(left.x * left.x + left.y * left.y));
         });
-        team_.sum(squares);
+        const double length = rootOf(squares);
         inSmallProblem([&](numerics::GmresProblem& problem) {
             double* column = problem.matrix[count];
 #pragma unroll
             for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                 if (i <= count) {
-                    column[i] = products[i] * small_.factors[i];
+                    column[i] = numerics::ProductSum::value(products[i]);
                 }
             }
-            column[count + 1] = sqrt(squares[0]);
-            small_.factors[count + 1] = squares[0] > 0 ? float(1 / sqrt(squares[0])) : 0.0f;
+            column[count + 1] = length;
+            small_.factors[count + 1] = numerics::inverseLength(length);
             return 0.0;
         });
     }
@@ -259,18 +268,23 @@ public:
     }
     __device__ double linearResidual(float drag, numerics::Tangent tangent) const {
         team_.barrier();
-        double squares[1] = {0};
+        numerics::SquareSum squares;
         multiply(model_, dip_, drag, tangent, dip_.newtonStep, team_, memory_,
                  [&](int point, float2 product) {
                      const float2 left = dip_.forces[point] + product;
                      dip_.basis[0][point] = left;
-                     squares[0] += double(left.x * left.x + left.y * left.y);
+                     squares.add(double(left.x * left.x + left.y * left.y));
                  });
-        team_.sum(squares);
-        return sqrt(squares[0]);
+        return rootOf(squares);
     }
 
 private:
+    // Returns the root of the sum of all threads' squares.
+    __device__ double rootOf(const numerics::SquareSum& squares) const {
+        std::int64_t sums[2] = {squares.whole, squares.rest};
+        team_.sum(sums);
+        return numerics::SquareSum{sums[0], sums[1]}.root();
+    }
     __device__ static numerics::Vector2<float> plain(float2 value) {
         return {value.x, value.y};
     }

@@ -187,8 +187,8 @@ private:
         const float determinant = own.x * own.w - mixed * mixed;
         const bool isRegular =
             trace > 0 && determinant > numerics::galerkin::leastDeterminant * trace * trace;
-        const float scale = isRegular ? __fdividef(1.0f, determinant) : 0;
-        const float common = !isRegular && trace > 0 ? __fdividef(1.0f, trace) : 0;
+        const float scale = isRegular ? 1 / determinant : 0;
+        const float common = !isRegular && trace > 0 ? 1 / trace : 0;
         inverse_[k] = {own.w * scale + common, -mixed * scale, own.x * scale + common};
     }
 
@@ -239,12 +239,12 @@ __device__ inline float2 restricted(const PlanePatch& fine, int coarseX, int coa
     const float2* at = fine.other + fine.index(2 * coarseX, 2 * coarseZ);
     const int pitch = fine.pitch();
     const bool isInX = 2 * coarseX < fine.level->columns, isInZ = 2 * coarseZ < fine.level->rows;
-    const auto row = [&](int z) {
-        const float2* here = at + z * pitch;
+    const auto column = [&](int x) {
+        const float2* here = at + x;
         // Past the last point of the level, the patch has zeros for one more point only.
-        return isInX ? here[0] + (here[-1] + here[1]) * 0.5f : here[-1] * 0.5f;
+        return isInZ ? here[0] + (here[-pitch] + here[pitch]) * 0.5f : here[-pitch] * 0.5f;
     };
-    return isInZ ? row(0) + (row(-1) + row(1)) * 0.5f : row(-1) * 0.5f;
+    return isInX ? column(0) + (column(-1) + column(1)) * 0.5f : column(-1) * 0.5f;
 }
 
 // Interpolates a coarser level's values at a point of the finer level. `pitch` is the distance
@@ -253,6 +253,11 @@ __device__ inline float2 interpolated(const float2* coarse, int pitch, int x, in
     const float2 *lower = coarse + (z / 2) * pitch, *upper = coarse + ((z + 1) / 2) * pitch;
     const int left = x / 2, right = (x + 1) / 2;
     return ((lower[left] + upper[left]) + (lower[right] + upper[right])) * 0.25f;
+}
+
+// Returns 0 for a held point of the finest level, and 1 for any other point.
+__device__ inline float freedom(const ProductionDip& dip, int level, int point) {
+    return level == 0 ? dip.masked[point] : 1.0f;
 }
 
 // Tile `index` of a level: the points of the coarser level in the tile, and the fine points that
@@ -330,11 +335,9 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
         __syncthreads();
         forRange(patch.range, [&](int x, int z) {
             const int point = z * level.columns + x;
-            const float4 own = stencils.at(middle, point);
-            const float2 found = dip.result[level.offset + point];
-            const bool isHeld = own.x + own.w == 0;
             patch.result[patch.index(x, z)] =
-                isHeld ? found : found + interpolated(coarse, coarsePitch, x, z);
+                dip.result[level.offset + point] +
+                interpolated(coarse, coarsePitch, x, z) * freedom(dip, index, point);
         });
         __syncthreads();
         withPoints(
@@ -409,7 +412,8 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
             const float2* solution = coarser.result + coarser.index(0, 0);
             forRange(patch.range, [&](int x, int z) {
                 float2& value = patch.result[patch.index(x, z)];
-                value = value + interpolated(solution, coarser.pitch(), x, z);
+                value = value + interpolated(solution, coarser.pitch(), x, z) *
+                                    freedom(dip, l, z * patch.level->columns + x);
             });
             __syncthreads();
         }
@@ -510,10 +514,10 @@ __device__ inline void assemble(const ProductionModel& model, const ProductionDi
             const int point = z * level.columns + x;
             const bool moves = dip.masked[point] > 0;
             if (moves) {
-                addCell<CellPoint::LowerLeft>(model, dip, x, z, stencil);
-                addCell<CellPoint::LowerRight>(model, dip, x, z, stencil);
                 addCell<CellPoint::UpperLeft>(model, dip, x, z, stencil);
                 addCell<CellPoint::UpperRight>(model, dip, x, z, stencil);
+                addCell<CellPoint::LowerLeft>(model, dip, x, z, stencil);
+                addCell<CellPoint::LowerRight>(model, dip, x, z, stencil);
                 const float own = drag * pointArea(model, x, z);
                 stencil[middle] = stencil[middle] + float4{own, 0, 0, own};
             }
@@ -537,7 +541,7 @@ __device__ inline void addCoarse(int offset, float4 before, float4 own, float4 a
                                  float4& toBefore, float4& toOwn, float4& toAfter) {
     if (offset == 0) {
         toBefore = toBefore + before * 0.5f;
-        toOwn = toOwn + own + (before + after) * 0.5f;
+        toOwn = toOwn + (own + (before + after) * 0.5f);
         toAfter = toAfter + after * 0.5f;
     } else if (offset < 0) {
         toBefore = toBefore + (own * 0.5f + before) * 0.5f;
@@ -558,29 +562,29 @@ __device__ inline void coarsen(const ProductionModel& model, const ProductionDip
         [&](int x, int z) {
             float4 stencil[neighbours] = {};
 #pragma unroll 1
-            for (int oz = -1; oz <= 1; ++oz) {
-                const int j = 2 * z + oz;
-                if (j < 0 || j >= fine.rows) {
+            for (int ox = -1; ox <= 1; ++ox) {
+                const int i = 2 * x + ox;
+                if (i < 0 || i >= fine.columns) {
                     continue;
                 }
                 float4 line[neighbours] = {};
 #pragma unroll 1
-                for (int ox = -1; ox <= 1; ++ox) {
-                    const int i = 2 * x + ox;
-                    if (i < 0 || i >= fine.columns) {
+                for (int oz = -1; oz <= 1; ++oz) {
+                    const int j = 2 * z + oz;
+                    if (j < 0 || j >= fine.rows) {
                         continue;
                     }
                     const int point = j * fine.columns + i;
 #pragma unroll
-                    for (int r = 0; r < neighbours; r += 3) {
-                        addCoarse(ox, from.at(r, point), from.at(r + 1, point),
-                                  from.at(r + 2, point), line[r], line[r + 1], line[r + 2]);
+                    for (int c = 0; c < 3; ++c) {
+                        addCoarse(oz, from.at(c, point), from.at(c + 3, point),
+                                  from.at(c + 6, point), line[c], line[c + 3], line[c + 6]);
                     }
                 }
 #pragma unroll
-                for (int c = 0; c < 3; ++c) {
-                    addCoarse(oz, line[c], line[c + 3], line[c + 6], stencil[c], stencil[c + 3],
-                              stencil[c + 6]);
+                for (int r = 0; r < neighbours; r += 3) {
+                    addCoarse(ox, line[r], line[r + 1], line[r + 2], stencil[r], stencil[r + 1],
+                              stencil[r + 2]);
                 }
             }
 #pragma unroll
