@@ -17,6 +17,14 @@
 #define DIPWRIGHT_TEAM
 #endif
 
+// Marks a function, in place of `inline`, that is large and called at several places. A GPU has one
+// copy of its code: code that is not in the instruction cache takes longer to fetch than to run.
+#if defined(__CUDACC__)
+#define DIPWRIGHT_CALLED __noinline__
+#else
+#define DIPWRIGHT_CALLED inline
+#endif
+
 // Marks a function, in place of `inline`, that a loop over many cells calls. GCC does not inline
 // larger functions otherwise, and vectorises no loop that calls a function.
 #if defined(__CUDACC__)

@@ -90,13 +90,13 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
     __syncthreads();
 }
 
-// Computes the forces, including a water drag of `drag` per point. With `length`, the displacement
+// Computes the forces, including a water drag of `drag` per point. If `isAlong`, the displacement
 // first becomes start + length·newtonStep. Writes the forces to `forces`, and to `stress` the
 // values from which its derivative is computed later. Returns the roots of the sums of squares of
 // the forces on free points and of the elastic forces in the film. One function, because a tile's
 // places and sums stay in shared memory and registers from the first to the last line.
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
-                                            float drag, const float* length, Team& team,
+                                            float drag, bool isAlong, float length, Team& team,
                                             float2* memory) {
     double sums[2] = {0, 0};
 #pragma unroll 1
@@ -106,12 +106,11 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
         auto* forces = reinterpret_cast<CellForces*>(memory + tile.corners.count());
         forRange(tile.corners, [&](int x, int z) {
             const int point = z * model.columns + x;
-            const float2 place = length == nullptr
-                                     ? dip.displacement[point]
-                                     : dip.start[point] + dip.newtonStep[point] * *length;
+            const float2 place = isAlong ? dip.start[point] + dip.newtonStep[point] * length
+                                         : dip.displacement[point];
             values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0] = place;
-            if (length != nullptr && x >= tile.points.x0 && x < tile.points.x1 &&
-                z >= tile.points.z0 && z < tile.points.z1) {
+            if (isAlong && x >= tile.points.x0 && x < tile.points.x1 && z >= tile.points.z0 &&
+                z < tile.points.z1) {
                 dip.displacement[point] = place;
             }
         });

@@ -128,7 +128,7 @@ DIPWRIGHT_HOST_DEVICE inline double sinking(const CrossingCorner<Real> (&corners
 // and unfolds the surface under them. If no contact line is near (a flat face, a submerged body),
 // their corners do not move. `moved` is true if the body has moved, false if only the film has.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline void findContactLine(Film& film, double descent, bool moved) {
+DIPWRIGHT_TEAM DIPWRIGHT_CALLED void findContactLine(Film& film, double descent, bool moved) {
     using Real = typename Film::Real;
     const BodyFrame<Real> frame = film.body().frameAt(descent);
     const bool isOnPath = film.body().path.count > 0;
@@ -180,7 +180,7 @@ DIPWRIGHT_TEAM inline void setAnchors(Film& film) {
 // Holds the corners of film that is stretched too far. If the film did not converge
 // (`didNotConverge`), also holds the corners of folded film. Returns whether this thread held any.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline bool holdTornOrFolded(Film& film, bool didNotConverge) {
+DIPWRIGHT_TEAM DIPWRIGHT_CALLED bool holdTornOrFolded(Film& film, bool didNotConverge) {
     using Real = typename Film::Real;
     const FilmModel<Real>& model = film.model();
     bool any = false;
