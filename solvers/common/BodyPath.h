@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/BodyFrame.h"
+#include "common/Functions.h"
 
 #include <dipwright/FilmSolver.h>
 
@@ -65,12 +66,12 @@ DIPWRIGHT_HOST_DEVICE BodyFrame<Real> frameOnPath(const PathView& path, double t
     const double* a = &from.rotation[0];
     const double* b = &to.rotation[0];
     const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-    const double angle = std::acos(std::fmin(std::fabs(cosine), 1.0));
+    const double angle = angleOf(std::fmin(std::fabs(cosine), 1.0));
     double weightA = 1 - share, weightB = share;
     constexpr double leastAngle = 1e-6; // below it, the sines' ratio is the share itself
     if (angle > leastAngle) {
-        weightA = std::sin((1 - share) * angle) / std::sin(angle);
-        weightB = std::sin(share * angle) / std::sin(angle);
+        weightA = sineOf((1 - share) * angle) / sineOf(angle);
+        weightB = sineOf(share * angle) / sineOf(angle);
     }
     weightB = cosine < 0 ? -weightB : weightB;
     double q[4];

@@ -64,18 +64,18 @@ void forRowStages(int rows, int columns, const Work& work) {
     }
 }
 
-// Returns the sum of sumOfRow(row) over all rows, always added in the same order.
-template <typename SumOfRow>
-double sumOverRows(int rows, int columns, const SumOfRow& sumOfRow) {
-    std::vector<double> sums(std::size_t(rows), 0.0);
+// Returns the sum of sumOfRow(row) over all rows. A Sum begins at zero and has a member add(other).
+template <typename Sum, typename SumOfRow>
+Sum sumOverRows(int rows, int columns, const SumOfRow& sumOfRow) {
+    std::vector<Sum> sums(static_cast<std::size_t>(rows));
     forRowBands(rows, columns, [&](int begin, int end) {
         for (int row = begin; row < end; ++row) {
             sums[std::size_t(row)] = sumOfRow(row);
         }
     });
-    double sum = 0;
-    for (const double rowSum : sums) {
-        sum += rowSum;
+    Sum sum;
+    for (const Sum& ofRow : sums) {
+        sum.add(ofRow);
     }
     return sum;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace dipwright::cuda {
 
@@ -11,7 +12,7 @@ struct TeamMemory {
     static constexpr int mostValues = 12;
 
     unsigned arrived = 0;
-    double values[2][mostBlocks][mostValues] = {};
+    std::int64_t values[2][mostBlocks][mostValues] = {}; // integers, or the bits of other numbers
 };
 
 // Gives a block access to its team; the object lies in shared memory. All threads of all blocks
@@ -55,20 +56,31 @@ public:
         __syncthreads();
     }
 
-    // Replaces `values` in every thread by the team's sum or maximum. Always adds the values in the
-    // same order. Acts as a barrier.
+    // Replaces `values` in every thread by the team's sum. Acts as a barrier.
     template <int count>
-    __device__ void sum(double (&values)[count]) {
+    __device__ void sum(std::int64_t (&values)[count]) {
         sum(values, count);
     }
     // Sums only the first `used` values.
     template <int count>
-    __device__ void sum(double (&values)[count], int used) {
-        reduce(values, used, [](double a, double b) { return a + b; });
+    __device__ void sum(std::int64_t (&values)[count], int used) {
+        reduce(values, used, [](std::int64_t a, std::int64_t b) { return a + b; });
     }
+    // Replaces `values` in every thread by the team's maximum. Acts as a barrier.
     template <int count>
     __device__ void largest(double (&values)[count]) {
-        reduce(values, count, [](double a, double b) { return a > b ? a : b; });
+        std::int64_t words[count];
+#pragma unroll
+        for (int i = 0; i < count; ++i) {
+            words[i] = __double_as_longlong(values[i]);
+        }
+        reduce(words, count, [](std::int64_t a, std::int64_t b) {
+            return __longlong_as_double(a) > __longlong_as_double(b) ? a : b;
+        });
+#pragma unroll
+        for (int i = 0; i < count; ++i) {
+            values[i] = __longlong_as_double(words[i]);
+        }
     }
 
 private:
@@ -83,7 +95,7 @@ private:
     }
 
     template <int count, typename Join>
-    __device__ void reduce(double (&values)[count], int used, const Join& join) {
+    __device__ void reduce(std::int64_t (&values)[count], int used, const Join& join) {
         static_assert(count <= TeamMemory::mostValues);
         const int lane = int(threadIdx.x) % 32, warp = int(threadIdx.x) / 32;
         joinWarp(values, used, 32, join);
@@ -94,9 +106,9 @@ private:
             }
         }
         __syncthreads();
-        double(*slots)[TeamMemory::mostValues] = memory_->values[barriers_ % 2];
+        std::int64_t(*slots)[TeamMemory::mostValues] = memory_->values[barriers_ % 2];
         if (warp < used) { // one value per warp
-            double joined[1] = {partial_[lane % warps][warp]};
+            std::int64_t joined[1] = {partial_[lane % warps][warp]};
             joinWarp(joined, 1, warps, join);
             if (lane == 0) {
                 slots[block_][warp] = joined[0];
@@ -105,12 +117,12 @@ private:
         barrier();
         if (warp < used) {
             constexpr int most = TeamMemory::mostBlocks / 32;
-            double found[most]; // all loads are under way before the first is used
+            std::int64_t found[most]; // all loads are under way before the first is used
 #pragma unroll
             for (int k = 0; k < most; ++k) {
                 found[k] = slots[min(lane + 32 * k, blocks_ - 1)][warp];
             }
-            double joined[1] = {found[0]};
+            std::int64_t joined[1] = {found[0]};
 #pragma unroll
             for (int k = 1; k < most; ++k) {
                 if (lane + 32 * k < blocks_) {
@@ -133,13 +145,14 @@ private:
 
     // Combines the first `used` values of the first `lanes` lanes into lane 0.
     template <int count, typename Join>
-    __device__ static void joinWarp(double (&values)[count], int used, int lanes,
+    __device__ static void joinWarp(std::int64_t (&values)[count], int used, int lanes,
                                     const Join& join) {
         const int lane = int(threadIdx.x) % 32;
 #pragma unroll
         for (int i = 0; i < count; ++i) {
             for (int offset = 16; i < used && offset > 0; offset /= 2) {
-                const double other = __shfl_down_sync(0xffffffff, values[i], unsigned(offset));
+                const std::int64_t other =
+                    __shfl_down_sync(0xffffffff, values[i], unsigned(offset));
                 if (lane + offset < lanes) {
                     values[i] = join(values[i], other);
                 }
@@ -150,8 +163,8 @@ private:
     TeamMemory* memory_;
     int blocks_, block_;
     unsigned barriers_;
-    double partial_[warps][TeamMemory::mostValues]; // one row per warp of this block
-    double result_[TeamMemory::mostValues];
+    std::int64_t partial_[warps][TeamMemory::mostValues]; // one row per warp of this block
+    std::int64_t result_[TeamMemory::mostValues];
 };
 
 } // namespace dipwright::cuda

@@ -3,7 +3,8 @@
 #include "common/cpu/RowParallel.h"
 #include "production/cpu/RowKernels.h"
 
-#include <cmath>
+#include <array>
+#include <cstdint>
 
 namespace dipwright::cpu {
 
@@ -13,10 +14,16 @@ void add(float factor, const PlaneVector& a, PlaneVector& out) {
     addScaled(out.size(), factor, a.x.data(), out.x.data());
     addScaled(out.size(), factor, a.z.data(), out.z.data());
 }
-void scale(float factor, PlaneVector& v) {
-    scaleRow(v.size(), factor, v.x.data());
-    scaleRow(v.size(), factor, v.z.data());
-}
+// The products of a vector with the first basis vectors, in multiples (OrderlessSum.h).
+struct BasisProducts {
+    std::array<std::int64_t, std::size_t(numerics::mostBasisVectors)> multiples{};
+
+    void add(const BasisProducts& other) {
+        for (std::size_t i = 0; i < multiples.size(); ++i) {
+            multiples[i] += other.multiples[i];
+        }
+    }
+};
 
 } // namespace
 
@@ -25,8 +32,7 @@ static_assert(numerics::FilmBackend<CpuBackend> && numerics::GmresBackend<CpuBac
 CpuBackend::CpuBackend(const solver::DipSetup& setup)
     : HostFilm(setup), film_(model()), multigrid_(setup.film), areas_(setup.film.pointCount()),
       gradient_(setup.film.pointCount()), step_(setup.film.pointCount()),
-      residual_(setup.film.pointCount()), start_(setup.film.pointCount()),
-      best_(setup.film.pointCount()),
+      start_(setup.film.pointCount()), best_(setup.film.pointCount()),
       basis_(std::size_t(numerics::mostBasisVectors) + 1, PlaneVector(setup.film.pointCount())),
       smoothed_(std::size_t(numerics::mostBasisVectors), PlaneVector(setup.film.pointCount())) {
     forPoints([&](int point) { areas_[std::size_t(point)] = pointArea(model(), point); });
@@ -38,13 +44,17 @@ void CpuBackend::setFree() {
     film_.setFree(masked_);
 }
 
-double CpuBackend::dot(const PlaneVector& a, const PlaneVector& b) const {
+RowOfPairs CpuBackend::rowOf(const PlaneVector& v, int row) const {
+    const std::size_t first = std::size_t(row) * std::size_t(film_.columns());
+    return {v.x.data() + first, v.z.data() + first};
+}
+
+double CpuBackend::norm(const PlaneVector& v) const {
     const std::size_t width = std::size_t(film_.columns());
-    return sumOverRows(film_.rows(), film_.columns(), [&](int row) {
-        const std::size_t first = std::size_t(row) * width;
-        return rowDot(a.x.data() + first, b.x.data() + first, width) +
-               rowDot(a.z.data() + first, b.z.data() + first, width);
-    });
+    return sumOverRows<numerics::SquareSum>(
+               film_.rows(), film_.columns(),
+               [&](int row) { return rowSquares(rowOf(v, row), width); })
+        .root();
 }
 
 void CpuBackend::maskHeld(PlaneVector& v) const {
@@ -53,18 +63,16 @@ void CpuBackend::maskHeld(PlaneVector& v) const {
 }
 
 numerics::FilmForce CpuBackend::force(float drag) {
-    const FlushDenormals flush;
     const double elastic = film_.gradient(displacement_, gradient_);
     addDifference(gradient_.size(), drag, areas_.data(), displacement_.x.data(), before_.x.data(),
                   gradient_.x.data());
     addDifference(gradient_.size(), drag, areas_.data(), displacement_.z.data(), before_.z.data(),
                   gradient_.z.data());
     maskHeld(gradient_);
-    return {std::sqrt(dot(gradient_, gradient_)), elastic};
+    return {norm(gradient_), elastic};
 }
 
 numerics::FilmForce CpuBackend::forceAlong(float length, float drag) {
-    const FlushDenormals flush;
     displacement_ = start_;
     add(length, step_, displacement_);
     return force(drag);
@@ -81,19 +89,17 @@ double CpuBackend::startOfStep() {
 
 void CpuBackend::solveLinear(float drag, numerics::Tangent tangent, double start,
                              double tolerance) {
-    const FlushDenormals flush;
     numerics::solveGmres(*this, drag, tangent, start, tolerance);
 }
 
 void CpuBackend::startLinear() {
     std::fill(step_.x.begin(), step_.x.end(), 0.f);
     std::fill(step_.z.begin(), step_.z.end(), 0.f);
-    residual_ = gradient_;
+    basis_.front() = gradient_;
 }
 
 void CpuBackend::startBasis(float factor) {
-    basis_.front() = residual_;
-    scale(factor, basis_.front());
+    factors_.front() = factor;
 }
 
 void CpuBackend::multiply(const PlaneVector& v, float drag, numerics::Tangent tangent,
@@ -104,19 +110,37 @@ void CpuBackend::multiply(const PlaneVector& v, float drag, numerics::Tangent ta
     maskHeld(out);
 }
 
+// Classical Gram–Schmidt: all products first.
 void CpuBackend::extendBasis(int count, float drag, numerics::Tangent tangent) {
     const std::size_t newest = std::size_t(count);
-    multigrid_.apply(basis_[newest], smoothed_[newest]);
+    multigrid_.apply(basis_[newest], factors_[newest], smoothed_[newest]);
     PlaneVector& next = basis_[newest + 1];
     multiply(smoothed_[newest], drag, tangent, next);
+    const int rows = film_.rows(), columns = film_.columns();
+    const std::size_t width = std::size_t(columns);
+    const auto products = sumOverRows<BasisProducts>(rows, columns, [&](int row) {
+        BasisProducts ofRow;
+        for (std::size_t i = 0; i <= newest; ++i) {
+            ofRow.multiples[i] =
+                rowProducts(rowOf(next, row), rowOf(basis_[i], row), factors_[i], width);
+        }
+        return ofRow;
+    });
     double* column = leastResiduals_.matrix[count];
     for (std::size_t i = 0; i <= newest; ++i) {
-        column[i] = dot(next, basis_[i]);
-        add(-float(column[i]), basis_[i], next);
+        column[i] = numerics::ProductSum::value(products.multiples[i]);
     }
-    const double size = std::sqrt(dot(next, next));
-    column[newest + 1] = size;
-    scale(size > 0 ? float(1 / size) : 0.f, next);
+    const auto squares = sumOverRows<numerics::SquareSum>(rows, columns, [&](int row) {
+        const std::size_t first = std::size_t(row) * width;
+        for (std::size_t i = 0; i <= newest; ++i) {
+            const float factor = -float(column[i] * double(factors_[i]));
+            addScaled(width, factor, basis_[i].x.data() + first, next.x.data() + first);
+            addScaled(width, factor, basis_[i].z.data() + first, next.z.data() + first);
+        }
+        return rowSquares(rowOf(next, row), width);
+    });
+    column[newest + 1] = squares.root();
+    factors_[newest + 1] = numerics::inverseLength(column[newest + 1]);
 }
 
 void CpuBackend::addToStep(int count) {
@@ -126,9 +150,10 @@ void CpuBackend::addToStep(int count) {
 }
 
 double CpuBackend::linearResidual(float drag, numerics::Tangent tangent) {
-    multiply(step_, drag, tangent, residual_);
-    add(1, gradient_, residual_);
-    return std::sqrt(dot(residual_, residual_));
+    PlaneVector& residual = basis_.front();
+    multiply(step_, drag, tangent, residual);
+    add(1, gradient_, residual);
+    return norm(residual);
 }
 
 } // namespace dipwright::cpu

@@ -1,14 +1,16 @@
 // Runs the production film on the CPU's cores, row by row (FilmBackend.h). Solves linear systems by
-// GMRES with a multigrid cycle as preconditioner. The result is bit-identical for any number of
-// threads.
+// GMRES with a multigrid cycle as preconditioner. The result has the same bits for any number of
+// threads, and on the GPU (docs/speed.md).
 #pragma once
 
+#include "common/cpu/FlushDenormals.h"
 #include "parallel/ParallelFor.h"
 #include "production/cpu/PlaneFilm.h"
 #include "production/cpu/StiffnessMultigrid.h"
 #include "production/formulas/HostFilm.h"
 
 #include <algorithm>
+#include <array>
 
 namespace dipwright::cpu {
 
@@ -71,7 +73,8 @@ private:
     // corners.
     template <typename Crosses>
     std::vector<int> crossingTriangles(const Crosses& crosses) const;
-    double dot(const PlaneVector& a, const PlaneVector& b) const;
+    RowOfPairs rowOf(const PlaneVector& v, int row) const;
+    double norm(const PlaneVector& v) const;
     void maskHeld(PlaneVector& v) const;
     // Computes out = H v, including the drag.
     void multiply(const PlaneVector& v, float drag, numerics::Tangent tangent, PlaneVector& out);
@@ -80,8 +83,11 @@ private:
     StiffnessMultigrid multigrid_;
     std::vector<float> masked_; // per point: 0 if it was held at the last setFree()
     std::vector<float> areas_;  // per point: film area relative to the finest cell
-    PlaneVector gradient_, step_, residual_, start_, best_;
-    std::vector<PlaneVector> basis_, smoothed_;
+    PlaneVector gradient_, step_, start_, best_;
+    // The basis vectors, which must be multiplied by their factors.
+    std::vector<PlaneVector> basis_;
+    std::array<float, std::size_t(numerics::mostBasisVectors) + 1> factors_{};
+    std::vector<PlaneVector> smoothed_;
     numerics::GmresProblem leastResiduals_;
 };
 
@@ -111,6 +117,7 @@ numerics::LineState<float> CpuBackend::findCrossing(const Crosses& crosses, cons
     std::vector<float> steepness(triangles.size());
     parallelForPieces(
         std::size_t(0), triangles.size(), trianglesAtOnce, [&](std::size_t begin, std::size_t end) {
+            const FlushDenormals flush;
             for (std::size_t i = begin; i < end; ++i) {
                 const auto unfolded =
                     unfold(triangles[i],

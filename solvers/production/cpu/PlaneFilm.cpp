@@ -199,7 +199,7 @@ RowOfShapes PlaneFilm::shapesOf(int row) const {
 
 double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result) {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
-    std::vector<double> squares(std::size_t(rows_ - 1), 0.0);
+    std::vector<numerics::SquareSum> squares(std::size_t(rows_ - 1));
     gatherForces(columns_, rows_, result, [&](int j, bool owned, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
         // Both bands compute the row of cells between them, but only one band keeps its states.
@@ -238,19 +238,19 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
                                                inverseShape(triangle.cell, triangle.second),
                                                areaOf(triangle)));
         }
-        for (const int which : {firstX, firstZ, secondX, secondZ}) {
-            const std::vector<float>& moving = moving_[which == secondX || which == secondZ];
-            if (owned) {
-                squares[std::size_t(j)] +=
-                    rowWeightedSquares(moving.data() + first, forces.array(which), cells);
-            }
+        if (owned) {
+            numerics::SquareSum& sum = squares[std::size_t(j)];
+            sum = rowWeightedSquares(moving_[0].data() + first,
+                                     {forces.array(firstX), forces.array(firstZ)}, cells);
+            sum.add(rowWeightedSquares(moving_[1].data() + first,
+                                       {forces.array(secondX), forces.array(secondZ)}, cells));
         }
     });
-    double sum = 0;
-    for (const double square : squares) {
-        sum += square;
+    numerics::SquareSum sum;
+    for (const numerics::SquareSum& ofRow : squares) {
+        sum.add(ofRow);
     }
-    return std::sqrt(sum);
+    return sum.root();
 }
 
 RowOfStates<const float*> PlaneFilm::statesOf(int row) const {

@@ -1,6 +1,7 @@
 #include "production/cpu/ProductionFilm.h"
 
 #include "common/SetupLimits.h"
+#include "common/cpu/FlushDenormals.h"
 #include "parallel/Threads.h"
 #include "production/cpu/CpuBackend.h"
 
@@ -26,7 +27,10 @@ public:
 
     solver::DipState advance(int maximumSteps) override {
         solver::DipState state;
-        team_->run([&] { state = numerics::advance(*film_, maximumSteps); });
+        team_->run([&] {
+            const FlushDenormals flush;
+            state = numerics::advance(*film_, maximumSteps);
+        });
         return state;
     }
 

@@ -21,12 +21,17 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Number of partial sums in a row, for all vector lengths.
-constexpr std::size_t sumCount = 16;
-
-using Lanes = hn::CappedTag<float, sumCount>;
+using Lanes = hn::CappedTag<float, 16>;
 using Vector = hn::Vec<Lanes>;
 constexpr Lanes lanes;
+
+// The terms of a sum, in double precision, and as integers.
+using Doubles = hn::CappedTag<double, 8>;
+using Integers = hn::RebindToSigned<Doubles>;
+using Floats = hn::Rebind<float, Doubles>; // as many numbers as Doubles
+constexpr Doubles doubles;
+constexpr Integers integers;
+constexpr Floats floats;
 
 HWY_INLINE Vector load(const float* from) {
     return hn::LoadU(lanes, from);
@@ -49,39 +54,90 @@ HWY_INLINE void forRow(std::size_t first, std::size_t last, float* out, const Wh
     }
 }
 
-// Returns the sum of product(i) over whole groups of sixteen, plus the sum of one(i) over the
-// remaining numbers.
-template <typename Product, typename One>
-HWY_INLINE double sumOfRow(std::size_t count, const Product& product, const One& one) {
-    HWY_ALIGN float sums[sumCount] = {};
+using Terms = hn::Vec<Doubles>;
+using Multiples = hn::Vec<Integers>;
+
+HWY_INLINE Terms asTerms(const hn::Vec<Floats>& values) {
+    return hn::PromoteTo(doubles, values);
+}
+HWY_INLINE hn::Vec<Floats> loadFloats(const float* from) {
+    return hn::LoadU(floats, from);
+}
+HWY_INLINE Multiples bitsOf(const Terms& terms) {
+    return hn::BitCast(integers, terms);
+}
+HWY_INLINE std::int64_t sumOf(const Multiples& multiples) {
+    return hn::GetLane(hn::SumOfLanes(integers, multiples));
+}
+
+std::int64_t rowProducts(const RowOfPairs& a, const RowOfPairs& b, float factor,
+                         std::size_t count) {
+    using numerics::ProductSum;
+    const Terms scale = hn::Set(doubles, double(factor));
+    const Terms shift = hn::Set(doubles, ProductSum::shift);
+    const Multiples none = bitsOf(shift);
+    Multiples sums = hn::Zero(integers);
     std::size_t i = 0;
-    for (; i + sumCount <= count; i += sumCount) {
-        for (std::size_t lane = 0; lane < sumCount; lane += laneCount()) {
-            hn::Store(hn::Add(hn::Load(lanes, sums + lane), product(i + lane)), lanes, sums + lane);
-        }
+    for (; i + hn::Lanes(doubles) <= count; i += hn::Lanes(doubles)) {
+        const auto product = hn::Add(hn::Mul(loadFloats(a.x + i), loadFloats(b.x + i)),
+                                     hn::Mul(loadFloats(a.z + i), loadFloats(b.z + i)));
+        const Terms term = hn::Mul(asTerms(product), scale);
+        sums = hn::Add(sums, hn::Sub(bitsOf(hn::Add(term, shift)), none));
     }
-    double sum = 0;
-    for (const float each : sums) {
-        sum += double(each);
-    }
+    std::int64_t sum = sumOf(sums);
     for (; i < count; ++i) {
-        sum += one(i);
+        const float product = a.x[i] * b.x[i] + a.z[i] * b.z[i];
+        sum += ProductSum::multiple(double(product) * double(factor));
     }
     return sum;
 }
 
-double rowDot(const float* a, const float* b, std::size_t count) {
-    return sumOfRow(
-        count, [&](std::size_t i) HWY_ATTR { return hn::Mul(load(a + i), load(b + i)); },
-        [&](std::size_t i) { return double(a[i]) * double(b[i]); });
+// Returns the sum of square(i) in whole vectors, and of one(i) for the remaining numbers. Both must
+// use the same arithmetic.
+template <typename Square, typename One>
+HWY_INLINE numerics::SquareSum sumOfSquares(std::size_t count, const Square& square,
+                                            const One& one) {
+    using numerics::SquareSum;
+    const Terms limit = hn::Set(doubles, SquareSum::limit);
+    const Terms wholeShift = hn::Set(doubles, SquareSum::wholeShift);
+    const Terms shift = hn::Set(doubles, SquareSum::shift);
+    const Multiples none = bitsOf(shift), noWhole = bitsOf(wholeShift);
+    Multiples whole = hn::Zero(integers), rest = hn::Zero(integers);
+    std::size_t i = 0;
+    for (; i + hn::Lanes(doubles) <= count; i += hn::Lanes(doubles)) { // as SquareSum::add()
+        const Terms given = asTerms(square(i));
+        const Terms term = hn::IfThenElse(hn::Lt(given, limit), given, limit);
+        const Terms shifted = hn::Add(term, wholeShift);
+        const Terms left = hn::Sub(term, hn::Sub(shifted, wholeShift));
+        whole = hn::Add(whole, hn::Sub(bitsOf(shifted), noWhole));
+        rest = hn::Add(rest, hn::Sub(bitsOf(hn::Add(left, shift)), none));
+    }
+    SquareSum sum{sumOf(whole), sumOf(rest)};
+    for (; i < count; ++i) {
+        sum.add(double(one(i)));
+    }
+    return sum;
 }
 
-double rowWeightedSquares(const float* weight, const float* a, std::size_t count) {
-    return sumOfRow(
+numerics::SquareSum rowSquares(const RowOfPairs& a, std::size_t count) {
+    return sumOfSquares(
         count,
-        [&](std::size_t i)
-            HWY_ATTR { return hn::Mul(hn::Mul(load(weight + i), load(a + i)), load(a + i)); },
-        [&](std::size_t i) { return double(weight[i]) * double(a[i]) * double(a[i]); });
+        [&](std::size_t i) HWY_ATTR {
+            const auto x = loadFloats(a.x + i), z = loadFloats(a.z + i);
+            return hn::Add(hn::Mul(x, x), hn::Mul(z, z));
+        },
+        [&](std::size_t i) { return a.x[i] * a.x[i] + a.z[i] * a.z[i]; });
+}
+
+numerics::SquareSum rowWeightedSquares(const float* weight, const RowOfPairs& a,
+                                       std::size_t count) {
+    return sumOfSquares(
+        count,
+        [&](std::size_t i) HWY_ATTR {
+            const auto x = loadFloats(a.x + i), z = loadFloats(a.z + i);
+            return hn::Mul(loadFloats(weight + i), hn::Add(hn::Mul(x, x), hn::Mul(z, z)));
+        },
+        [&](std::size_t i) { return weight[i] * (a.x[i] * a.x[i] + a.z[i] * a.z[i]); });
 }
 
 void addScaled(std::size_t count, float factor, const float* a, float* out) {
@@ -92,11 +148,11 @@ void addScaled(std::size_t count, float factor, const float* a, float* out) {
         [&](std::size_t i) { return out[i] + factor * a[i]; });
 }
 
-void scaleRow(std::size_t count, float factor, float* out) {
+void scaledRow(std::size_t count, float factor, const float* a, float* out) {
     const Vector scale = hn::Set(lanes, factor);
     forRow(
-        0, count, out, [&](std::size_t i) HWY_ATTR { return hn::Mul(scale, load(out + i)); },
-        [&](std::size_t i) { return factor * out[i]; });
+        0, count, out, [&](std::size_t i) HWY_ATTR { return hn::Mul(scale, load(a + i)); },
+        [&](std::size_t i) { return factor * a[i]; });
 }
 
 void addWeighted(std::size_t count, float factor, const float* weight, const float* a, float* out) {
@@ -284,9 +340,9 @@ StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints&
             const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
                                   (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
             const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
-            const float moves = moving[second][i];
-            largest = largest > moves * squares ? largest : moves * squares;
-            least = least < moves * area ? least : moves * area;
+            const bool moves = moving[second][i] > 0;
+            largest = moves && squares > largest ? squares : largest;
+            least = moves && area < least ? area : least;
         }
     }
     return {largest, least};
@@ -319,10 +375,11 @@ namespace dipwright::cpu {
 
 namespace {
 
-HWY_EXPORT(rowDot);
+HWY_EXPORT(rowProducts);
+HWY_EXPORT(rowSquares);
 HWY_EXPORT(rowWeightedSquares);
 HWY_EXPORT(addScaled);
-HWY_EXPORT(scaleRow);
+HWY_EXPORT(scaledRow);
 HWY_EXPORT(addWeighted);
 HWY_EXPORT(addDifference);
 HWY_EXPORT(multiplyBy);
@@ -334,17 +391,22 @@ HWY_EXPORT(addForces);
 
 } // namespace
 
-double rowDot(const float* a, const float* b, std::size_t count) {
-    return HWY_DYNAMIC_DISPATCH(rowDot)(a, b, count);
+std::int64_t rowProducts(const RowOfPairs& a, const RowOfPairs& b, float factor,
+                         std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(rowProducts)(a, b, factor, count);
 }
-double rowWeightedSquares(const float* weight, const float* a, std::size_t count) {
+numerics::SquareSum rowSquares(const RowOfPairs& a, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(rowSquares)(a, count);
+}
+numerics::SquareSum rowWeightedSquares(const float* weight, const RowOfPairs& a,
+                                       std::size_t count) {
     return HWY_DYNAMIC_DISPATCH(rowWeightedSquares)(weight, a, count);
 }
 void addScaled(std::size_t count, float factor, const float* a, float* out) {
     HWY_DYNAMIC_DISPATCH(addScaled)(count, factor, a, out);
 }
-void scaleRow(std::size_t count, float factor, float* out) {
-    HWY_DYNAMIC_DISPATCH(scaleRow)(count, factor, out);
+void scaledRow(std::size_t count, float factor, const float* a, float* out) {
+    HWY_DYNAMIC_DISPATCH(scaledRow)(count, factor, a, out);
 }
 void addWeighted(std::size_t count, float factor, const float* weight, const float* a, float* out) {
     HWY_DYNAMIC_DISPATCH(addWeighted)(count, factor, weight, a, out);

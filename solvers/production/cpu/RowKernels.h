@@ -1,23 +1,32 @@
 // The row loops that take most of the CPU time of the production film. They are compiled for each
 // instruction set that Highway supports, and the best one is chosen at run time. All instruction
-// sets give the same bits: no fused multiply-add, and sums always in the same order.
+// sets give the same bits as the GPU: no fused multiply-add, and the same order of operations.
 #pragma once
 
 #include "production/formulas/GridTriangle.h"
+#include "production/formulas/OrderlessSum.h"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace dipwright::cpu {
 
-// Return Σ a·b and Σ weight·a². Both use sixteen partial sums.
-double rowDot(const float* a, const float* b, std::size_t count);
-double rowWeightedSquares(const float* weight, const float* a, std::size_t count);
+// The x and z values of a row of points or cells.
+struct RowOfPairs {
+    const float *x, *z;
+};
+
+// Returns factor·Σ a·b, in multiples (OrderlessSum.h).
+std::int64_t rowProducts(const RowOfPairs& a, const RowOfPairs& b, float factor, std::size_t count);
+// Return Σ a² and Σ weight·a².
+numerics::SquareSum rowSquares(const RowOfPairs& a, std::size_t count);
+numerics::SquareSum rowWeightedSquares(const float* weight, const RowOfPairs& a, std::size_t count);
 
 // Computes out += factor·a.
 void addScaled(std::size_t count, float factor, const float* a, float* out);
-// Computes out *= factor.
-void scaleRow(std::size_t count, float factor, float* out);
+// Computes out = factor·a.
+void scaledRow(std::size_t count, float factor, const float* a, float* out);
 // Computes out += factor·weight·a.
 void addWeighted(std::size_t count, float factor, const float* weight, const float* a, float* out);
 // Computes out += factor·weight·(a − b).

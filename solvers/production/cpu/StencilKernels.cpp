@@ -171,14 +171,14 @@ void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
             const auto give = [&](std::size_t c, bool hasBefore, bool hasHere, bool hasAfter) {
                 const std::size_t i = 2 * c;
                 float outBefore = 0, outOwn = 0, outAfter = 0;
+                if (hasBefore) {
+                    outBefore += 0.5f * (0.5f * own[i - 1] + before[i - 1]);
+                    outOwn += 0.5f * (0.5f * own[i - 1] + after[i - 1]);
+                }
                 if (hasHere) {
                     outBefore += 0.5f * before[i];
                     outOwn += own[i] + 0.5f * (before[i] + after[i]);
                     outAfter += 0.5f * after[i];
-                }
-                if (hasBefore) {
-                    outBefore += 0.5f * (0.5f * own[i - 1] + before[i - 1]);
-                    outOwn += 0.5f * (0.5f * own[i - 1] + after[i - 1]);
                 }
                 if (hasAfter) {
                     outOwn += 0.5f * (0.5f * own[i + 1] + before[i + 1]);
@@ -204,44 +204,42 @@ struct Pair {
     Vector x, z;
 };
 
-// Returns K·now at the points i, i + 1, …, summed over the nine neighbours row by row.
-HWY_INLINE Pair product(const Lines<const float>& stencil, std::size_t pitch,
-                        const RowOfVectors<const float>& now, std::size_t i) {
-    Pair sum{hn::Zero(lanes), hn::Zero(lanes)};
+// Returns right − K·now at the points i, i + 1, …. Subtracts the nine neighbours' parts row by row.
+HWY_INLINE Pair residualAt(const Lines<const float>& stencil, std::size_t pitch,
+                           const RowOfVectors<const float>& right,
+                           const RowOfVectors<const float>& now, std::size_t i) {
+    Pair left{load(right.x + i), load(right.z + i)};
     for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
         const std::ptrdiff_t to = (std::ptrdiff_t(neighbour / 3) - 1) * std::ptrdiff_t(pitch) +
                                   std::ptrdiff_t(neighbour % 3) - 1 + std::ptrdiff_t(i);
         const Vector x = load(now.x + to), z = load(now.z + to);
         const std::size_t line = 4 * neighbour;
-        sum.x = hn::Add(sum.x, hn::Add(hn::Mul(load(stencil[line] + i), x),
-                                       hn::Mul(load(stencil[line + 1] + i), z)));
-        sum.z = hn::Add(sum.z, hn::Add(hn::Mul(load(stencil[line + 2] + i), x),
-                                       hn::Mul(load(stencil[line + 3] + i), z)));
+        left.x = hn::Sub(left.x, hn::Add(hn::Mul(load(stencil[line] + i), x),
+                                         hn::Mul(load(stencil[line + 1] + i), z)));
+        left.z = hn::Sub(left.z, hn::Add(hn::Mul(load(stencil[line + 2] + i), x),
+                                         hn::Mul(load(stencil[line + 3] + i), z)));
     }
-    return sum;
+    return left;
 }
 
 // Rows have space for whole vectors past their end. Stencils and inverses are 0 there.
 HWY_INLINE void takeStep(const ChebyshevRow& row, std::size_t i, const Pair& residual,
                          const Pair& now) {
-    const Vector gain = hn::Set(lanes, row.gain), keep = hn::Set(lanes, row.keep);
+    const Vector gain = hn::Set(lanes, row.gain);
     const Vector xx = load(row.inverse[0] + i), xz = load(row.inverse[1] + i),
                  zz = load(row.inverse[2] + i);
     const Vector x = hn::Add(hn::Mul(xx, residual.x), hn::Mul(xz, residual.z));
     const Vector z = hn::Add(hn::Mul(xz, residual.x), hn::Mul(zz, residual.z));
-    const Vector dx = hn::Add(hn::Mul(keep, load(row.direction.x + i)), hn::Mul(gain, x));
-    const Vector dz = hn::Add(hn::Mul(keep, load(row.direction.z + i)), hn::Mul(gain, z));
+    Vector dx = hn::Mul(gain, x), dz = hn::Mul(gain, z);
+    if (row.keep != 0) { // otherwise the old direction may be anything
+        const Vector keep = hn::Set(lanes, row.keep);
+        dx = hn::Add(hn::Mul(keep, load(row.direction.x + i)), dx);
+        dz = hn::Add(hn::Mul(keep, load(row.direction.z + i)), dz);
+    }
     hn::StoreU(dx, lanes, row.direction.x + i);
     hn::StoreU(dz, lanes, row.direction.z + i);
     hn::StoreU(hn::Add(now.x, dx), lanes, row.result.x + i);
     hn::StoreU(hn::Add(now.z, dz), lanes, row.result.z + i);
-}
-
-HWY_INLINE Pair residualAt(const Lines<const float>& stencil, std::size_t pitch,
-                           const RowOfVectors<const float>& right,
-                           const RowOfVectors<const float>& now, std::size_t i) {
-    const Pair force = product(stencil, pitch, now, i);
-    return {hn::Sub(load(right.x + i), force.x), hn::Sub(load(right.z + i), force.z)};
 }
 
 void smoothFirst(std::size_t columns, const ChebyshevRow& row) {

@@ -228,13 +228,13 @@ void StiffnessMultigrid::cycle(std::size_t index) {
     });
 }
 
-void StiffnessMultigrid::apply(const PlaneVector& right, PlaneVector& result) {
+void StiffnessMultigrid::apply(const PlaneVector& right, float factor, PlaneVector& result) {
     Level& finest = levels_.front();
     const std::size_t width = std::size_t(finest.columns);
     for (int row = 0; row < finest.rows; ++row) {
         const std::size_t from = std::size_t(row) * width, to = finest.at(row);
-        std::copy_n(right.x.data() + from, width, finest.right.x.data() + to);
-        std::copy_n(right.z.data() + from, width, finest.right.z.data() + to);
+        scaledRow(width, factor, right.x.data() + from, finest.right.x.data() + to);
+        scaledRow(width, factor, right.z.data() + from, finest.right.z.data() + to);
     }
     cycle(0);
     for (int row = 0; row < finest.rows; ++row) {

@@ -19,8 +19,8 @@ public:
     void prepare(const PlaneFilm& film, const std::vector<float>& free,
                  const std::vector<float>& area, float drag);
 
-    // Computes result ≈ K⁻¹·right with one cycle; zero at held points.
-    void apply(const PlaneVector& right, PlaneVector& result);
+    // Computes result ≈ K⁻¹·(factor·right) with one cycle; zero at held points.
+    void apply(const PlaneVector& right, float factor, PlaneVector& result);
 
 private:
     // One grid. In all its arrays, a row has `pitch` numbers, and its first point is `margin`

@@ -220,7 +220,7 @@ public:
         multigridCycle(own.block.model, own.block.dip,
                        {own.block.dip.basis[count], own.block.small.factors[count]},
                        own.block.dip.smoothed[count], own.block.team, memory);
-        double products[numerics::mostBasisVectors] = {};
+        std::int64_t products[numerics::mostBasisVectors] = {};
         multiply(own.block.model, own.block.dip, drag, tangent, own.block.dip.smoothed[count],
                  own.block.team, memory, [&](int point, float2 product) {
                      next[point] = product;
@@ -228,37 +228,44 @@ public:
                      for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                          if (i <= count) {
                              const float2 earlier = own.block.dip.basis[i][point];
-                             products[i] += double(product.x * earlier.x + product.y * earlier.y);
+                             products[i] += numerics::ProductSum::multiple(
+                                 double(product.x * earlier.x + product.y * earlier.y) *
+                                 double(own.block.small.factors[i]));
                          }
                      }
                  });
         own.block.team.sum(products, count + 1);
-        double squares[1] = {0};
+        float weights[numerics::mostBasisVectors];
+#pragma unroll
+        for (int i = 0; i < numerics::mostBasisVectors; ++i) {
+            if (i <= count) {
+                weights[i] = float(numerics::ProductSum::value(products[i]) *
+                                   double(own.block.small.factors[i]));
+            }
+        }
+        numerics::SquareSum squares;
         forPoints([&](int point) {
             float2 left = next[point];
 #pragma unroll
             for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                 if (i <= count) {
-                    const double factor = own.block.small.factors[i];
-                    left =
-                        left - own.block.dip.basis[i][point] * float(products[i] * factor * factor);
+                    left = left - own.block.dip.basis[i][point] * weights[i];
                 }
             }
             next[point] = left;
-            squares[0] += double(left.x * left.x + left.y * left.y);
+            squares.add(double(left.x * left.x + left.y * left.y));
         });
-        own.block.team.sum(squares);
+        const double length = rootOf(squares);
         inSmallProblem([&](numerics::GmresProblem& problem) {
             double* column = problem.matrix[count];
 #pragma unroll
             for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                 if (i <= count) {
-                    column[i] = products[i] * own.block.small.factors[i];
+                    column[i] = numerics::ProductSum::value(products[i]);
                 }
             }
-            column[count + 1] = sqrt(squares[0]);
-            own.block.small.factors[count + 1] =
-                squares[0] > 0 ? float(1 / sqrt(squares[0])) : 0.0f;
+            column[count + 1] = length;
+            own.block.small.factors[count + 1] = numerics::inverseLength(length);
             return 0.0;
         });
     }
@@ -274,15 +281,14 @@ public:
     }
     __device__ double linearResidual(float drag, numerics::Tangent tangent) const {
         own.block.team.barrier();
-        double squares[1] = {0};
+        numerics::SquareSum squares;
         multiply(own.block.model, own.block.dip, drag, tangent, own.block.dip.newtonStep,
                  own.block.team, memory, [&](int point, float2 product) {
                      const float2 left = own.block.dip.forces[point] + product;
                      own.block.dip.basis[0][point] = left;
-                     squares[0] += double(left.x * left.x + left.y * left.y);
+                     squares.add(double(left.x * left.x + left.y * left.y));
                  });
-        own.block.team.sum(squares);
-        return sqrt(squares[0]);
+        return rootOf(squares);
     }
 
 private:
@@ -295,6 +301,12 @@ private:
                                                                float length) {
         return cuda::force(own.block.model, own.block.dip, drag, isAlong, length, own.block.team,
                            memory);
+    }
+    // Returns the root of the sum of all threads' squares.
+    __device__ __noinline__ static double rootOf(numerics::SquareSum squares) {
+        std::int64_t sums[2] = {squares.whole, squares.rest};
+        own.block.team.sum(sums);
+        return numerics::SquareSum{sums[0], sums[1]}.root();
     }
     __device__ static numerics::Vector2<float> plain(float2 value) {
         return {value.x, value.y};

@@ -62,7 +62,9 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
     };
     forRange(tile.cells, [&](int x, int z) {
         CellForces cell;
-        for (const bool second : {false, true}) {
+#pragma unroll 1
+        for (int i = 0; i < 2; ++i) {
+            const bool second = i != 0;
             const numerics::TriangleCorners corners =
                 numerics::triangleCorners(model.columns, x, z, second);
             const numerics::EdgePair<float> force =
@@ -76,14 +78,19 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
     forRange(tile.points, [&](int x, int z) {
         float2 sum{0, 0};
         for (int j = max(z - 1, 0); j < min(z + 1, model.rows - 1); ++j) {
-            for (int i = max(x - 1, 0); i < min(x + 1, cellColumns); ++i) {
-                const CellForces& cell =
-                    forces[(j - tile.cells.z0) * tile.cells.width() + i - tile.cells.x0];
-                const float2 edge = j == z ? cell.first : cell.second;
-                const float2 side = i == x ? cell.left : cell.right;
-                sum = i == x ? sum - edge : sum + edge;
-                sum = j == z ? sum - side : sum + side;
+            // The cells to the left and to the right of the point.
+            const CellForces* cells =
+                forces + (j - tile.cells.z0) * tile.cells.width() + x - tile.cells.x0;
+            float2 edges{0, 0}, sides{0, 0};
+            if (x > 0) {
+                edges = j == z ? cells[-1].first : cells[-1].second;
+                sides = cells[-1].right;
             }
+            if (x < cellColumns) {
+                edges = edges - (j == z ? cells[0].first : cells[0].second);
+                sides = sides + cells[0].left;
+            }
+            sum = sum + (j == z ? edges - sides : edges + sides);
         }
         gather(x, z, sum);
     });
@@ -98,7 +105,7 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
                                             float drag, bool isAlong, float length, Team& team,
                                             float2* memory) {
-    double sums[2] = {0, 0};
+    numerics::SquareSum squares, elastic;
 #pragma unroll 1
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
         const FilmTile tile(model, t);
@@ -144,7 +151,7 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                     for (const std::uint32_t point : corners.points) {
                         moves = fmaxf(moves, dip.masked[point]);
                     }
-                    sums[1] += double(moves * (result.hx * result.hx + result.hz * result.hz));
+                    elastic.add(double(moves * (result.hx * result.hx + result.hz * result.hz)));
                 }
                 return result;
             },
@@ -156,11 +163,13 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                 const float own = drag * pointArea(model, x, z);
                 const float2 left = (sum + way * own) * dip.masked[point];
                 dip.forces[point] = left;
-                sums[0] += double(left.x * left.x + left.y * left.y);
+                squares.add(double(left.x * left.x + left.y * left.y));
             });
     }
+    std::int64_t sums[4] = {squares.whole, squares.rest, elastic.whole, elastic.rest};
     team.sum(sums);
-    return {sqrt(sums[0]), sqrt(sums[1])};
+    return {numerics::SquareSum{sums[0], sums[1]}.root(),
+            numerics::SquareSum{sums[2], sums[3]}.root()};
 }
 
 // Calls work(point, product) for all points. `product` is the Hessian times `vector`, including the

@@ -187,8 +187,8 @@ private:
         const float determinant = own.x * own.w - mixed * mixed;
         const bool isRegular =
             trace > 0 && determinant > numerics::galerkin::leastDeterminant * trace * trace;
-        const float scale = isRegular ? __fdividef(1.0f, determinant) : 0;
-        const float common = !isRegular && trace > 0 ? __fdividef(1.0f, trace) : 0;
+        const float scale = isRegular ? 1 / determinant : 0;
+        const float common = !isRegular && trace > 0 ? 1 / trace : 0;
         inverse_[k] = {own.w * scale + common, -mixed * scale, own.x * scale + common};
     }
 
@@ -239,12 +239,12 @@ __device__ inline float2 restricted(const PlanePatch& fine, int coarseX, int coa
     const float2* at = fine.other + fine.index(2 * coarseX, 2 * coarseZ);
     const int pitch = fine.pitch();
     const bool isInX = 2 * coarseX < fine.level->columns, isInZ = 2 * coarseZ < fine.level->rows;
-    const auto row = [&](int z) {
-        const float2* here = at + z * pitch;
+    const auto column = [&](int x) {
+        const float2* here = at + x;
         // Past the last point of the level, the patch has zeros for one more point only.
-        return isInX ? here[0] + (here[-1] + here[1]) * 0.5f : here[-1] * 0.5f;
+        return isInZ ? here[0] + (here[-pitch] + here[pitch]) * 0.5f : here[-pitch] * 0.5f;
     };
-    return isInZ ? row(0) + (row(-1) + row(1)) * 0.5f : row(-1) * 0.5f;
+    return isInX ? column(0) + (column(-1) + column(1)) * 0.5f : column(-1) * 0.5f;
 }
 
 // Interpolates a coarser level's values at a point of the finer level. `pitch` is the distance
@@ -253,6 +253,11 @@ __device__ inline float2 interpolated(const float2* coarse, int pitch, int x, in
     const float2 *lower = coarse + (z / 2) * pitch, *upper = coarse + ((z + 1) / 2) * pitch;
     const int left = x / 2, right = (x + 1) / 2;
     return ((lower[left] + upper[left]) + (lower[right] + upper[right])) * 0.25f;
+}
+
+// Returns 0 for a held point of the finest level, and 1 for any other point.
+__device__ inline float freedom(const ProductionDip& dip, int level, int point) {
+    return level == 0 ? dip.masked[point] : 1.0f;
 }
 
 // Tile `index` of a level: the points of the coarser level in the tile, and the fine points that
@@ -330,11 +335,9 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
         __syncthreads();
         forRange(patch.range, [&](int x, int z) {
             const int point = z * level.columns + x;
-            const float4 own = stencils.at(middle, point);
-            const float2 found = dip.result[level.offset + point];
-            const bool isHeld = own.x + own.w == 0;
             patch.result[patch.index(x, z)] =
-                isHeld ? found : found + interpolated(coarse, coarsePitch, x, z);
+                dip.result[level.offset + point] +
+                interpolated(coarse, coarsePitch, x, z) * freedom(dip, index, point);
         });
         __syncthreads();
         withPoints(
@@ -409,7 +412,8 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
             const float2* solution = coarser.result + coarser.index(0, 0);
             forRange(patch.range, [&](int x, int z) {
                 float2& value = patch.result[patch.index(x, z)];
-                value = value + interpolated(solution, coarser.pitch(), x, z);
+                value = value + interpolated(solution, coarser.pitch(), x, z) *
+                                    freedom(dip, l, z * patch.level->columns + x);
             });
             __syncthreads();
         }
@@ -458,7 +462,7 @@ __device__ inline void multigridCycle(const ProductionModel& model, const Produc
 }
 
 // Returns the projected stiffness of a triangle at the last force computation.
-__device__ inline numerics::EdgeStiffness<float>
+__device__ __noinline__ numerics::EdgeStiffness<float>
 stiffnessOf(const ProductionModel& model, const ProductionDip& dip, int triangle) {
     const float4 shape = dip.inverseShape[triangle], stress = dip.stress[triangle];
     const numerics::Matrix2<float> inverse{shape.x, shape.y, shape.z, shape.w};
@@ -510,10 +514,10 @@ __device__ inline void assemble(const ProductionModel& model, const ProductionDi
             const int point = z * level.columns + x;
             const bool moves = dip.masked[point] > 0;
             if (moves) {
-                addCell<CellPoint::LowerLeft>(model, dip, x, z, stencil);
-                addCell<CellPoint::LowerRight>(model, dip, x, z, stencil);
                 addCell<CellPoint::UpperLeft>(model, dip, x, z, stencil);
                 addCell<CellPoint::UpperRight>(model, dip, x, z, stencil);
+                addCell<CellPoint::LowerLeft>(model, dip, x, z, stencil);
+                addCell<CellPoint::LowerRight>(model, dip, x, z, stencil);
                 const float own = drag * pointArea(model, x, z);
                 stencil[middle] = stencil[middle] + float4{own, 0, 0, own};
             }
@@ -537,7 +541,7 @@ __device__ inline void addCoarse(int offset, float before, float own, float afte
                                  float& toOwn, float& toAfter) {
     if (offset == 0) {
         toBefore = toBefore + before * 0.5f;
-        toOwn = toOwn + own + (before + after) * 0.5f;
+        toOwn = toOwn + (own + (before + after) * 0.5f);
         toAfter = toAfter + after * 0.5f;
     } else if (offset < 0) {
         toBefore = toBefore + (own * 0.5f + before) * 0.5f;
@@ -564,10 +568,10 @@ __device__ inline void coarsen(const ProductionModel& model, const ProductionDip
         [&](int x, int z) {
             float stencil[neighbours] = {};
 #pragma unroll
-            for (int oz = -1; oz <= 1; ++oz) {
+            for (int ox = -1; ox <= 1; ++ox) {
                 float line[neighbours] = {};
 #pragma unroll
-                for (int ox = -1; ox <= 1; ++ox) {
+                for (int oz = -1; oz <= 1; ++oz) {
                     const int i = 2 * x + ox, j = 2 * z + oz, point = j * fine.columns + i;
                     const bool isIn = i >= 0 && j >= 0 && i < fine.columns && j < fine.rows;
                     float own[neighbours];
@@ -576,15 +580,15 @@ __device__ inline void coarsen(const ProductionModel& model, const ProductionDip
                         own[n] = isIn ? number(from, n, point) : 0.0f;
                     }
 #pragma unroll
-                    for (int r = 0; r < neighbours; r += 3) {
-                        addCoarse(ox, own[r], own[r + 1], own[r + 2], line[r], line[r + 1],
-                                  line[r + 2]);
+                    for (int c = 0; c < 3; ++c) {
+                        addCoarse(oz, own[c], own[c + 3], own[c + 6], line[c], line[c + 3],
+                                  line[c + 6]);
                     }
                 }
 #pragma unroll
-                for (int c = 0; c < 3; ++c) {
-                    addCoarse(oz, line[c], line[c + 3], line[c + 6], stencil[c], stencil[c + 3],
-                              stencil[c + 6]);
+                for (int r = 0; r < neighbours; r += 3) {
+                    addCoarse(ox, line[r], line[r + 1], line[r + 2], stencil[r], stencil[r + 1],
+                              stencil[r + 2]);
                 }
             }
 #pragma unroll

@@ -295,12 +295,12 @@ void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip&
     }
     upload(dip.free, free);
     upload(dip.masked, free);
+    const std::vector<float> alongX = numerics::columnsOf<float>(film()).edges;
+    const std::vector<float> alongZ = numerics::rowsOf<float>(film()).edges;
     std::vector<float4> shapes;
-    for (int row = 0; row + 1 < film().rows; ++row) {
-        for (int column = 0; column + 1 < film().columns; ++column) {
-            shapes.insert(
-                shapes.end(), 2,
-                float4{float(1 / film().spacingX(column)), 0, 0, float(1 / film().spacingZ(row))});
+    for (const float edgeZ : alongZ) {
+        for (const float edgeX : alongX) {
+            shapes.insert(shapes.end(), 2, float4{1 / edgeX, 0, 0, 1 / edgeZ});
         }
     }
     upload(dip.inverseShape, shapes);

@@ -9,6 +9,7 @@
 
 #include "production/formulas/Adhesion.h"
 #include "production/formulas/FilmModel.h"
+#include "production/formulas/OrderlessSum.h"
 #include "production/formulas/Tolerances.h"
 
 #include <concepts>
@@ -37,6 +38,11 @@ struct GmresProblem {
     double right[mostBasisVectors + 1] = {};
     double weights[mostBasisVectors] = {};
 };
+
+// Returns the factor that scales a basis vector of this length to length 1; 0 if it has no length.
+DIPWRIGHT_HOST_DEVICE inline float inverseLength(double length) {
+    return length > 0 ? float(1 / length) : 0.f;
+}
 
 namespace detail {
 

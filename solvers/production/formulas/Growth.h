@@ -2,9 +2,7 @@
 // edges").
 #pragma once
 
-#include "common/HostDevice.h"
-
-#include <cmath>
+#include "common/Functions.h"
 
 namespace dipwright::numerics {
 
@@ -12,7 +10,7 @@ namespace dipwright::numerics {
 // the dip. Growth starts with `rate` of the length per second and approaches `limit` of the length
 // (Settings in FilmSolver.h).
 DIPWRIGHT_HOST_DEVICE inline double grownLength(double seconds, double rate, double limit) {
-    return rate > 0 && limit > 0 ? 1 - limit * std::expm1(-rate * seconds / limit) : 1.0;
+    return rate > 0 && limit > 0 ? 1 + limit * (1 - decay(-rate * seconds / limit)) : 1.0;
 }
 
 } // namespace dipwright::numerics

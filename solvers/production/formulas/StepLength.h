@@ -2,11 +2,10 @@
 // it.
 #pragma once
 
-#include "common/HostDevice.h"
+#include "common/Functions.h"
 
 #include <dipwright/FilmSolver.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace dipwright::numerics {
@@ -58,7 +57,7 @@ DIPWRIGHT_HOST_DEVICE inline bool isNextToContact(int columns, int rows, int poi
 
 // Returns the share of its stress that the film keeps over a step of `seconds`.
 DIPWRIGHT_HOST_DEVICE inline double keptStress(double seconds, double relaxationTime) {
-    return relaxationTime > 0 ? std::exp(-seconds / relaxationTime) : 0.0;
+    return relaxationTime > 0 ? decay(-seconds / relaxationTime) : 0.0;
 }
 
 } // namespace dipwright::numerics
