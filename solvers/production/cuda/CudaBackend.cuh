@@ -162,7 +162,6 @@ public:
     __host__ __device__ static constexpr numerics::NewtonLimits newtonLimits() { return {}; }
     __device__ void setFree() const {
         forPoints([&](int point) { own.block.dip.masked[point] = own.block.dip.free[point]; });
-        own.block.team.barrier();
     }
     __device__ numerics::FilmForce force(float drag) const { return forceOf(drag, false, 0); }
     __device__ numerics::FilmForce forceAlong(float length, float drag) const {
@@ -205,11 +204,8 @@ public:
         return answer;
     }
     __device__ void startLinear() const {
-        forPoints([&](int point) {
-            own.block.dip.newtonStep[point] = {0, 0};
-            own.block.dip.basis[0][point] = own.block.dip.forces[point];
-        });
-        own.block.team.barrier();
+        // The first basis vector already holds the forces.
+        forPoints([&](int point) { own.block.dip.newtonStep[point] = {0, 0}; });
     }
     __device__ void startBasis(float factor) const {
         inSmallProblem(

@@ -165,7 +165,6 @@ template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void moveAnchors(Film& film) {
     film.forCrossing(
         [](int, const auto& crossing, auto& anchor) { anchor = anchorOverStep(anchor, crossing); });
-    film.barrier();
 }
 
 // Sets the anchors of the crossing triangles to the current gradients of their floating parts.
@@ -270,6 +269,7 @@ DIPWRIGHT_TEAM inline EquilibriumResult settle(Film& film, typename Film::Real d
             film.barrier();
         }
         film.setFree();
+        film.barrier();
         found = findEquilibrium(film, drag, farthest);
     }
     if (!found.isReached) {
@@ -478,8 +478,10 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     if (drift > 0) {
         detail::restoreBefore(film, drift);
     }
-    const bool hasTouched = detail::touch(film, increment);
-    dip.anyAdhered = film.anyOf(hasTouched) || dip.anyAdhered;
+    // 2: film adhered; 1: film was lost
+    const int own = detail::touch(film, increment) ? 2 : hasLost ? 1 : 0;
+    const Real happened = -film.least(Real(-own));
+    dip.anyAdhered = happened > 1 || dip.anyAdhered;
     if (dip.anyAdhered) {
         detail::findContactLine(film, end, false);
         if (detail::releaseOverhang(film, end)) {
@@ -487,7 +489,7 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
         }
         detail::setAnchors(film);
     }
-    if (film.anyOf(hasLost || hasTouched)) {
+    if (happened > 0) {
         film.setFree();
     }
     dip.descent = end;
