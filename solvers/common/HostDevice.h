@@ -17,6 +17,14 @@
 #define DIPWRIGHT_TEAM
 #endif
 
+// Marks a function, in place of `inline`, that is large and called at several places. A GPU has one
+// copy of its code: code that is not in the instruction cache takes longer to fetch than to run.
+#if defined(__CUDACC__)
+#define DIPWRIGHT_CALLED __noinline__
+#else
+#define DIPWRIGHT_CALLED inline
+#endif
+
 // Marks a function, in place of `inline`, that a loop over many cells calls. GCC does not inline
 // larger functions otherwise, and vectorises no loop that calls a function.
 #if defined(__CUDACC__)
@@ -25,4 +33,11 @@
 #define DIPWRIGHT_IN_LOOP __forceinline
 #else
 #define DIPWRIGHT_IN_LOOP __attribute__((always_inline)) inline
+#endif
+
+// Marks a function that both of the above are meant for: called on a GPU, in the loop on a CPU.
+#if defined(__CUDACC__)
+#define DIPWRIGHT_CALLED_IN_LOOP DIPWRIGHT_CALLED
+#else
+#define DIPWRIGHT_CALLED_IN_LOOP DIPWRIGHT_IN_LOOP
 #endif

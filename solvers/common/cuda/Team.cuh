@@ -43,14 +43,15 @@ public:
     // A barrier for all blocks. Afterwards all threads see what any thread wrote before it.
     __device__ void barrier() {
         __syncthreads();
-        if (threadIdx.x == 0) {
-            ++barriers_;
-            __threadfence();
-            atomicAdd(&memory_->arrived, 1u);
-            const volatile unsigned* arrived = &memory_->arrived;
-            while (*arrived < barriers_ * unsigned(blocks_)) {
+        if (threadIdx.x < 32) {
+            const unsigned all = (barriers_ + 1) * unsigned(blocks_);
+            __syncwarp();
+            if (threadIdx.x == 0) {
+                ++barriers_;
+                arrive(&memory_->arrived);
             }
-            __threadfence();
+            while (arrived(&memory_->arrived) < all) {
+            }
         }
         __syncthreads();
     }
@@ -83,6 +84,16 @@ public:
     }
 
 private:
+    // Counts this block as arrived. Whoever sees the count sees all that the block wrote before.
+    __device__ static void arrive(unsigned* count) {
+        asm volatile("red.release.gpu.global.add.u32 [%0], 1;" ::"l"(count) : "memory");
+    }
+    __device__ static unsigned arrived(const unsigned* count) {
+        unsigned value;
+        asm volatile("ld.acquire.gpu.global.u32 %0, [%1];" : "=r"(value) : "l"(count) : "memory");
+        return value;
+    }
+
     template <int count, typename Join>
     __device__ void reduce(std::int64_t (&values)[count], int used, const Join& join) {
         static_assert(count <= TeamMemory::mostValues);
@@ -105,9 +116,18 @@ private:
         }
         barrier();
         if (warp < used) {
-            std::int64_t joined[1] = {slots[min(lane, blocks_ - 1)][warp]};
-            for (int block = lane + 32; block < blocks_; block += 32) {
-                joined[0] = join(joined[0], slots[block][warp]);
+            constexpr int most = TeamMemory::mostBlocks / 32;
+            std::int64_t found[most]; // all loads are under way before the first is used
+#pragma unroll
+            for (int k = 0; k < most; ++k) {
+                found[k] = slots[min(lane + 32 * k, blocks_ - 1)][warp];
+            }
+            std::int64_t joined[1] = {found[0]};
+#pragma unroll
+            for (int k = 1; k < most; ++k) {
+                if (lane + 32 * k < blocks_) {
+                    joined[0] = join(joined[0], found[k]);
+                }
             }
             joinWarp(joined, 1, min(blocks_, 32), join);
             if (lane == 0) {

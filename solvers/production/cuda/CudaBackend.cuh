@@ -16,92 +16,101 @@ struct SmallProblem {
     double answer;
 };
 
-// One film, as seen by its team (FilmBackend.h). All threads of the team call all members.
+// What a block knows of its film. Functions that are not inlined address it directly, because it
+// has a fixed place in shared memory.
+struct Block {
+    ProductionModel model;
+    ProductionDip dip;
+    Team team;
+    SmallProblem small;
+    int listed; // number of triangles in a list (CudaBackend::forListed)
+};
+union BlockMemory {
+    __device__ BlockMemory() {}
+    Block block;
+};
+__shared__ BlockMemory own;
+extern __shared__ float2 memory[]; // for tiles and levels
+
+// One film, as seen by its team (FilmBackend.h). All threads of the team call all members. Large
+// members that several places call are not inlined: a step runs most of its code only a few times,
+// so fetching the code takes longer than running it.
 class CudaBackend {
 public:
     using Real = float;
 
-    __device__ CudaBackend(const ProductionModel& model, const ProductionDip& dip, Team& team,
-                           SmallProblem& small, float2* memory)
-        : model_(model), dip_(dip), team_(team), small_(small), memory_(memory),
-          state_(*dip.state) {}
+    __device__ CudaBackend() : state_(*own.block.dip.state) {}
 
-    __device__ const numerics::FilmModel<float>& model() const { return model_; }
-    __device__ const numerics::ContactBody<float>& body() const { return dip_.body; }
+    __device__ const numerics::FilmModel<float>& model() const { return own.block.model; }
+    __device__ const numerics::ContactBody<float>& body() const { return own.block.dip.body; }
     __device__ numerics::StepState<float>& state() { return state_; }
 
     __device__ numerics::Vector2<float> displacement(int point) const {
-        return plain(dip_.displacement[point]);
+        return plain(own.block.dip.displacement[point]);
     }
     __device__ numerics::Vector2<float> before(int point) const {
-        return plain(dip_.before[point]);
+        return plain(own.block.dip.before[point]);
     }
     __device__ void setDisplacement(int point, numerics::Vector2<float> way) const {
-        dip_.displacement[point] = {way.x, way.z};
+        own.block.dip.displacement[point] = {way.x, way.z};
     }
     __device__ void setBefore(int point, numerics::Vector2<float> way) const {
-        dip_.before[point] = {way.x, way.z};
+        own.block.dip.before[point] = {way.x, way.z};
     }
     __device__ solver::PointState pointState(int point) const {
-        return solver::PointState(dip_.states[point]);
+        return solver::PointState(own.block.dip.states[point]);
     }
     __device__ numerics::Vector3<float> attached(int point) const {
-        const float3 place = dip_.attached[point];
+        const float3 place = own.block.dip.attached[point];
         return {place.x, place.y, place.z};
     }
     __device__ void attach(int point, numerics::Vector3<float> place,
                            solver::PointState state) const {
-        dip_.attached[point] = {place.x, place.y, place.z};
-        dip_.states[point] = std::uint8_t(state);
+        own.block.dip.attached[point] = {place.x, place.y, place.z};
+        own.block.dip.states[point] = std::uint8_t(state);
     }
     __device__ void mark(int point, solver::PointMark why) const {
-        atomicOr(dip_.marks + point, unsigned(why));
+        atomicOr(own.block.dip.marks + point, unsigned(why));
     }
-    __device__ bool moves(int point) const { return dip_.free[point] > 0; }
-    __device__ void hold(int point) const { dip_.free[point] = 0; }
-    __device__ float clearance(int point) const { return dip_.clearance[point]; }
+    __device__ bool moves(int point) const { return own.block.dip.free[point] > 0; }
+    __device__ void hold(int point) const { own.block.dip.free[point] = 0; }
+    __device__ float clearance(int point) const { return own.block.dip.clearance[point]; }
     __device__ void setClearance(int point, float clearance) const {
-        dip_.clearance[point] = clearance;
+        own.block.dip.clearance[point] = clearance;
     }
 
     __device__ numerics::Matrix2<float> shape(int triangle) const {
-        return shapeOf(dip_, triangle);
+        return shapeOf(own.block.dip, triangle);
     }
     __device__ void setShape(int triangle, const numerics::Matrix2<float>& inverse) const {
-        dip_.inverseShape[triangle] = {inverse.a, inverse.b, inverse.c, inverse.d};
+        own.block.dip.inverseShape[triangle] = {inverse.a, inverse.b, inverse.c, inverse.d};
     }
     __device__ numerics::EdgePair<float> edges(int triangle) const {
-        const numerics::TriangleSize<float> size = triangleSize(model_, triangle);
-        return triangleEdges(corners(triangle), size.x, size.z,
-                             [&](std::uint32_t point) { return dip_.displacement[point]; });
+        const numerics::TriangleSize<float> size = triangleSize(own.block.model, triangle);
+        return triangleEdges(corners(triangle), size.x, size.z, [&](std::uint32_t point) {
+            return own.block.dip.displacement[point];
+        });
     }
     __device__ bool triangleMoves(int triangle) const {
         bool moves = false;
         for (const std::uint32_t point : corners(triangle).points) {
-            moves = moves || dip_.masked[point] > 0;
+            moves = moves || own.block.dip.masked[point] > 0;
         }
         return moves;
     }
     __device__ numerics::LaidCorners<float>& laid(int triangle) const {
-        return dip_.laid[triangle];
+        return own.block.dip.laid[triangle];
     }
 
-    __device__ void barrier() const { team_.barrier(); }
-    __device__ float least(float value) const {
-        double largest[1] = {-double(value)};
-        team_.largest(largest);
-        return float(-largest[0]);
-    }
-    __device__ bool anyOf(bool flag) const {
-        double found[1] = {flag ? 1.0 : 0.0};
-        team_.largest(found);
-        return found[0] > 0;
-    }
+    __device__ void barrier() const { own.block.team.barrier(); }
+    __device__ float least(float value) const { return float(-largest(-double(value))); }
+    __device__ bool anyOf(bool flag) const { return largest(flag ? 1.0 : 0.0) > 0; }
 
     template <typename Work>
     __device__ void forPoints(const Work& work) const {
-        const int count = numerics::pointCount(model_);
-        for (int point = team_.thread(); point < count; point += team_.threadCount()) {
+        const int count = numerics::pointCount(own.block.model);
+        for (int point = own.block.team.thread(); point < count;
+             point += own.block.team.threadCount()) {
             work(point);
         }
     }
@@ -110,34 +119,36 @@ public:
                                                        const Unfold& unfold) const {
         float steepness = 1;
         bool driven = false;
-        forAllTriangles([&](int triangle) {
-            const numerics::TriangleCorners points = corners(triangle);
-            const bool onLine = crosses(points);
-            dip_.crosses[triangle] = onLine ? 1 : 0;
-            if (onLine) {
-                const numerics::UnfoldedTriangle<float> unfolded = unfold(triangle, points);
-                dip_.crossing[triangle] = unfolded.crossing;
-                steepness = fminf(steepness, unfolded.steepness);
-                driven = true;
-            }
-        });
+        const auto cross = [&](int triangle) {
+            const numerics::UnfoldedTriangle<float> unfolded = unfold(triangle, corners(triangle));
+            own.block.dip.crossing[triangle] = unfolded.crossing;
+            steepness = fminf(steepness, unfolded.steepness);
+            driven = true;
+        };
+        forListed(
+            [&](int triangle) {
+                const bool onLine = crosses(corners(triangle));
+                own.block.dip.crosses[triangle] = onLine ? 1 : 0;
+                return onLine;
+            },
+            cross);
         double found[2] = {-double(steepness), driven ? 1.0 : 0.0};
-        team_.largest(found);
+        own.block.team.largest(found);
         return {float(-found[0]), found[1] > 0};
     }
     template <typename Work>
     __device__ void forCrossing(const Work& work) const {
         forAllTriangles([&](int triangle) {
-            if (dip_.crosses[triangle]) {
-                work(triangle, dip_.crossing[triangle], dip_.anchors[triangle]);
+            if (own.block.dip.crosses[triangle]) {
+                work(triangle, own.block.dip.crossing[triangle], own.block.dip.anchors[triangle]);
             }
         });
     }
     template <typename OnLine, typename Floating>
     __device__ void forTriangles(const OnLine& onLine, const Floating& floating) const {
         forAllTriangles([&](int triangle) {
-            if (dip_.crosses[triangle]) {
-                onLine(triangle, dip_.crossing[triangle], dip_.anchors[triangle]);
+            if (own.block.dip.crosses[triangle]) {
+                onLine(triangle, own.block.dip.crossing[triangle], own.block.dip.anchors[triangle]);
             } else {
                 floating(triangle);
             }
@@ -150,85 +161,82 @@ public:
 
     __host__ __device__ static constexpr numerics::NewtonLimits newtonLimits() { return {}; }
     __device__ void setFree() const {
-        forPoints([&](int point) { dip_.masked[point] = dip_.free[point]; });
-        team_.barrier();
+        forPoints([&](int point) { own.block.dip.masked[point] = own.block.dip.free[point]; });
     }
-    __device__ numerics::FilmForce force(float drag) const {
-        return cuda::force(model_, dip_, drag, nullptr, team_, memory_);
-    }
+    __device__ numerics::FilmForce force(float drag) const { return forceOf(drag, false, 0); }
     __device__ numerics::FilmForce forceAlong(float length, float drag) const {
-        return cuda::force(model_, dip_, drag, &length, team_, memory_);
+        return forceOf(drag, true, length);
     }
     __device__ numerics::Vector2<float> forceOn(int point) const {
-        return plain(dip_.forces[point]);
+        return plain(own.block.dip.forces[point]);
     }
-    __device__ void prepareLinear(float drag) const { prepareCycle(model_, dip_, drag, team_); }
-    __device__ void solveLinear(float drag, numerics::Tangent tangent, double start,
-                                double tolerance) {
+    __device__ __noinline__ void prepareLinear(float drag) const {
+        prepareCycle(own.block.model, own.block.dip, drag, own.block.team);
+    }
+    __device__ __noinline__ void solveLinear(float drag, numerics::Tangent tangent, double start,
+                                             double tolerance) {
         numerics::solveGmres(*this, drag, tangent, start, tolerance);
     }
     __device__ double startOfStep() const {
-        double longest[1] = {0};
+        double longest = 0;
         forPoints([&](int point) {
-            const float2 step = dip_.newtonStep[point];
-            dip_.start[point] = dip_.displacement[point];
-            longest[0] = fmax(longest[0], double(fmaxf(fabsf(step.x), fabsf(step.y))));
+            const float2 step = own.block.dip.newtonStep[point];
+            own.block.dip.start[point] = own.block.dip.displacement[point];
+            longest = fmax(longest, double(fmaxf(fabsf(step.x), fabsf(step.y))));
         });
-        team_.largest(longest);
-        return longest[0];
+        return largest(longest);
     }
-    __device__ void keepBest() const { copy(dip_.displacement, dip_.best); }
+    __device__ void keepBest() const { copy(own.block.dip.displacement, own.block.dip.best); }
     __device__ void takeBest() const {
-        copy(dip_.best, dip_.displacement);
-        team_.barrier();
+        copy(own.block.dip.best, own.block.dip.displacement);
+        own.block.team.barrier();
     }
 
     // Each block has its own problem, and one of its threads works on it.
     template <typename Work>
     __device__ double inSmallProblem(const Work& work) const {
         if (threadIdx.x == 0) {
-            small_.answer = work(small_.problem);
+            own.block.small.answer = work(own.block.small.problem);
         }
         __syncthreads();
-        const double answer = small_.answer;
+        const double answer = own.block.small.answer;
         __syncthreads();
         return answer;
     }
     __device__ void startLinear() const {
-        forPoints([&](int point) {
-            dip_.newtonStep[point] = {0, 0};
-            dip_.basis[0][point] = dip_.forces[point];
-        });
-        team_.barrier();
+        // The first basis vector already holds the forces.
+        forPoints([&](int point) { own.block.dip.newtonStep[point] = {0, 0}; });
     }
     __device__ void startBasis(float factor) const {
-        inSmallProblem([&](numerics::GmresProblem&) { return small_.factors[0] = factor; });
+        inSmallProblem(
+            [&](numerics::GmresProblem&) { return own.block.small.factors[0] = factor; });
     }
     __device__ void extendBasis(int count, float drag, numerics::Tangent tangent) const {
-        float2* next = dip_.basis[count + 1];
-        multigridCycle(model_, dip_, {dip_.basis[count], small_.factors[count]},
-                       dip_.smoothed[count], team_, memory_);
+        float2* next = own.block.dip.basis[count + 1];
+        multigridCycle(own.block.model, own.block.dip,
+                       {own.block.dip.basis[count], own.block.small.factors[count]},
+                       own.block.dip.smoothed[count], own.block.team, memory);
         std::int64_t products[numerics::mostBasisVectors] = {};
-        multiply(model_, dip_, drag, tangent, dip_.smoothed[count], team_, memory_,
-                 [&](int point, float2 product) {
+        multiply(own.block.model, own.block.dip, drag, tangent, own.block.dip.smoothed[count],
+                 own.block.team, memory, [&](int point, float2 product) {
                      next[point] = product;
 #pragma unroll
                      for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                          if (i <= count) {
-                             const float2 earlier = dip_.basis[i][point];
+                             const float2 earlier = own.block.dip.basis[i][point];
                              products[i] += numerics::ProductSum::multiple(
                                  double(product.x * earlier.x + product.y * earlier.y) *
-                                 double(small_.factors[i]));
+                                 double(own.block.small.factors[i]));
                          }
                      }
                  });
-        team_.sum(products, count + 1);
+        own.block.team.sum(products, count + 1);
         float weights[numerics::mostBasisVectors];
 #pragma unroll
         for (int i = 0; i < numerics::mostBasisVectors; ++i) {
             if (i <= count) {
-                weights[i] =
-                    float(numerics::ProductSum::value(products[i]) * double(small_.factors[i]));
+                weights[i] = float(numerics::ProductSum::value(products[i]) *
+                                   double(own.block.small.factors[i]));
             }
         }
         numerics::SquareSum squares;
@@ -237,7 +245,7 @@ public:
 #pragma unroll
             for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                 if (i <= count) {
-                    left = left - dip_.basis[i][point] * weights[i];
+                    left = left - own.block.dip.basis[i][point] * weights[i];
                 }
             }
             next[point] = left;
@@ -253,60 +261,101 @@ public:
                 }
             }
             column[count + 1] = length;
-            small_.factors[count + 1] = numerics::inverseLength(length);
+            own.block.small.factors[count + 1] = numerics::inverseLength(length);
             return 0.0;
         });
     }
     __device__ void addToStep(int count) const {
         forPoints([&](int point) {
-            float2 step = dip_.newtonStep[point];
+            float2 step = own.block.dip.newtonStep[point];
             for (int i = 0; i < count; ++i) {
-                step = step - dip_.smoothed[i][point] * float(small_.problem.weights[i]);
+                step = step -
+                       own.block.dip.smoothed[i][point] * float(own.block.small.problem.weights[i]);
             }
-            dip_.newtonStep[point] = step;
+            own.block.dip.newtonStep[point] = step;
         });
     }
     __device__ double linearResidual(float drag, numerics::Tangent tangent) const {
-        team_.barrier();
+        own.block.team.barrier();
         numerics::SquareSum squares;
-        multiply(model_, dip_, drag, tangent, dip_.newtonStep, team_, memory_,
-                 [&](int point, float2 product) {
-                     const float2 left = dip_.forces[point] + product;
-                     dip_.basis[0][point] = left;
+        multiply(own.block.model, own.block.dip, drag, tangent, own.block.dip.newtonStep,
+                 own.block.team, memory, [&](int point, float2 product) {
+                     const float2 left = own.block.dip.forces[point] + product;
+                     own.block.dip.basis[0][point] = left;
                      squares.add(double(left.x * left.x + left.y * left.y));
                  });
         return rootOf(squares);
     }
 
 private:
+    __device__ __noinline__ static double largest(double value) {
+        double values[1] = {value};
+        own.block.team.largest(values);
+        return values[0];
+    }
+    __device__ __noinline__ static numerics::FilmForce forceOf(float drag, bool isAlong,
+                                                               float length) {
+        return cuda::force(own.block.model, own.block.dip, drag, isAlong, length, own.block.team,
+                           memory);
+    }
     // Returns the root of the sum of all threads' squares.
-    __device__ double rootOf(const numerics::SquareSum& squares) const {
+    __device__ __noinline__ static double rootOf(numerics::SquareSum squares) {
         std::int64_t sums[2] = {squares.whole, squares.rest};
-        team_.sum(sums);
+        own.block.team.sum(sums);
         return numerics::SquareSum{sums[0], sums[1]}.root();
     }
     __device__ static numerics::Vector2<float> plain(float2 value) {
         return {value.x, value.y};
     }
     __device__ numerics::TriangleCorners corners(int triangle) const {
-        return numerics::triangleCorners(model_.columns, std::size_t(triangle));
+        return numerics::triangleCorners(own.block.model.columns, std::size_t(triangle));
     }
     template <typename Work>
     __device__ void forAllTriangles(const Work& work) const {
-        const int count = numerics::triangleCount(model_);
-        for (int triangle = team_.thread(); triangle < count; triangle += team_.threadCount()) {
+        const int count = numerics::triangleCount(own.block.model);
+        for (int triangle = own.block.team.thread(); triangle < count;
+             triangle += own.block.team.threadCount()) {
             work(triangle);
+        }
+    }
+    // Calls work(triangle) for all triangles for which isMeant(triangle). The warps of a block
+    // share these evenly, because threads of a warp that take different branches wait for one
+    // another.
+    template <typename IsMeant, typename Work>
+    __device__ void forListed(const IsMeant& isMeant, const Work& work) const {
+        constexpr int most = 4096; // fits into the memory for tiles
+        int* list = reinterpret_cast<int*>(memory);
+        if (threadIdx.x == 0) {
+            own.block.listed = 0;
+        }
+        __syncthreads();
+        forAllTriangles([&](int triangle) {
+            if (isMeant(triangle)) {
+                const int place = atomicAdd(&own.block.listed, 1);
+                if (place < most) {
+                    list[place] = triangle;
+                }
+            }
+        });
+        __syncthreads();
+        const int count = own.block.listed;
+        if (count > most) {
+            forAllTriangles([&](int triangle) {
+                if (isMeant(triangle)) {
+                    work(triangle);
+                }
+            });
+            return;
+        }
+        const int place = int(threadIdx.x) % 32 * Team::warps + int(threadIdx.x) / 32;
+        for (int i = place; i < count; i += Team::threads) {
+            work(list[i]);
         }
     }
     __device__ void copy(const float2* from, float2* to) const {
         forPoints([&](int point) { to[point] = from[point]; });
     }
 
-    const ProductionModel& model_;
-    const ProductionDip& dip_;
-    Team& team_;
-    SmallProblem& small_;
-    float2* memory_;
     numerics::StepState<float> state_;
 };
 
@@ -316,22 +365,19 @@ static_assert(numerics::FilmBackend<CudaBackend> && numerics::GmresBackend<CudaB
 __global__ void __launch_bounds__(Team::threads, 1)
     productionSteps(const __grid_constant__ ProductionModel model, const ProductionDip* dips,
                     int blocksPerDip, int maximumSteps) {
-    extern __shared__ float2 memory[];
-    __shared__ ProductionDip dip;
-    __shared__ Team team;
-    __shared__ SmallProblem small;
     if (threadIdx.x == 0) {
-        dip = dips[int(blockIdx.x) / blocksPerDip];
+        own.block.model = model;
+        own.block.dip = dips[int(blockIdx.x) / blocksPerDip];
     }
     __syncthreads();
-    team.begin(dip.team, blocksPerDip, int(blockIdx.x) % blocksPerDip);
-    CudaBackend film(model, dip, team, small, memory);
+    own.block.team.begin(own.block.dip.team, blocksPerDip, int(blockIdx.x) % blocksPerDip);
+    CudaBackend film;
     for (int step = 0; step < maximumSteps && !numerics::isFinished(film); ++step) {
         numerics::step(film);
     }
-    team.barrier(); // all threads have read the state
-    if (team.block() == 0 && threadIdx.x == 0) {
-        *dip.state = film.state();
+    own.block.team.barrier(); // all threads have read the state
+    if (own.block.team.block() == 0 && threadIdx.x == 0) {
+        *own.block.dip.state = film.state();
     }
 }
 

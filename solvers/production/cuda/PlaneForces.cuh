@@ -60,18 +60,20 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
         const int z = int(point) / model.columns, x = int(point) - z * model.columns;
         return values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0];
     };
-    forRange(tile.cells, [&](int x, int z) {
-        CellForces cell;
-        for (const bool second : {false, true}) {
+    // Each triangle has a thread of its own.
+    const bool second = threadIdx.x % 2 != 0;
+    forRange(
+        tile.cells,
+        [&](int x, int z) {
             const numerics::TriangleCorners corners =
                 numerics::triangleCorners(model.columns, x, z, second);
             const numerics::EdgePair<float> force =
                 triangleForces(2 * (z * cellColumns + x) + second, corners, x, z, at);
+            CellForces& cell = forces[(z - tile.cells.z0) * tile.cells.width() + x - tile.cells.x0];
             (second ? cell.second : cell.first) = {force.hx, force.hz};
             (corners.thirdOnRight ? cell.right : cell.left) = {force.vx, force.vz};
-        }
-        forces[(z - tile.cells.z0) * tile.cells.width() + x - tile.cells.x0] = cell;
-    });
+        },
+        int(threadIdx.x) / 2, Team::threads / 2);
     __syncthreads();
     forRange(tile.points, [&](int x, int z) {
         float2 sum{0, 0};
@@ -95,13 +97,14 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
     __syncthreads();
 }
 
-// Computes the forces, including a water drag of `drag` per point. With `length`, the displacement
-// first becomes start + length·newtonStep. Writes the forces to `forces`, and to `stress` the
-// values from which its derivative is computed later. Returns the roots of the sums of squares of
-// the forces on free points and of the elastic forces in the film. One function, because a tile's
-// places and sums stay in shared memory and registers from the first to the last line.
+// Computes the forces, including a water drag of `drag` per point. If `isAlong`, the displacement
+// first becomes start + length·newtonStep. Writes the forces to `forces` and to the first basis
+// vector, and to `stress` the values from which its derivative is computed later. Returns the roots
+// of the sums of squares of the forces on free points and of the elastic forces in the film. One
+// function, because a tile's places and sums stay in shared memory and registers from the first to
+// the last line.
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
-                                            float drag, const float* length, Team& team,
+                                            float drag, bool isAlong, float length, Team& team,
                                             float2* memory) {
     numerics::SquareSum squares, elastic;
 #pragma unroll 1
@@ -111,12 +114,11 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
         auto* forces = reinterpret_cast<CellForces*>(memory + tile.corners.count());
         forRange(tile.corners, [&](int x, int z) {
             const int point = z * model.columns + x;
-            const float2 place = length == nullptr
-                                     ? dip.displacement[point]
-                                     : dip.start[point] + dip.newtonStep[point] * *length;
+            const float2 place = isAlong ? dip.start[point] + dip.newtonStep[point] * length
+                                         : dip.displacement[point];
             values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0] = place;
-            if (length != nullptr && x >= tile.points.x0 && x < tile.points.x1 &&
-                z >= tile.points.z0 && z < tile.points.z1) {
+            if (isAlong && x >= tile.points.x0 && x < tile.points.x1 && z >= tile.points.z0 &&
+                z < tile.points.z1) {
                 dip.displacement[point] = place;
             }
         });
@@ -162,6 +164,7 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                 const float own = drag * pointArea(model, x, z);
                 const float2 left = (sum + way * own) * dip.masked[point];
                 dip.forces[point] = left;
+                dip.basis[0][point] = left;
                 squares.add(double(left.x * left.x + left.y * left.y));
             });
     }

@@ -462,7 +462,7 @@ __device__ inline void multigridCycle(const ProductionModel& model, const Produc
 }
 
 // Returns the projected stiffness of a triangle at the last force computation.
-__device__ inline numerics::EdgeStiffness<float>
+__device__ __noinline__ numerics::EdgeStiffness<float>
 stiffnessOf(const ProductionModel& model, const ProductionDip& dip, int triangle) {
     const float4 shape = dip.inverseShape[triangle], stress = dip.stress[triangle];
     const numerics::Matrix2<float> inverse{shape.x, shape.y, shape.z, shape.w};
@@ -534,11 +534,11 @@ __device__ inline void assemble(const ProductionModel& model, const ProductionDi
 }
 
 // Adds the contribution of a fine operator to the operator of a coarse point that lies `offset`
-// points from the fine point. `before`, `own` and `after` are the fine operator's blocks for the
+// points from the fine point. `before`, `own` and `after` are the fine operator's numbers for the
 // previous point, the point itself and the next point. See coarsenAcross in
 // production/cpu/StencilKernels.cpp.
-__device__ inline void addCoarse(int offset, float4 before, float4 own, float4 after,
-                                 float4& toBefore, float4& toOwn, float4& toAfter) {
+__device__ inline void addCoarse(int offset, float before, float own, float after, float& toBefore,
+                                 float& toOwn, float& toAfter) {
     if (offset == 0) {
         toBefore = toBefore + before * 0.5f;
         toOwn = toOwn + (own + (before + after) * 0.5f);
@@ -552,33 +552,37 @@ __device__ inline void addCoarse(int offset, float4 before, float4 own, float4 a
     }
 }
 
-// Computes a level's stencils from the finer level's. Ends with a barrier.
+// Computes a level's stencils from the finer level's. Ends with a barrier. The four numbers of a
+// block do not depend on one another. Four threads compute a point, each one number of all its
+// blocks, so that a thread has registers for all that it loads.
 __device__ inline void coarsen(const ProductionModel& model, const ProductionDip& dip, int index,
                                Team& team) {
+    constexpr int numbers = 4;
     const PlaneLevel &fine = model.levels[index - 1], &coarse = model.levels[index];
     const PlaneStencils from = stencilsOf(dip, fine), to = stencilsOf(dip, coarse);
+    const auto number = [](const PlaneStencils& stencils, int neighbour, int point) -> float& {
+        return reinterpret_cast<float*>(&stencils.at(neighbour, point))[threadIdx.x % numbers];
+    };
     forRange(
         {0, coarse.columns, 0, coarse.rows},
         [&](int x, int z) {
-            float4 stencil[neighbours] = {};
-#pragma unroll 1
+            float stencil[neighbours] = {};
+#pragma unroll
             for (int ox = -1; ox <= 1; ++ox) {
-                const int i = 2 * x + ox;
-                if (i < 0 || i >= fine.columns) {
-                    continue;
-                }
-                float4 line[neighbours] = {};
-#pragma unroll 1
+                float line[neighbours] = {};
+#pragma unroll
                 for (int oz = -1; oz <= 1; ++oz) {
-                    const int j = 2 * z + oz;
-                    if (j < 0 || j >= fine.rows) {
-                        continue;
+                    const int i = 2 * x + ox, j = 2 * z + oz, point = j * fine.columns + i;
+                    const bool isIn = i >= 0 && j >= 0 && i < fine.columns && j < fine.rows;
+                    float own[neighbours];
+#pragma unroll
+                    for (int n = 0; n < neighbours; ++n) {
+                        own[n] = isIn ? number(from, n, point) : 0.0f;
                     }
-                    const int point = j * fine.columns + i;
 #pragma unroll
                     for (int c = 0; c < 3; ++c) {
-                        addCoarse(oz, from.at(c, point), from.at(c + 3, point),
-                                  from.at(c + 6, point), line[c], line[c + 3], line[c + 6]);
+                        addCoarse(oz, own[c], own[c + 3], own[c + 6], line[c], line[c + 3],
+                                  line[c + 6]);
                     }
                 }
 #pragma unroll
@@ -589,10 +593,10 @@ __device__ inline void coarsen(const ProductionModel& model, const ProductionDip
             }
 #pragma unroll
             for (int n = 0; n < neighbours; ++n) {
-                to.at(n, z * coarse.columns + x) = stencil[n];
+                number(to, n, z * coarse.columns + x) = stencil[n];
             }
         },
-        team.thread(), team.threadCount());
+        team.thread() / numbers, team.threadCount() / numbers);
     team.barrier();
 }
 

@@ -17,8 +17,7 @@ namespace {
 constexpr int mostTilePoints = 34 * 34; // includes the points around the tile's own points
 
 // Bytes of static shared memory, which the kernel uses besides its dynamic part.
-constexpr std::size_t staticSharedBytes =
-    sizeof(Team) + sizeof(ProductionDip) + sizeof(SmallProblem) + 256;
+constexpr std::size_t staticSharedBytes = sizeof(Block) + 256;
 
 // Divides a grid so that `blocks` blocks finish as soon as possible. work(columns, rows) returns
 // the number of points that a block processes for a tile of this size, or 0 if there are too many

@@ -362,7 +362,7 @@ unfoldedTogether(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
 // no contact line is near (a flat face, a submerged body), the corners do not move. `moved` is true
 // if the body has moved, false if only the film has.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_CALLED UnfoldedTriangle<Real>
 unfoldedTriangle(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
                  const TriangleCorners& triangle, const CrossingCorner<Real> (&corners)[3],
                  bool moved, LaidCorners<Real>& film) {

@@ -14,7 +14,7 @@ namespace dipwright::numerics {
 
 // Returns φ and its gradient in world coordinates at a world point.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP FieldSample<Real>
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_CALLED_IN_LOOP FieldSample<Real>
 sampleWorld(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Vector3<Real> p) {
     FieldSample<Real> sample = sampleField(field, frame.toBody(p));
     sample.gradient = frame.directionToWorld(sample.gradient);
@@ -104,7 +104,7 @@ struct ContactLine {
 // `adhered` is the mean of the triangle's adhered corners at their real places, `free` the mean of
 // its free corners. `cell` is the film's spacing.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline ContactLine<Real>
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_CALLED ContactLine<Real>
 contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
             Real cell, Vector3<Real> adhered, Vector3<Real> free) {
     const Vector3<Real> above{adhered.x, Real(0), adhered.z};
@@ -165,7 +165,7 @@ inline constexpr double leastAgreement = 0.5;
 // triangle's normal (`line`) would move the corner sideways whenever that normal changes. Directly
 // above a tip, the line is equally near in all directions; there the triangle's normal is used.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Unfolded<Real>
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_CALLED Unfolded<Real>
 unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
          Real cell, const ContactLine<Real>& line, Vector3<Real> corner) {
     const Vector3<Real> above{corner.x, Real(0), corner.z};

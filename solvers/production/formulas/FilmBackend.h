@@ -143,7 +143,7 @@ template <typename Film, typename Real = typename Film::Real>
 concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double number) {
     { film.model() } -> std::convertible_to<const FilmModel<Real>&>;
     { Film::newtonLimits() } -> std::same_as<NewtonLimits>;
-    // Tells the equilibrium which points can move. Acts as a barrier.
+    // Tells the equilibrium which points can move. Does not include a barrier.
     film.setFree();
     // force() computes the forces at the current displacement. forceAlong() first sets the
     // displacement to that of the last startOfStep() plus `length` Newton steps.

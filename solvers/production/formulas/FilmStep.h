@@ -128,7 +128,7 @@ DIPWRIGHT_HOST_DEVICE inline double sinking(const CrossingCorner<Real> (&corners
 // and unfolds the surface under them. If no contact line is near (a flat face, a submerged body),
 // their corners do not move. `moved` is true if the body has moved, false if only the film has.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline void findContactLine(Film& film, double descent, bool moved) {
+DIPWRIGHT_TEAM DIPWRIGHT_CALLED void findContactLine(Film& film, double descent, bool moved) {
     using Real = typename Film::Real;
     const BodyFrame<Real> frame = film.body().frameAt(descent);
     const bool isOnPath = film.body().path.count > 0;
@@ -165,7 +165,6 @@ template <FilmBackend Film>
 DIPWRIGHT_TEAM inline void moveAnchors(Film& film) {
     film.forCrossing(
         [](int, const auto& crossing, auto& anchor) { anchor = anchorOverStep(anchor, crossing); });
-    film.barrier();
 }
 
 // Sets the anchors of the crossing triangles to the current gradients of their floating parts.
@@ -180,7 +179,7 @@ DIPWRIGHT_TEAM inline void setAnchors(Film& film) {
 // Holds the corners of film that is stretched too far. If the film did not converge
 // (`didNotConverge`), also holds the corners of folded film. Returns whether this thread held any.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline bool holdTornOrFolded(Film& film, bool didNotConverge) {
+DIPWRIGHT_TEAM DIPWRIGHT_CALLED bool holdTornOrFolded(Film& film, bool didNotConverge) {
     using Real = typename Film::Real;
     const FilmModel<Real>& model = film.model();
     bool any = false;
@@ -270,6 +269,7 @@ DIPWRIGHT_TEAM inline EquilibriumResult settle(Film& film, typename Film::Real d
             film.barrier();
         }
         film.setFree();
+        film.barrier();
         found = findEquilibrium(film, drag, farthest);
     }
     if (!found.isReached) {
@@ -478,8 +478,10 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     if (drift > 0) {
         detail::restoreBefore(film, drift);
     }
-    const bool hasTouched = detail::touch(film, increment);
-    dip.anyAdhered = film.anyOf(hasTouched) || dip.anyAdhered;
+    // 2: film adhered; 1: film was lost
+    const int own = detail::touch(film, increment) ? 2 : hasLost ? 1 : 0;
+    const Real happened = -film.least(Real(-own));
+    dip.anyAdhered = happened > 1 || dip.anyAdhered;
     if (dip.anyAdhered) {
         detail::findContactLine(film, end, false);
         if (detail::releaseOverhang(film, end)) {
@@ -487,7 +489,7 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
         }
         detail::setAnchors(film);
     }
-    if (film.anyOf(hasLost || hasTouched)) {
+    if (happened > 0) {
         film.setFree();
     }
     dip.descent = end;
