@@ -27,7 +27,7 @@ struct ContactBody {
 
     // Returns the body's frame after it has descended, or has travelled along its path, by
     // `travelled` mm.
-    DIPWRIGHT_HOST_DEVICE DIPWRIGHT_CALLED BodyFrame<Real> frameAt(double travelled) const {
+    DIPWRIGHT_HOST_DEVICE BodyFrame<Real> frameAt(double travelled) const {
         return path.count == 0 ? bodyFrame<Real>(motion, travelled)
                                : frameOnPath<Real>(path, travelled);
     }
