@@ -59,7 +59,8 @@ DIPWRIGHT_HOST_DEVICE inline double secondsOnPath(const PathView& path, double t
 // Returns the frame of the body after it has travelled `travelled` mm. The path must have poses.
 // Interpolates the rotation as a quaternion at constant angular speed (Shoemake 1985).
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE BodyFrame<Real> frameOnPath(const PathView& path, double travelled) {
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_CALLED BodyFrame<Real> frameOnPath(const PathView& path,
+                                                                   double travelled) {
     const int after = detail::poseAfter(path, travelled);
     const double share = detail::shareBetween(path, after, travelled);
     const solver::PathPose &from = path.poses[after - 1], &to = path.poses[after];

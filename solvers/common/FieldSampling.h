@@ -97,26 +97,16 @@ DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP FieldSample<Real> sampleField(const Fiel
     return {mix(c0, c1, z.fraction) + outside, gradient * field.inverseSpacing, outside};
 }
 
-namespace detail {
-
-// Returns the change of φ from `position` − `way` to `position` + `way`.
-template <typename Real>
-DIPWRIGHT_HOST_DEVICE DIPWRIGHT_CALLED Real changeAlong(const FieldGrid<Real>& field,
-                                                        Vector3<Real> position, Vector3<Real> way) {
-    return sampleField(field, position + way).distance -
-           sampleField(field, position - way).distance;
-}
-
-} // namespace detail
-
 // Returns ∇φ at `position` from central differences over one cell on each side. The result changes
 // continuously from cell to cell; the gradient of the trilinear interpolant does not.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE DIPWRIGHT_CALLED Vector3<Real> smoothGradient(const FieldGrid<Real>& field,
-                                                                    Vector3<Real> position) {
+DIPWRIGHT_HOST_DEVICE Vector3<Real> smoothGradient(const FieldGrid<Real>& field,
+                                                   Vector3<Real> position) {
     const Real reach = field.spacing;
     const auto difference = [&](const Vector3<Real>& way) {
-        return detail::changeAlong(field, position, way) * (Real(0.5) * field.inverseSpacing);
+        return (sampleField(field, position + way).distance -
+                sampleField(field, position - way).distance) *
+               (Real(0.5) * field.inverseSpacing);
     };
     return {difference({reach, Real(0), Real(0)}), difference({Real(0), reach, Real(0)}),
             difference({Real(0), Real(0), reach})};

@@ -34,10 +34,3 @@
 #else
 #define DIPWRIGHT_IN_LOOP __attribute__((always_inline)) inline
 #endif
-
-// Marks a function that both of the above are meant for: called on a GPU, in the loop on a CPU.
-#if defined(__CUDACC__)
-#define DIPWRIGHT_CALLED_IN_LOOP DIPWRIGHT_CALLED
-#else
-#define DIPWRIGHT_CALLED_IN_LOOP DIPWRIGHT_IN_LOOP
-#endif

@@ -9,29 +9,6 @@
 
 namespace dipwright::cuda {
 
-// A block's small least-squares problem of GMRES. It is identical in all blocks of a team.
-struct SmallProblem {
-    numerics::GmresProblem problem;
-    float factors[numerics::mostBasisVectors + 1]; // factors on the stored basis vectors
-    double answer;
-};
-
-// What a block knows of its film. Functions that are not inlined address it directly, because it
-// has a fixed place in shared memory.
-struct Block {
-    ProductionModel model;
-    ProductionDip dip;
-    Team team;
-    SmallProblem small;
-    int listed; // number of triangles in a list (CudaBackend::forListed)
-};
-union BlockMemory {
-    __device__ BlockMemory() {}
-    Block block;
-};
-__shared__ BlockMemory own;
-extern __shared__ float2 memory[]; // for tiles and levels
-
 // One film, as seen by its team (FilmBackend.h). All threads of the team call all members. Large
 // members that several places call are not inlined: a step runs most of its code only a few times,
 // so fetching the code takes longer than running it.
@@ -213,9 +190,7 @@ public:
     }
     __device__ void extendBasis(int count, float drag, numerics::Tangent tangent) const {
         float2* next = own.block.dip.basis[count + 1];
-        multigridCycle(own.block.model, own.block.dip,
-                       {own.block.dip.basis[count], own.block.small.factors[count]},
-                       own.block.dip.smoothed[count], own.block.team, memory);
+        smoothBasis(count);
         std::int64_t products[numerics::mostBasisVectors] = {};
         multiply(own.block.model, own.block.dip, drag, tangent, own.block.dip.smoothed[count],
                  own.block.team, memory, [&](int point, float2 product) {
@@ -288,6 +263,12 @@ public:
     }
 
 private:
+    __device__ __noinline__ static void smoothBasis(int count) {
+        multigridCycle(
+            own.block.model, own.block.dip,
+            {own.block.dip.basis[count], own.block.small.factors[count], own.block.model.columns},
+            own.block.dip.smoothed[count], own.block.team);
+    }
     __device__ __noinline__ static double largest(double value) {
         double values[1] = {value};
         own.block.team.largest(values);

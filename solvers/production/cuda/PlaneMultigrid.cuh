@@ -6,9 +6,8 @@
 // code would not fit into the instruction cache.
 #pragma once
 
-#include "common/cuda/Team.cuh"
 #include "common/cuda/Tiles.h"
-#include "production/cuda/ProductionModel.h"
+#include "production/cuda/Block.cuh"
 #include "production/formulas/EdgeStiffness.h"
 
 namespace dipwright::cuda {
@@ -128,6 +127,7 @@ public:
                 right_[k] = right(x, z);
                 setInverse(k);
                 if constexpr (keepsStencils) {
+#pragma unroll
                     for (int n = 0; n < neighbours; ++n) {
                         kept_[n] = stencils_.at(n, point_[k]);
                     }
@@ -187,8 +187,8 @@ private:
         const float determinant = own.x * own.w - mixed * mixed;
         const bool isRegular =
             trace > 0 && determinant > numerics::galerkin::leastDeterminant * trace * trace;
-        const float scale = isRegular ? 1 / determinant : 0;
-        const float common = !isRegular && trace > 0 ? 1 / trace : 0;
+        const float inverse = 1 / (isRegular ? determinant : trace);
+        const float scale = isRegular ? inverse : 0, common = !isRegular && trace > 0 ? inverse : 0;
         inverse_[k] = {own.w * scale + common, -mixed * scale, own.x * scale + common};
     }
 
@@ -223,13 +223,45 @@ using FewPoints = PatchPoints<1>;
 // For patches with more points: as many per thread as the registers hold.
 using ManyPoints = PatchPoints<4>;
 
-template <typename Right, typename Work>
-__device__ inline void withPoints(const PlanePatch& patch, const PlaneStencils& stencils,
-                                  const Right& right, const Work& work) {
-    if (FewPoints::cover(patch.range.width(), patch.range.height())) {
-        work(FewPoints(patch, stencils, right));
+// The right side of a level: one entry per point, times a factor. `pitch` is the distance between
+// rows.
+struct ScaledVector {
+    const float2* values;
+    float factor;
+    int pitch;
+};
+
+enum class Smoothing { Down, Up, Coarsest };
+
+// Does the work of smooth(). Not inlined, so that all levels run the same copy of the code, with
+// all registers of a thread.
+template <typename Points>
+__device__ __noinline__ void smoothPoints(int index, PlaneRange range, int place,
+                                          ScaledVector right, Smoothing way) {
+    using numerics::galerkin::coarsestDegree, numerics::galerkin::smoothingDegree;
+    // The number of steps is even, so the solution is always in `result`.
+    static_assert(smoothingDegree % 2 == 0 && coarsestDegree % 2 == 0);
+    const ProductionModel& model = own.block.model;
+    const PlaneLevel& level = model.levels[index];
+    PlanePatch patch(level, range, memory + place);
+    Points points(patch, stencilsOf(own.block.dip, level),
+                  [&](int x, int z) { return right.values[z * right.pitch + x] * right.factor; });
+    const bool isCoarsest = way == Smoothing::Coarsest;
+    points.smooth(patch, isCoarsest ? model.coarsest : model.smoothing,
+                  isCoarsest ? coarsestDegree : smoothingDegree, way != Smoothing::Up);
+    if (way == Smoothing::Down) {
+        points.keepResidual(patch);
+    }
+}
+
+// Smooths a patch of level `index`, whose memory starts at memory[place]. On the way down, also
+// writes the residual to `other`.
+__device__ inline void smooth(int index, const PlaneRange& range, int place,
+                              const ScaledVector& right, Smoothing way) {
+    if (FewPoints::cover(range.width(), range.height())) {
+        smoothPoints<FewPoints>(index, range, place, right, way);
     } else {
-        work(ManyPoints(patch, stencils, right));
+        smoothPoints<ManyPoints>(index, range, place, right, way);
     }
 }
 
@@ -288,29 +320,17 @@ __device__ inline PlanePatch patchAround(const PlaneRange& tile, const PlaneLeve
             memory};
 }
 
-// The right side of a level: a vector with one entry per point, times a factor.
-struct ScaledVector {
-    const float2* values;
-    float factor;
-};
-
 // Computes a level's `result` and the right side of the next coarser level.
 __device__ inline void descend(const ProductionModel& model, const ProductionDip& dip, int index,
-                               ScaledVector right, const Team& team, float2* memory) {
+                               ScaledVector right, const Team& team, float2* tileMemory) {
     const PlaneLevel &level = model.levels[index], &coarser = model.levels[index + 1];
 #pragma unroll 1
     for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
         const CoarseTile tile(level, coarser, t);
-        PlanePatch patch = patchAround(tile.leaning, level, memory);
+        PlanePatch patch = patchAround(tile.leaning, level, tileMemory);
         patch.clear();
         __syncthreads();
-        withPoints(
-            patch, stencilsOf(dip, level),
-            [&](int x, int z) { return right.values[z * level.columns + x] * right.factor; },
-            [&](auto points) {
-                points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, true);
-                points.keepResidual(patch);
-            });
+        smooth(index, patch.range, int(tileMemory - memory), right, Smoothing::Down);
         forRange(tile.own, [&](int x, int z) {
             dip.result[level.offset + z * level.columns + x] = patch.result[patch.index(x, z)];
         });
@@ -324,13 +344,12 @@ __device__ inline void descend(const ProductionModel& model, const ProductionDip
 // Computes a level's solution from its `result` and the coarser level's solution.
 __device__ inline void ascend(const ProductionModel& model, const ProductionDip& dip, int index,
                               ScaledVector right, const float2* coarse, int coarsePitch,
-                              float2* solution, const Team& team, float2* memory) {
+                              float2* solution, const Team& team, float2* tileMemory) {
     const PlaneLevel &level = model.levels[index], &coarser = model.levels[index + 1];
-    const PlaneStencils stencils = stencilsOf(dip, level);
 #pragma unroll 1
     for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
         const CoarseTile tile(level, coarser, t);
-        PlanePatch patch = patchAround(tile.own, level, memory);
+        PlanePatch patch = patchAround(tile.own, level, tileMemory);
         patch.clear();
         __syncthreads();
         forRange(patch.range, [&](int x, int z) {
@@ -340,12 +359,7 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
                 interpolated(coarse, coarsePitch, x, z) * freedom(dip, index, point);
         });
         __syncthreads();
-        withPoints(
-            patch, stencils,
-            [&](int x, int z) { return right.values[z * level.columns + x] * right.factor; },
-            [&](auto points) {
-                points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, false);
-            });
+        smooth(index, patch.range, int(tileMemory - memory), right, Smoothing::Up);
         forRange(tile.own, [&](int x, int z) {
             solution[z * level.columns + x] = patch.result[patch.index(x, z)];
         });
@@ -357,7 +371,7 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
 // solution on `wholeLevel`; it lies at the beginning of `memory`. One function, because both halves
 // of the cycle use the same layout of this memory.
 __device__ inline PlanePatch solveWhole(const ProductionModel& model, const ProductionDip& dip,
-                                        ScaledVector firstRight, float2* memory) {
+                                        ScaledVector firstRight) {
     const int first = model.wholeLevel, last = model.levelCount - 1;
     // Each level has three arrays, surrounded by zeros: two belong to its patch, the third is its
     // right side.
@@ -382,27 +396,20 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
         });
         __syncthreads();
     }
-    const auto withWhole = [&](const PlanePatch& patch, const float2* right, const auto& work) {
-        withPoints(
-            patch, stencilsOf(dip, *patch.level),
-            [&](int x, int z) { return right[patch.index(x, z)]; }, work);
+    const auto smoothWhole = [&](int l, const PlanePatch& patch, Smoothing way) {
+        smooth(l, patch.range, int(patch.result - memory),
+               {rightOf(patch) + patch.index(0, 0), 1.0f, patch.pitch()}, way);
     };
 #pragma unroll 1
     for (int l = first; l < last; ++l) {
         PlanePatch patch = patchOf(l), coarser = patchOf(l + 1);
         float2* coarseRight = rightOf(coarser);
         coarser.clear();
-        withWhole(patch, rightOf(patch), [&](auto points) {
-            points.smooth(patch, model.smoothing, numerics::galerkin::smoothingDegree, true);
-            points.keepResidual(patch);
-        });
+        smoothWhole(l, patch, Smoothing::Down);
         forRange(coarser.range,
                  [&](int x, int z) { coarseRight[coarser.index(x, z)] = restricted(patch, x, z); });
         __syncthreads();
     }
-    // Smoothing has an even number of steps, so the solution is always in `result`.
-    static_assert(numerics::galerkin::smoothingDegree % 2 == 0 &&
-                  numerics::galerkin::coarsestDegree % 2 == 0);
 #pragma unroll 1
     for (int l = last; l >= first; --l) {
         PlanePatch patch = patchOf(l);
@@ -417,12 +424,7 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
             });
             __syncthreads();
         }
-        withWhole(patch, rightOf(patch), [&](auto points) {
-            points.smooth(patch, isCoarsest ? model.coarsest : model.smoothing,
-                          isCoarsest ? numerics::galerkin::coarsestDegree
-                                     : numerics::galerkin::smoothingDegree,
-                          isCoarsest);
-        });
+        smoothWhole(l, patch, isCoarsest ? Smoothing::Coarsest : Smoothing::Up);
     }
     return top;
 }
@@ -430,16 +432,16 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
 // Computes solution ≈ stiffness⁻¹ · right on the finest level with one V-cycle. Ends with a
 // barrier.
 __device__ inline void multigridCycle(const ProductionModel& model, const ProductionDip& dip,
-                                      ScaledVector right, float2* solution, Team& team,
-                                      float2* memory) {
+                                      ScaledVector right, float2* solution, Team& team) {
     const auto rightOf = [&](int l) {
-        return l == 0 ? right : ScaledVector{dip.right + model.levels[l].offset, 1.0f};
+        const PlaneLevel& level = model.levels[l];
+        return l == 0 ? right : ScaledVector{dip.right + level.offset, 1.0f, level.columns};
     };
     for (int l = 0; l < model.wholeLevel; ++l) {
         descend(model, dip, l, rightOf(l), team, memory);
         team.barrier();
     }
-    const PlanePatch whole = solveWhole(model, dip, rightOf(model.wholeLevel), memory);
+    const PlanePatch whole = solveWhole(model, dip, rightOf(model.wholeLevel));
     const float2* coarse = whole.result + whole.index(0, 0);
     int coarsePitch = whole.pitch();
     float2* tileMemory = memory + 3 * PlanePatch::values(whole.range.width(), whole.range.height());

@@ -14,7 +14,7 @@ namespace dipwright::numerics {
 
 // Returns φ and its gradient in world coordinates at a world point.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE DIPWRIGHT_CALLED_IN_LOOP FieldSample<Real>
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP FieldSample<Real>
 sampleWorld(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Vector3<Real> p) {
     FieldSample<Real> sample = sampleField(field, frame.toBody(p));
     sample.gradient = frame.directionToWorld(sample.gradient);

@@ -16,7 +16,8 @@ namespace detail {
 // by this length and returns true. Otherwise moves it by the whole step and returns false. `now` is
 // the force at the new displacement.
 template <FilmEquilibrium Film>
-DIPWRIGHT_TEAM DIPWRIGHT_CALLED bool searchAlongStep(Film& film, typename Film::Real drag, FilmForce& now) {
+DIPWRIGHT_TEAM DIPWRIGHT_CALLED bool searchAlongStep(Film& film, typename Film::Real drag,
+                                                     FilmForce& now) {
     using Real = typename Film::Real;
     constexpr NewtonLimits limits = Film::newtonLimits();
     const double longest = film.startOfStep();
@@ -79,8 +80,9 @@ struct EquilibriumResult {
 // the step that left the smallest forces, and restores its displacement. `farthest`, in mm, is the
 // largest displacement of a point from rest, or the longest cell edge if that is larger.
 template <FilmEquilibrium Film>
-DIPWRIGHT_TEAM DIPWRIGHT_CALLED EquilibriumResult findEquilibrium(Film& film, typename Film::Real drag,
-                                                        double farthest) {
+DIPWRIGHT_TEAM DIPWRIGHT_CALLED EquilibriumResult findEquilibrium(Film& film,
+                                                                  typename Film::Real drag,
+                                                                  double farthest) {
     constexpr NewtonLimits limits = Film::newtonLimits();
     const double floor =
         limits.flatForce * std::fmax(1.0, farthest) * std::sqrt(double(pointCount(film.model())));
