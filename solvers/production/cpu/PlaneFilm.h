@@ -147,8 +147,12 @@ template <typename OnLine, typename Floating>
 void PlaneFilm::forStretched(const PlaneVector& displacement, float limit, const OnLine& onLine,
                              const Floating& floating) {
     forCrossing(onLine);
+    std::vector<std::uint8_t> mayBe(static_cast<std::size_t>(rows_ - 1));
+    forRows(rows_ - 1, columns_, [&](int row) {
+        mayBe[std::size_t(row)] = mayBeTornOrFolded(row, displacement, limit);
+    });
     for (int row = 0; row + 1 < rows_; ++row) {
-        if (mayBeTornOrFolded(row, displacement, limit)) {
+        if (mayBe[std::size_t(row)] != 0) {
             forFloating(row, floating);
         }
     }
