@@ -61,6 +61,14 @@ public:
     // See numerics::FilmBackend.
     template <typename Work>
     void forCrossing(const Work& work);
+    // Calls work(column, row) for the cell of each crossing triangle.
+    template <typename Work>
+    void forCrossingCells(const Work& work) const {
+        for (const Crossing& triangle : crossing_) {
+            const std::size_t cells = std::size_t(columns_ - 1);
+            work(triangle.cell % cells, triangle.cell / cells);
+        }
+    }
     template <typename OnLine, typename Floating>
     void forTriangles(const OnLine& onLine, const Floating& floating);
     template <typename OnLine, typename Floating>

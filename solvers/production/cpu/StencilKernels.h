@@ -10,6 +10,7 @@
 #include "production/cpu/RowKernels.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace dipwright::cpu {
 
@@ -60,6 +61,17 @@ void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse);
 
+// The stencils of a row. Where `isSymmetric` is not 0, for each `pointsPerFlag` points, the
+// stiffness between these points and all their neighbours is symmetric to the last bit. The points
+// below and to the left then need not be read from this row: their own stencils, which are in the
+// cache, have the transposed blocks. Without `isSymmetric`, nothing is known, and `below` may be
+// empty.
+inline constexpr std::size_t pointsPerFlag = 16;
+struct StencilRow {
+    Lines<const float> here, below;
+    const std::uint8_t* isSymmetric = nullptr;
+};
+
 // One step of Chebyshev smoothing: direction ← keep·direction + gain·inverse·(right − K·now), then
 // result = now + direction. The first step starts from now = 0 and needs no K.
 struct ChebyshevRow {
@@ -70,9 +82,9 @@ struct ChebyshevRow {
 };
 void smoothFirst(std::size_t columns, const ChebyshevRow& row);
 void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
-               const Lines<const float>& stencil, const RowOfVectors<const float>& now);
+               const StencilRow& stencil, const RowOfVectors<const float>& now);
 // Computes residual = right − K·now.
-void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
+void residualRow(std::size_t columns, std::size_t pitch, const StencilRow& stencil,
                  const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
                  const RowOfVectors<float>& residual);
 

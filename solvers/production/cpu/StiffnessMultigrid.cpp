@@ -19,6 +19,10 @@ std::size_t pitchOf(int columns) {
     return margin + (std::size_t(columns) + 2 * widestVector) / widestVector * widestVector;
 }
 
+std::size_t flagsPerRow(int columns) {
+    return (std::size_t(columns) + pointsPerFlag - 1) / pointsPerFlag;
+}
+
 } // namespace
 
 StiffnessMultigrid::Level::Level(int columnCount, int rowCount)
@@ -40,6 +44,16 @@ Lines<float> StiffnessMultigrid::Level::stencil(int row) {
 }
 Lines<float> StiffnessMultigrid::Level::inverse(int row) {
     return {inverses.data() + std::size_t(row) * inverseLines * pitch, pitch};
+}
+StencilRow StiffnessMultigrid::Level::stencilRow(int row) {
+    const Lines<float> here = stencil(row);
+    if (isSymmetric.empty() || row == 0) {
+        return {{here.first, here.pitch}, {}, nullptr};
+    }
+    const Lines<float> below = stencil(row - 1);
+    return {{here.first, here.pitch},
+            {below.first, below.pitch},
+            isSymmetric.data() + std::size_t(row) * flagsPerRow(columns)};
 }
 RowOfVectors<float> StiffnessMultigrid::Level::row(Vectors& vectors, int row) const {
     return {vectors.x.data() + at(row), vectors.z.data() + at(row)};
@@ -112,6 +126,19 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
     });
 }
 
+void StiffnessMultigrid::findSymmetric(const PlaneFilm& film) {
+    Level& level = levels_.front();
+    const std::size_t flags = flagsPerRow(level.columns);
+    level.isSymmetric.assign(flags * std::size_t(level.rows), 1);
+    film.forCrossingCells([&](std::size_t column, std::size_t row) {
+        for (const std::size_t i : {column, column + 1}) {
+            for (const std::size_t j : {row, row + 1}) {
+                level.isSymmetric[j * flags + i / pointsPerFlag] = 0;
+            }
+        }
+    });
+}
+
 void StiffnessMultigrid::coarsen(Level& fine, Level& coarse) {
     const std::vector<float> zeros(fine.pitch);
     const auto fineRow = [&](int row) {
@@ -137,6 +164,7 @@ void StiffnessMultigrid::invert(Level& level, int row) {
 void StiffnessMultigrid::prepare(const PlaneFilm& film, const std::vector<float>& free,
                                  const std::vector<float>& area, float drag) {
     assemble(film, free, area, drag);
+    findSymmetric(film);
     for (std::size_t index = 1; index < levels_.size(); ++index) {
         coarsen(levels_[index - 1], levels_[index]);
     }
@@ -154,7 +182,7 @@ void StiffnessMultigrid::smoothRowOf(Level& level, int row, const ChebyshevStep&
     if (now == nullptr) {
         smoothFirst(std::size_t(level.columns), to);
     } else {
-        smoothRow(std::size_t(level.columns), level.pitch, to, constant(level.stencil(row)),
+        smoothRow(std::size_t(level.columns), level.pitch, to, level.stencilRow(row),
                   level.row(*now, row));
     }
 }
@@ -180,7 +208,7 @@ void StiffnessMultigrid::smoothFromZero(Level& level, const Take& take) {
         } else if (stage == 1) {
             smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
         } else {
-            residualRow(std::size_t(level.columns), level.pitch, constant(level.stencil(row)),
+            residualRow(std::size_t(level.columns), level.pitch, level.stencilRow(row),
                         level.row(std::as_const(level.right), row),
                         level.row(std::as_const(level.now), row), level.row(level.next, row));
         }
