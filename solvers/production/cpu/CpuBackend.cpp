@@ -70,22 +70,21 @@ std::pair<bool, bool> CpuBackend::heldInRow(int row) const {
 }
 
 numerics::FilmForce CpuBackend::force(float drag) {
-    const double elastic = film_.gradient(displacement_, gradient_);
     const std::size_t width = std::size_t(film_.columns());
-    const auto finish = [&](int row, const std::vector<float>& now,
-                            const std::vector<float>& before, std::vector<float>& forces) {
+    const auto addDrag = [&](int row, const std::vector<float>& now,
+                             const std::vector<float>& before, std::vector<float>& forces) {
         const std::size_t first = std::size_t(row) * width;
         addDifference(width, drag, areas_.data() + first, now.data() + first, before.data() + first,
                       forces.data() + first);
         multiplyBy(width, masked_.data() + first, forces.data() + first);
     };
-    const auto squares =
-        sumOverRows<numerics::SquareSum>(film_.rows(), film_.columns(), [&](int row) {
-            finish(row, displacement_.x, before_.x, gradient_.x);
-            finish(row, displacement_.z, before_.z, gradient_.z);
-            return rowSquares(rowOf(gradient_, row), width);
-        });
-    return {squares.root(), elastic};
+    std::vector<numerics::SquareSum> squares(static_cast<std::size_t>(film_.rows()));
+    const double elastic = film_.gradient(displacement_, gradient_, [&](int row) {
+        addDrag(row, displacement_.x, before_.x, gradient_.x);
+        addDrag(row, displacement_.z, before_.z, gradient_.z);
+        squares[std::size_t(row)] = rowSquares(rowOf(gradient_, row), width);
+    });
+    return {sumOf(squares).root(), elastic};
 }
 
 numerics::FilmForce CpuBackend::forceAlong(float length, float drag) {
@@ -147,18 +146,17 @@ void CpuBackend::extendBasis(int count, float drag, numerics::Tangent tangent) {
     const std::size_t newest = std::size_t(count);
     multigrid_.apply(basis_[newest], factors_[newest], smoothed_[newest]);
     PlaneVector& next = basis_[newest + 1];
-    film_.hessian(smoothed_[newest], tangent, next);
     const int rows = film_.rows(), columns = film_.columns();
     const std::size_t width = std::size_t(columns);
-    const auto products = sumOverRows<BasisProducts>(rows, columns, [&](int row) {
+    std::vector<BasisProducts> ofRows(static_cast<std::size_t>(rows));
+    film_.hessian(smoothed_[newest], tangent, next, [&](int row) {
         addDrag(row, drag, smoothed_[newest], next);
-        BasisProducts ofRow;
         for (std::size_t i = 0; i <= newest; ++i) {
-            ofRow.multiples[i] =
+            ofRows[std::size_t(row)].multiples[i] =
                 rowProducts(rowOf(next, row), rowOf(basis_[i], row), factors_[i], width);
         }
-        return ofRow;
     });
+    const BasisProducts products = sumOf(ofRows);
     double* column = leastResiduals_.matrix[count];
     for (std::size_t i = 0; i <= newest; ++i) {
         column[i] = numerics::ProductSum::value(products.multiples[i]);
@@ -186,16 +184,14 @@ void CpuBackend::addToStep(int count) {
 
 double CpuBackend::linearResidual(float drag, numerics::Tangent tangent) {
     PlaneVector& residual = basis_.front();
-    film_.hessian(step_, tangent, residual);
     const int columns = film_.columns();
-    return sumOverRows<numerics::SquareSum>(
-               film_.rows(), columns,
-               [&](int row) {
-                   addDrag(row, drag, step_, residual);
-                   add(1, gradient_, residual, row * columns, (row + 1) * columns);
-                   return rowSquares(rowOf(residual, row), std::size_t(columns));
-               })
-        .root();
+    std::vector<numerics::SquareSum> squares(static_cast<std::size_t>(film_.rows()));
+    film_.hessian(step_, tangent, residual, [&](int row) {
+        addDrag(row, drag, step_, residual);
+        add(1, gradient_, residual, row * columns, (row + 1) * columns);
+        squares[std::size_t(row)] = rowSquares(rowOf(residual, row), std::size_t(columns));
+    });
+    return sumOf(squares).root();
 }
 
 } // namespace dipwright::cpu
