@@ -215,20 +215,15 @@ void StiffnessMultigrid::smoothFromZero(Level& level, const Take& take) {
     });
 }
 
-// Writes the fine grid's residual, which is in its `next`, into the right side of the coarse grid.
-void StiffnessMultigrid::restrictResidual(const Level& fine, Level& coarse) {
-    forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
-        std::vector<float> sum(std::size_t(fine.columns) + 3);
-        const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to,
-                                    int row) {
-            restrictRow(std::size_t(fine.columns), std::size_t(coarse.columns), fine.pitch,
-                        from.data() + fine.at(2 * row), sum.data(), to.data() + coarse.at(row));
-        };
-        for (int row = begin; row < end; ++row) {
-            restricted(fine.next.x, coarse.right.x, row);
-            restricted(fine.next.z, coarse.right.z, row);
-        }
-    });
+// Sets the right side of a coarse row to the fine grid's residual, which is in its `next`.
+void StiffnessMultigrid::Restriction::operator()(int row) const {
+    std::vector<float> sum(std::size_t(fine->columns) + 3);
+    const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to) {
+        restrictRow(std::size_t(fine->columns), std::size_t(coarse->columns), fine->pitch,
+                    from.data() + fine->at(2 * row), sum.data(), to.data() + coarse->at(row));
+    };
+    restricted(fine->next.x, coarse->right.x);
+    restricted(fine->next.z, coarse->right.z);
 }
 
 // Adds the coarse grid's correction to a row of `now`.
@@ -249,13 +244,18 @@ void StiffnessMultigrid::cycle(std::size_t index, const Take& take, const Give& 
     static_assert(smoothingSteps.size() == 2);
     Level& level = levels_[index];
     if (index + 1 == levels_.size()) {
+        for (int row = 0; row < level.rows; ++row) {
+            take(row);
+        }
         solveCoarsest(level);
+        for (int row = 0; row < level.rows; ++row) {
+            give(row);
+        }
         return;
     }
     Level& coarse = levels_[index + 1];
     smoothFromZero(level, take);
-    restrictResidual(level, coarse);
-    cycle(index + 1, Nothing{}, Nothing{});
+    cycle(index + 1, Restriction{&level, &coarse}, Nothing{});
     forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
         if (stage == 0) {
             addCorrection(coarse, level, index == 0, row);

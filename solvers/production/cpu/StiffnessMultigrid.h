@@ -45,6 +45,12 @@ private:
         RowOfVectors<const float> row(const Vectors& vectors, int row) const;
     };
 
+    struct Restriction {
+        const Level* fine;
+        Level* coarse;
+        void operator()(int row) const;
+    };
+
     void assemble(const PlaneFilm& film, const std::vector<float>& free,
                   const std::vector<float>& area, float drag);
     // Notes where no triangle on the contact line makes the finest grid's stencils unsymmetric.
@@ -56,7 +62,6 @@ private:
     static void solveCoarsest(Level& level);
     template <typename Take>
     static void smoothFromZero(Level& level, const Take& take);
-    static void restrictResidual(const Level& fine, Level& coarse);
     void addCorrection(const Level& coarse, Level& fine, bool isFinest, int row) const;
     // Calls take(row) before it uses the right side of a row, and give(row) when the row's result
     // is in `now`.
