@@ -20,7 +20,7 @@ DIPWRIGHT_HOST_DEVICE inline double decay(double x) {
     const double rest = (x - n * log2) - n * log2Rest;
     double sum = 1;
     for (int k = 14; k > 0; --k) {
-        sum = 1 + sum * rest / k;
+        sum = 1 + sum * (rest * (1.0 / k));
     }
     return std::ldexp(sum, n);
 }
@@ -30,7 +30,7 @@ DIPWRIGHT_HOST_DEVICE inline double sineOf(double angle) {
     const double square = angle * angle;
     double sum = 1;
     for (int k = 22; k > 0; k -= 2) {
-        sum = 1 - sum * square / (k * (k + 1));
+        sum = 1 - sum * (square * (1.0 / (k * (k + 1))));
     }
     return angle * sum;
 }

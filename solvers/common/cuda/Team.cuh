@@ -63,7 +63,7 @@ public:
     // Sums only the first `used` values.
     template <int count>
     __device__ void sum(std::int64_t (&values)[count], int used) {
-        reduce(values, used, [](std::int64_t a, std::int64_t b) { return a + b; });
+        reduce<Sum>(values, used);
     }
     // Replaces `values` in every thread by the team's maximum. Acts as a barrier.
     template <int count>
@@ -73,9 +73,7 @@ public:
         for (int i = 0; i < count; ++i) {
             words[i] = __double_as_longlong(values[i]);
         }
-        reduce(words, count, [](std::int64_t a, std::int64_t b) {
-            return __longlong_as_double(a) > __longlong_as_double(b) ? a : b;
-        });
+        reduce<Largest>(words, count);
 #pragma unroll
         for (int i = 0; i < count; ++i) {
             values[i] = __longlong_as_double(words[i]);
@@ -83,11 +81,53 @@ public:
     }
 
 private:
-    template <int count, typename Join>
-    __device__ void reduce(std::int64_t (&values)[count], int used, const Join& join) {
+    // Combines the values of the first `lanes` lanes into lane 0.
+    template <typename Join>
+    __device__ static std::int64_t overLanes(std::int64_t value, int lanes) {
+        const int lane = int(threadIdx.x) % 32;
+#pragma unroll
+        for (int offset = 16; offset > 0; offset /= 2) {
+            const std::int64_t other = __shfl_down_sync(0xffffffff, value, unsigned(offset));
+            if (lane + offset < lanes) {
+                value = Join::join(value, other);
+            }
+        }
+        return value;
+    }
+
+    struct Sum {
+        __device__ static std::int64_t join(std::int64_t a, std::int64_t b) { return a + b; }
+        __device__ static std::int64_t inWarp(std::int64_t value, int lanes) {
+#if __CUDA_ARCH__ >= 800
+            // The hardware sums 32-bit integers: three parts of the value whose sums fit.
+            constexpr unsigned all = 0xffffffff, part = (1u << 27) - 1;
+            const std::int64_t own = int(threadIdx.x) % 32 < lanes ? value : 0;
+            const unsigned low = __reduce_add_sync(all, unsigned(own) & part);
+            const unsigned middle = __reduce_add_sync(all, unsigned(own >> 27) & part);
+            const int high = __reduce_add_sync(all, int(own >> 54));
+            return std::int64_t(low) + (std::int64_t(middle) << 27) + (std::int64_t(high) << 54);
+#else
+            return overLanes<Sum>(value, lanes);
+#endif
+        }
+    };
+    struct Largest { // of numbers in double precision
+        __device__ static std::int64_t join(std::int64_t a, std::int64_t b) {
+            return __longlong_as_double(a) > __longlong_as_double(b) ? a : b;
+        }
+        __device__ static std::int64_t inWarp(std::int64_t value, int lanes) {
+            return overLanes<Largest>(value, lanes);
+        }
+    };
+
+    template <typename Join, int count>
+    __device__ void reduce(std::int64_t (&values)[count], int used) {
         static_assert(count <= TeamMemory::mostValues);
         const int lane = int(threadIdx.x) % 32, warp = int(threadIdx.x) / 32;
-        joinWarp(values, used, 32, join);
+#pragma unroll
+        for (int i = 0; i < count; ++i) {
+            values[i] = i < used ? Join::inWarp(values[i], 32) : 0;
+        }
 #pragma unroll
         for (int i = 0; i < count; ++i) {
             if (i < used && lane == 0) {
@@ -97,21 +137,20 @@ private:
         __syncthreads();
         std::int64_t(*slots)[TeamMemory::mostValues] = memory_->values[barriers_ % 2];
         if (warp < used) { // one value per warp
-            std::int64_t joined[1] = {partial_[lane % warps][warp]};
-            joinWarp(joined, 1, warps, join);
+            const std::int64_t joined = Join::inWarp(partial_[lane % warps][warp], warps);
             if (lane == 0) {
-                slots[block_][warp] = joined[0];
+                slots[block_][warp] = joined;
             }
         }
         barrier();
         if (warp < used) {
-            std::int64_t joined[1] = {slots[min(lane, blocks_ - 1)][warp]};
+            std::int64_t joined = slots[min(lane, blocks_ - 1)][warp];
             for (int block = lane + 32; block < blocks_; block += 32) {
-                joined[0] = join(joined[0], slots[block][warp]);
+                joined = Join::join(joined, slots[block][warp]);
             }
-            joinWarp(joined, 1, min(blocks_, 32), join);
+            joined = Join::inWarp(joined, min(blocks_, 32));
             if (lane == 0) {
-                result_[warp] = joined[0];
+                result_[warp] = joined;
             }
         }
         __syncthreads();
@@ -119,23 +158,6 @@ private:
         for (int i = 0; i < count; ++i) {
             if (i < used) {
                 values[i] = result_[i];
-            }
-        }
-    }
-
-    // Combines the first `used` values of the first `lanes` lanes into lane 0.
-    template <int count, typename Join>
-    __device__ static void joinWarp(std::int64_t (&values)[count], int used, int lanes,
-                                    const Join& join) {
-        const int lane = int(threadIdx.x) % 32;
-#pragma unroll
-        for (int i = 0; i < count; ++i) {
-            for (int offset = 16; i < used && offset > 0; offset /= 2) {
-                const std::int64_t other =
-                    __shfl_down_sync(0xffffffff, values[i], unsigned(offset));
-                if (lane + offset < lanes) {
-                    values[i] = join(values[i], other);
-                }
             }
         }
     }

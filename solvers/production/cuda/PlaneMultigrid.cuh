@@ -187,8 +187,8 @@ private:
         const float determinant = own.x * own.w - mixed * mixed;
         const bool isRegular =
             trace > 0 && determinant > numerics::galerkin::leastDeterminant * trace * trace;
-        const float scale = isRegular ? 1 / determinant : 0;
-        const float common = !isRegular && trace > 0 ? 1 / trace : 0;
+        const float inverse = 1 / (isRegular ? determinant : trace);
+        const float scale = isRegular ? inverse : 0, common = !isRegular && trace > 0 ? inverse : 0;
         inverse_[k] = {own.w * scale + common, -mixed * scale, own.x * scale + common};
     }
 

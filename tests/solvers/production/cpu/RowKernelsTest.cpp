@@ -112,25 +112,26 @@ private Q_SLOTS:
 };
 
 void RowKernelsTest::rowSums_everyLength_equalScalarBits() {
+    const float factor = 1.7f;
     for (std::size_t count = 0; count <= longest; ++count) {
-        const Row a = randomRow(count, 1), b = randomRow(count, 2), w = randomRow(count, 3, 0, 1);
-        float products[16] = {}, squares[16] = {};
-        const std::size_t whole = count / 16 * 16;
-        for (std::size_t i = 0; i < whole; ++i) {
-            products[i % 16] += a[i] * b[i];
-            squares[i % 16] += w[i] * a[i] * a[i];
+        const Row ax = randomRow(count, 1), az = randomRow(count, 2), bx = randomRow(count, 3),
+                  bz = randomRow(count, 4), w = randomRow(count, 5, 0, 1);
+        std::int64_t products = 0;
+        numerics::SquareSum squares, weighted;
+        for (std::size_t i = 0; i < count; ++i) {
+            const float product = ax[i] * bx[i] + az[i] * bz[i];
+            const float square = ax[i] * ax[i] + az[i] * az[i];
+            products += numerics::ProductSum::multiple(double(product) * double(factor));
+            squares.add(double(square));
+            weighted.add(double(w[i] * square));
         }
-        double product = 0, square = 0;
-        for (std::size_t lane = 0; lane < 16; ++lane) {
-            product += double(products[lane]);
-            square += double(squares[lane]);
-        }
-        for (std::size_t i = whole; i < count; ++i) {
-            product += double(a[i]) * double(b[i]);
-            square += double(w[i]) * double(a[i]) * double(a[i]);
-        }
-        QVERIFY(rowDot(a.data(), b.data(), count) == product);
-        QVERIFY(rowWeightedSquares(w.data(), a.data(), count) == square);
+        const RowOfPairs a{ax.data(), az.data()}, b{bx.data(), bz.data()};
+        const auto areEqual = [](const numerics::SquareSum& one, const numerics::SquareSum& other) {
+            return one.whole == other.whole && one.rest == other.rest;
+        };
+        QVERIFY(rowProducts(a, b, factor, count) == products);
+        QVERIFY(areEqual(rowSquares(a, count), squares));
+        QVERIFY(areEqual(rowWeightedSquares(w.data(), a, count), weighted));
     }
 }
 
@@ -147,8 +148,8 @@ void RowKernelsTest::rowCombinations_everyLength_equalScalarBits() {
         };
         addScaled(count, factor, a.data(), out.data());
         QVERIFY(check([&](std::size_t i, float was) { return was + factor * a[i]; }));
-        scaleRow(count, factor, out.data());
-        QVERIFY(check([&](std::size_t, float was) { return factor * was; }));
+        scaledRow(count, factor, a.data(), out.data());
+        QVERIFY(check([&](std::size_t i, float) { return factor * a[i]; }));
         addWeighted(count, factor, b.data(), a.data(), out.data());
         QVERIFY(check([&](std::size_t i, float was) { return was + factor * b[i] * a[i]; }));
         addDifference(count, factor, c.data(), a.data(), b.data(), out.data());
@@ -251,7 +252,7 @@ void RowKernelsTest::addForces_everyLength_equalsScalarBits() {
 void RowKernelsTest::stretchRange_everyLength_equalsScalarBits() {
     for (std::size_t count = 1; count <= longest; ++count) {
         const Cells film(count);
-        const Row moving[2] = {randomRow(count, 5, 0, 1), randomRow(count, 6, 0, 1)};
+        Row moving[2] = {randomRow(count, 5), randomRow(count, 6)};
         float largest = 0, least = 1;
         for (std::size_t i = 0; i < count; ++i) {
             for (const bool second : {false, true}) {
@@ -261,8 +262,10 @@ void RowKernelsTest::stretchRange_everyLength_equalsScalarBits() {
                 const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
                                       (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
                 const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
-                largest = std::max(largest, moving[second][i] * squares);
-                least = std::min(least, moving[second][i] * area);
+                float& moves = moving[second][i];
+                moves = moves > 0 ? 1.f : 0.f;
+                largest = moves > 0 ? std::max(largest, squares) : largest;
+                least = moves > 0 ? std::min(least, area) : least;
             }
         }
         const StretchRange range = stretchRange(count, 0, film.points(),

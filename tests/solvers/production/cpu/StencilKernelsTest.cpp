@@ -186,15 +186,15 @@ struct StencilRow {
     Lines<const float> lines() const { return {stencil.data(), pitch}; }
     Lines<const float> inverses() const { return {inverse.data(), pitch}; }
     std::array<float, 2> residual(std::size_t i, const Points& right, const Points& now) const {
-        float x = 0, z = 0;
+        float x = right.middle().x[i], z = right.middle().z[i];
         for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
             const std::size_t there = now.at(neighbour / 3) + i + neighbour % 3 - 1;
             const float nx = now.x[there], nz = now.z[there];
             const auto k = [&](std::size_t part) { return lines()[4 * neighbour + part][i]; };
-            x += k(0) * nx + k(1) * nz;
-            z += k(2) * nx + k(3) * nz;
+            x -= k(0) * nx + k(1) * nz;
+            z -= k(2) * nx + k(3) * nz;
         }
-        return {right.middle().x[i] - x, right.middle().z[i] - z};
+        return {x, z};
     }
 
     std::size_t columns, pitch;

@@ -81,7 +81,7 @@ struct Film {
     }
     PlaneVector cycle(const PlaneVector& right) {
         PlaneVector result(free.size());
-        multigrid.apply(right, result);
+        multigrid.apply(right, 1, result);
         return result;
     }
 
