@@ -210,8 +210,6 @@ HWY_INLINE Pair residualAt(const StencilRow& stencil, std::size_t pitch,
                            const RowOfVectors<const float>& now, std::size_t i) {
     Pair left{load(right.x + i), load(right.z + i)};
     constexpr std::size_t own = middleLine / 4;
-    const bool isSymmetric =
-        stencil.isSymmetric != nullptr && stencil.isSymmetric[i / pointsPerFlag] != 0;
     const auto to = [&](std::size_t neighbour) {
         return (std::ptrdiff_t(neighbour / 3) - 1) * std::ptrdiff_t(pitch) +
                std::ptrdiff_t(neighbour % 3) - 1 + std::ptrdiff_t(i);
@@ -222,7 +220,7 @@ HWY_INLINE Pair residualAt(const StencilRow& stencil, std::size_t pitch,
         subtract(left, load(here[line] + i), load(here[line + 1] + i), load(here[line + 2] + i),
                  load(here[line + 3] + i), now.x + to(neighbour), now.z + to(neighbour));
     };
-    if (!isSymmetric) {
+    if (stencil.kindAt(i) == StencilKind::Any) {
         for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
             subtractOwn(neighbour);
         }
@@ -263,6 +261,11 @@ HWY_INLINE void takeStep(const ChebyshevRow& row, std::size_t i, const Pair& res
     hn::StoreU(hn::Add(now.z, dz), lanes, row.result.z + i);
 }
 
+HWY_INLINE void clear(const RowOfVectors<float>& row, std::size_t i) {
+    hn::StoreU(hn::Zero(lanes), lanes, row.x + i);
+    hn::StoreU(hn::Zero(lanes), lanes, row.z + i);
+}
+
 void smoothFirst(std::size_t columns, const ChebyshevRow& row) {
     const Pair nothing{hn::Zero(lanes), hn::Zero(lanes)};
     for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
@@ -273,6 +276,11 @@ void smoothFirst(std::size_t columns, const ChebyshevRow& row) {
 void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
                const StencilRow& stencil, const RowOfVectors<const float>& now) {
     for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
+        if (stencil.kindAt(i) == StencilKind::Held) {
+            clear(row.direction, i);
+            clear(row.result, i);
+            continue;
+        }
         takeStep(row, i, residualAt(stencil, pitch, row.right, now, i),
                  {load(now.x + i), load(now.z + i)});
     }
@@ -282,6 +290,10 @@ void residualRow(std::size_t columns, std::size_t pitch, const StencilRow& stenc
                  const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
                  const RowOfVectors<float>& residual) {
     for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
+        if (stencil.kindAt(i) == StencilKind::Held) {
+            clear(residual, i);
+            continue;
+        }
         const Pair left = residualAt(stencil, pitch, right, now, i);
         hn::StoreU(left.x, lanes, residual.x + i);
         hn::StoreU(left.z, lanes, residual.z + i);

@@ -61,15 +61,25 @@ void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse);
 
-// The stencils of a row. Where `isSymmetric` is not 0, for each `pointsPerFlag` points, the
-// stiffness between these points and all their neighbours is symmetric to the last bit. The points
-// below and to the left then need not be read from this row: their own stencils, which are in the
-// cache, have the transposed blocks. Without `isSymmetric`, nothing is known, and `below` may be
-// empty.
-inline constexpr std::size_t pointsPerFlag = 16;
+// What is known about the stencils of `pointsPerKind` points.
+enum class StencilKind : std::uint8_t {
+    Any,
+    // The stiffness between these points and all their neighbours is symmetric to the last bit. The
+    // neighbours below and to the left then need not be read: their own stencils, which are in the
+    // cache, have the transposed blocks.
+    Symmetric,
+    Held // all points are held, so all stencils and results are 0
+};
+inline constexpr std::size_t pointsPerKind = 16;
+// The stencils of a row and of the row below it. Without `kinds`, all are StencilKind::Any, and
+// `below` may be empty.
 struct StencilRow {
     Lines<const float> here, below;
-    const std::uint8_t* isSymmetric = nullptr;
+    const StencilKind* kinds = nullptr;
+
+    DIPWRIGHT_IN_LOOP StencilKind kindAt(std::size_t point) const {
+        return kinds == nullptr ? StencilKind::Any : kinds[point / pointsPerKind];
+    }
 };
 
 // One step of Chebyshev smoothing: direction ← keep·direction + gain·inverse·(right − K·now), then

@@ -3,6 +3,7 @@
 #include "common/cpu/RowParallel.h"
 #include "production/formulas/GalerkinCycle.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dipwright::cpu {
@@ -19,8 +20,8 @@ std::size_t pitchOf(int columns) {
     return margin + (std::size_t(columns) + 2 * widestVector) / widestVector * widestVector;
 }
 
-std::size_t flagsPerRow(int columns) {
-    return (std::size_t(columns) + pointsPerFlag - 1) / pointsPerFlag;
+std::size_t kindsPerRow(int columns) {
+    return (std::size_t(columns) + pointsPerKind - 1) / pointsPerKind;
 }
 
 } // namespace
@@ -47,13 +48,13 @@ Lines<float> StiffnessMultigrid::Level::inverse(int row) {
 }
 StencilRow StiffnessMultigrid::Level::stencilRow(int row) {
     const Lines<float> here = stencil(row);
-    if (isSymmetric.empty() || row == 0) {
+    if (kinds.empty() || row == 0) {
         return {{here.first, here.pitch}, {}, nullptr};
     }
     const Lines<float> below = stencil(row - 1);
     return {{here.first, here.pitch},
             {below.first, below.pitch},
-            isSymmetric.data() + std::size_t(row) * flagsPerRow(columns)};
+            kinds.data() + std::size_t(row) * kindsPerRow(columns)};
 }
 RowOfVectors<float> StiffnessMultigrid::Level::row(Vectors& vectors, int row) const {
     return {vectors.x.data() + at(row), vectors.z.data() + at(row)};
@@ -126,14 +127,24 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
     });
 }
 
-void StiffnessMultigrid::findSymmetric(const PlaneFilm& film) {
+void StiffnessMultigrid::findKinds(const PlaneFilm& film, const std::vector<float>& free) {
     Level& level = levels_.front();
-    const std::size_t flags = flagsPerRow(level.columns);
-    level.isSymmetric.assign(flags * std::size_t(level.rows), 1);
+    const std::size_t width = std::size_t(level.columns), kinds = kindsPerRow(level.columns);
+    level.kinds.assign(kinds * std::size_t(level.rows), StencilKind::Symmetric);
     film.forCrossingCells([&](std::size_t column, std::size_t row) {
         for (const std::size_t i : {column, column + 1}) {
             for (const std::size_t j : {row, row + 1}) {
-                level.isSymmetric[j * flags + i / pointsPerFlag] = 0;
+                level.kinds[j * kinds + i / pointsPerKind] = StencilKind::Any;
+            }
+        }
+    });
+    forRows(level.rows, level.columns, [&](int row) {
+        const float* ofRow = free.data() + std::size_t(row) * width;
+        for (std::size_t kind = 0; kind < kinds; ++kind) {
+            const std::size_t end = std::min(width, (kind + 1) * pointsPerKind);
+            if (std::all_of(ofRow + kind * pointsPerKind, ofRow + end,
+                            [](float isFree) { return isFree == 0; })) {
+                level.kinds[std::size_t(row) * kinds + kind] = StencilKind::Held;
             }
         }
     });
@@ -164,7 +175,7 @@ void StiffnessMultigrid::invert(Level& level, int row) {
 void StiffnessMultigrid::prepare(const PlaneFilm& film, const std::vector<float>& free,
                                  const std::vector<float>& area, float drag) {
     assemble(film, free, area, drag);
-    findSymmetric(film);
+    findKinds(film, free);
     for (std::size_t index = 1; index < levels_.size(); ++index) {
         coarsen(levels_[index - 1], levels_[index]);
     }

@@ -29,7 +29,7 @@ private:
         int columns, rows;
         std::size_t pitch;
         std::vector<float> stencils, inverses; // stencilLines and inverseLines lines per row
-        std::vector<std::uint8_t> isSymmetric; // StencilRow::isSymmetric of all rows, or empty
+        std::vector<StencilKind> kinds;        // StencilRow::kinds of all rows, or empty
         struct Vectors {
             std::vector<float> x, z;
         };
@@ -38,7 +38,7 @@ private:
         Level(int columns, int rows);
         std::size_t at(int row) const;
         Lines<float> stencil(int row);
-        // A row's stencils, and where they are known to be symmetric.
+        // A row's stencils, with what is known about them.
         StencilRow stencilRow(int row);
         Lines<float> inverse(int row);
         RowOfVectors<float> row(Vectors& vectors, int row) const;
@@ -53,8 +53,9 @@ private:
 
     void assemble(const PlaneFilm& film, const std::vector<float>& free,
                   const std::vector<float>& area, float drag);
-    // Notes where no triangle on the contact line makes the finest grid's stencils unsymmetric.
-    void findSymmetric(const PlaneFilm& film);
+    // Finds the kinds of the finest grid's stencils. Triangles on the contact line make them
+    // unsymmetric.
+    void findKinds(const PlaneFilm& film, const std::vector<float>& free);
     static void coarsen(Level& fine, Level& coarse);
     static void invert(Level& level, int row);
     static void smoothRowOf(Level& level, int row, const numerics::galerkin::ChebyshevStep& step,
