@@ -14,9 +14,9 @@ using namespace dipwright::numerics;
 
 namespace {
 
-std::vector<double> randomTerms(double from, double to) {
+std::vector<double> randomTerms(float from, float to) {
     std::mt19937 random(3);
-    std::uniform_real_distribution<float> number(float(from), float(to));
+    std::uniform_real_distribution<float> number(from, to);
     std::vector<double> terms(60'000);
     std::ranges::generate(terms, [&] { return double(number(random)); });
     return terms;
@@ -75,7 +75,7 @@ void OrderlessSumTest::productSum_isPrecise() {
 }
 
 void OrderlessSumTest::squareSum_smallAndLargeTerms_isPrecise() {
-    for (const double size : {1e-12, 1e-6, 1.0, 1e5}) {
+    for (const float size : {1e-12f, 1e-6f, 1.f, 1e5f}) {
         const std::vector<double> terms = randomTerms(0, size);
         long double exact = 0;
         for (const double term : terms) {
