@@ -88,7 +88,7 @@ private:
     template <typename Work>
     void forBands(const Work& work) const;
     bool isHeld(int point) const { return pointState(point) != solver::PointState::Free; }
-    // Whether some of the points in a row, but not all of them, are on the body: {any, all}.
+    // Returns whether any and whether all of the points in a row are on the body.
     std::pair<bool, bool> heldInRow(int row) const;
     // Adds the drag on a row of a Hessian product, and clears it at held points.
     void addDrag(int row, float drag, const PlaneVector& v, PlaneVector& product) const;
