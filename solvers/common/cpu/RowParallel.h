@@ -83,16 +83,22 @@ void forRowStages(int rows, int columns, const Work& work) {
     }
 }
 
-// Returns the sum of sumOfRow(row) over all rows. A Sum begins at zero and has a member add(other).
+// Returns the sum of all sums. A Sum begins at zero and has a member add(other).
+template <typename Sum>
+Sum sumOf(const std::vector<Sum>& sums) {
+    Sum sum;
+    for (const Sum& each : sums) {
+        sum.add(each);
+    }
+    return sum;
+}
+
+// Returns the sum of sumOfRow(row) over all rows.
 template <typename Sum, typename SumOfRow>
 Sum sumOverRows(int rows, int columns, const SumOfRow& sumOfRow) {
     std::vector<Sum> sums(static_cast<std::size_t>(rows));
     forRows(rows, columns, [&](int row) { sums[std::size_t(row)] = sumOfRow(row); });
-    Sum sum;
-    for (const Sum& ofRow : sums) {
-        sum.add(ofRow);
-    }
-    return sum;
+    return sumOf(sums);
 }
 
 } // namespace dipwright::cpu

@@ -3,6 +3,7 @@
 #include "common/cpu/RowParallel.h"
 #include "production/cpu/RowKernels.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -10,10 +11,17 @@ namespace dipwright::cpu {
 
 namespace {
 
-void add(float factor, const PlaneVector& a, PlaneVector& out) {
-    addScaled(out.size(), factor, a.x.data(), out.x.data());
-    addScaled(out.size(), factor, a.z.data(), out.z.data());
+// Computes out += factor·a at some points.
+void add(float factor, const PlaneVector& a, PlaneVector& out, int first, int last) {
+    const std::size_t from = std::size_t(first), count = std::size_t(last - first);
+    addScaled(count, factor, a.x.data() + from, out.x.data() + from);
+    addScaled(count, factor, a.z.data() + from, out.z.data() + from);
 }
+void copy(const PlaneVector& a, PlaneVector& out, int first, int last) {
+    std::copy(a.x.begin() + first, a.x.begin() + last, out.x.begin() + first);
+    std::copy(a.z.begin() + first, a.z.begin() + last, out.z.begin() + first);
+}
+
 // The products of a vector with the first basis vectors, in multiples (OrderlessSum.h).
 struct BasisProducts {
     std::array<std::int64_t, std::size_t(numerics::mostBasisVectors)> multiples{};
@@ -30,9 +38,10 @@ struct BasisProducts {
 static_assert(numerics::FilmBackend<CpuBackend> && numerics::GmresBackend<CpuBackend>);
 
 CpuBackend::CpuBackend(const solver::DipSetup& setup)
-    : HostFilm(setup), film_(model()), multigrid_(setup.film), areas_(setup.film.pointCount()),
-      gradient_(setup.film.pointCount()), step_(setup.film.pointCount()),
-      start_(setup.film.pointCount()), best_(setup.film.pointCount()),
+    : HostFilm(setup), film_(model()), multigrid_(setup.film), masked_(setup.film.pointCount()),
+      areas_(setup.film.pointCount()), gradient_(setup.film.pointCount()),
+      step_(setup.film.pointCount()), start_(setup.film.pointCount()),
+      best_(setup.film.pointCount()),
       basis_(std::size_t(numerics::mostBasisVectors) + 1, PlaneVector(setup.film.pointCount())),
       smoothed_(std::size_t(numerics::mostBasisVectors), PlaneVector(setup.film.pointCount())) {
     forPoints([&](int point) { areas_[std::size_t(point)] = pointArea(model(), point); });
@@ -40,7 +49,9 @@ CpuBackend::CpuBackend(const solver::DipSetup& setup)
 }
 
 void CpuBackend::setFree() {
-    masked_ = free_;
+    forBands([&](int first, int last) {
+        std::copy(free_.begin() + first, free_.begin() + last, masked_.begin() + first);
+    });
     film_.setFree(masked_);
 }
 
@@ -49,42 +60,58 @@ RowOfPairs CpuBackend::rowOf(const PlaneVector& v, int row) const {
     return {v.x.data() + first, v.z.data() + first};
 }
 
-double CpuBackend::norm(const PlaneVector& v) const {
-    const std::size_t width = std::size_t(film_.columns());
-    return sumOverRows<numerics::SquareSum>(
-               film_.rows(), film_.columns(),
-               [&](int row) { return rowSquares(rowOf(v, row), width); })
-        .root();
-}
-
-void CpuBackend::maskHeld(PlaneVector& v) const {
-    multiplyBy(v.size(), masked_.data(), v.x.data());
-    multiplyBy(v.size(), masked_.data(), v.z.data());
+std::pair<bool, bool> CpuBackend::heldInRow(int row) const {
+    const int first = row * film_.columns();
+    int held = 0;
+    for (int point = first; point < first + film_.columns(); ++point) {
+        held += isHeld(point);
+    }
+    return {held > 0, held == film_.columns()};
 }
 
 numerics::FilmForce CpuBackend::force(float drag) {
-    const double elastic = film_.gradient(displacement_, gradient_);
-    addDifference(gradient_.size(), drag, areas_.data(), displacement_.x.data(), before_.x.data(),
-                  gradient_.x.data());
-    addDifference(gradient_.size(), drag, areas_.data(), displacement_.z.data(), before_.z.data(),
-                  gradient_.z.data());
-    maskHeld(gradient_);
-    return {norm(gradient_), elastic};
+    const std::size_t width = std::size_t(film_.columns());
+    const auto addDrag = [&](int row, const std::vector<float>& now,
+                             const std::vector<float>& before, std::vector<float>& forces) {
+        const std::size_t first = std::size_t(row) * width;
+        addDifference(width, drag, areas_.data() + first, now.data() + first, before.data() + first,
+                      forces.data() + first);
+        multiplyBy(width, masked_.data() + first, forces.data() + first);
+    };
+    std::vector<numerics::SquareSum> squares(static_cast<std::size_t>(film_.rows()));
+    const double elastic = film_.gradient(displacement_, gradient_, [&](int row) {
+        addDrag(row, displacement_.x, before_.x, gradient_.x);
+        addDrag(row, displacement_.z, before_.z, gradient_.z);
+        squares[std::size_t(row)] = rowSquares(rowOf(gradient_, row), width);
+    });
+    return {sumOf(squares).root(), elastic};
 }
 
 numerics::FilmForce CpuBackend::forceAlong(float length, float drag) {
-    displacement_ = start_;
-    add(length, step_, displacement_);
+    forBands([&](int first, int last) {
+        copy(start_, displacement_, first, last);
+        add(length, step_, displacement_, first, last);
+    });
     return force(drag);
 }
 
 double CpuBackend::startOfStep() {
-    start_ = displacement_;
-    float longest = 0;
-    for (std::size_t point = 0; point < step_.size(); ++point) {
-        longest = std::max({longest, std::abs(step_.x[point]), std::abs(step_.z[point])});
-    }
-    return double(longest);
+    const std::size_t width = std::size_t(film_.columns());
+    std::vector<float> longest(static_cast<std::size_t>(film_.rows()));
+    forRows(film_.rows(), film_.columns(), [&](int row) {
+        const int first = row * film_.columns();
+        copy(displacement_, start_, first, first + film_.columns());
+        longest[std::size_t(row)] = std::max(rowLargest(step_.x.data() + first, width),
+                                             rowLargest(step_.z.data() + first, width));
+    });
+    return double(*std::max_element(longest.begin(), longest.end()));
+}
+
+void CpuBackend::keepBest() {
+    forBands([&](int first, int last) { copy(displacement_, best_, first, last); });
+}
+void CpuBackend::takeBest() {
+    forBands([&](int first, int last) { copy(best_, displacement_, first, last); });
 }
 
 void CpuBackend::solveLinear(float drag, numerics::Tangent tangent, double start,
@@ -93,21 +120,25 @@ void CpuBackend::solveLinear(float drag, numerics::Tangent tangent, double start
 }
 
 void CpuBackend::startLinear() {
-    std::fill(step_.x.begin(), step_.x.end(), 0.f);
-    std::fill(step_.z.begin(), step_.z.end(), 0.f);
-    basis_.front() = gradient_;
+    forBands([&](int first, int last) {
+        std::fill(step_.x.begin() + first, step_.x.begin() + last, 0.f);
+        std::fill(step_.z.begin() + first, step_.z.begin() + last, 0.f);
+        copy(gradient_, basis_.front(), first, last);
+    });
 }
 
 void CpuBackend::startBasis(float factor) {
     factors_.front() = factor;
 }
 
-void CpuBackend::multiply(const PlaneVector& v, float drag, numerics::Tangent tangent,
-                          PlaneVector& out) {
-    film_.hessian(v, tangent, out);
-    addWeighted(out.size(), drag, areas_.data(), v.x.data(), out.x.data());
-    addWeighted(out.size(), drag, areas_.data(), v.z.data(), out.z.data());
-    maskHeld(out);
+void CpuBackend::addDrag(int row, float drag, const PlaneVector& v, PlaneVector& product) const {
+    const std::size_t width = std::size_t(film_.columns()), first = std::size_t(row) * width;
+    const auto finish = [&](const std::vector<float>& from, std::vector<float>& out) {
+        addWeighted(width, drag, areas_.data() + first, from.data() + first, out.data() + first);
+        multiplyBy(width, masked_.data() + first, out.data() + first);
+    };
+    finish(v.x, product.x);
+    finish(v.z, product.z);
 }
 
 // Classical Gram–Schmidt: all products first.
@@ -115,17 +146,17 @@ void CpuBackend::extendBasis(int count, float drag, numerics::Tangent tangent) {
     const std::size_t newest = std::size_t(count);
     multigrid_.apply(basis_[newest], factors_[newest], smoothed_[newest]);
     PlaneVector& next = basis_[newest + 1];
-    multiply(smoothed_[newest], drag, tangent, next);
     const int rows = film_.rows(), columns = film_.columns();
     const std::size_t width = std::size_t(columns);
-    const auto products = sumOverRows<BasisProducts>(rows, columns, [&](int row) {
-        BasisProducts ofRow;
+    std::vector<BasisProducts> ofRows(static_cast<std::size_t>(rows));
+    film_.hessian(smoothed_[newest], tangent, next, [&](int row) {
+        addDrag(row, drag, smoothed_[newest], next);
         for (std::size_t i = 0; i <= newest; ++i) {
-            ofRow.multiples[i] =
+            ofRows[std::size_t(row)].multiples[i] =
                 rowProducts(rowOf(next, row), rowOf(basis_[i], row), factors_[i], width);
         }
-        return ofRow;
     });
+    const BasisProducts products = sumOf(ofRows);
     double* column = leastResiduals_.matrix[count];
     for (std::size_t i = 0; i <= newest; ++i) {
         column[i] = numerics::ProductSum::value(products.multiples[i]);
@@ -144,16 +175,23 @@ void CpuBackend::extendBasis(int count, float drag, numerics::Tangent tangent) {
 }
 
 void CpuBackend::addToStep(int count) {
-    for (int i = 0; i < count; ++i) {
-        add(-float(leastResiduals_.weights[i]), smoothed_[std::size_t(i)], step_);
-    }
+    forBands([&](int first, int last) {
+        for (int i = 0; i < count; ++i) {
+            add(-float(leastResiduals_.weights[i]), smoothed_[std::size_t(i)], step_, first, last);
+        }
+    });
 }
 
 double CpuBackend::linearResidual(float drag, numerics::Tangent tangent) {
     PlaneVector& residual = basis_.front();
-    multiply(step_, drag, tangent, residual);
-    add(1, gradient_, residual);
-    return norm(residual);
+    const int columns = film_.columns();
+    std::vector<numerics::SquareSum> squares(static_cast<std::size_t>(film_.rows()));
+    film_.hessian(step_, tangent, residual, [&](int row) {
+        addDrag(row, drag, step_, residual);
+        add(1, gradient_, residual, row * columns, (row + 1) * columns);
+        squares[std::size_t(row)] = rowSquares(rowOf(residual, row), std::size_t(columns));
+    });
+    return sumOf(squares).root();
 }
 
 } // namespace dipwright::cpu

@@ -3,7 +3,7 @@
 // threads, and on the GPU (docs/speed.md).
 #pragma once
 
-#include "common/cpu/FlushDenormals.h"
+#include "common/cpu/RowParallel.h"
 #include "parallel/ParallelFor.h"
 #include "production/cpu/PlaneFilm.h"
 #include "production/cpu/StiffnessMultigrid.h"
@@ -11,6 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <utility>
+#include <vector>
 
 namespace dipwright::cpu {
 
@@ -26,6 +29,13 @@ public:
         return film_.edges(triangle, displacement_);
     }
     bool triangleMoves(int triangle) const { return film_.moves(triangle); }
+
+    template <typename Work>
+    void forPoints(const Work& work) const;
+    template <typename Ask>
+    bool anyPoint(const Ask& ask) const;
+    template <typename Fold>
+    float leastOver(float value, const Fold& fold) const;
 
     template <typename Crosses, typename Unfold>
     numerics::LineState<float> findCrossing(const Crosses& crosses, const Unfold& unfold);
@@ -52,8 +62,8 @@ public:
     void prepareLinear(float drag) { multigrid_.prepare(film_, masked_, areas_, drag); }
     void solveLinear(float drag, numerics::Tangent tangent, double start, double tolerance);
     double startOfStep();
-    void keepBest() { best_ = displacement_; }
-    void takeBest() { displacement_ = best_; }
+    void keepBest();
+    void takeBest();
 
     template <typename Work>
     double inSmallProblem(const Work& work) {
@@ -74,10 +84,14 @@ private:
     template <typename Crosses>
     std::vector<int> crossingTriangles(const Crosses& crosses) const;
     RowOfPairs rowOf(const PlaneVector& v, int row) const;
-    double norm(const PlaneVector& v) const;
-    void maskHeld(PlaneVector& v) const;
-    // Computes out = H v, including the drag.
-    void multiply(const PlaneVector& v, float drag, numerics::Tangent tangent, PlaneVector& out);
+    // Calls work(first, last) for the points of each band of rows.
+    template <typename Work>
+    void forBands(const Work& work) const;
+    bool isHeld(int point) const { return pointState(point) != solver::PointState::Free; }
+    // Returns whether any and whether all of the points in a row are on the body.
+    std::pair<bool, bool> heldInRow(int row) const;
+    // Adds the drag on a row of a Hessian product, and clears it at held points.
+    void addDrag(int row, float drag, const PlaneVector& v, PlaneVector& product) const;
 
     PlaneFilm film_;
     StiffnessMultigrid multigrid_;
@@ -91,21 +105,74 @@ private:
     numerics::GmresProblem leastResiduals_;
 };
 
+template <typename Work>
+void CpuBackend::forBands(const Work& work) const {
+    const int columns = model().columns;
+    forRowBands(model().rows, columns,
+                [&](int begin, int end) { work(begin * columns, end * columns); });
+}
+
+template <typename Work>
+void CpuBackend::forPoints(const Work& work) const {
+    forBands([&](int first, int last) {
+        for (int point = first; point < last; ++point) {
+            work(point);
+        }
+    });
+}
+
+template <typename Ask>
+bool CpuBackend::anyPoint(const Ask& ask) const {
+    std::atomic<bool> any = false;
+    forBands([&](int first, int last) {
+        bool ofBand = false;
+        for (int point = first; point < last; ++point) {
+            ofBand = ask(point) || ofBand;
+        }
+        if (ofBand) {
+            any = true;
+        }
+    });
+    return any;
+}
+
+template <typename Fold>
+float CpuBackend::leastOver(float value, const Fold& fold) const {
+    const int columns = model().columns;
+    std::vector<float> least(std::size_t(model().rows), value); // the first row of a band counts
+    forBands([&](int first, int last) {
+        float ofBand = value;
+        for (int point = first; point < last; ++point) {
+            ofBand = fold(point, ofBand);
+        }
+        least[std::size_t(first / columns)] = ofBand;
+    });
+    return *std::min_element(least.begin(), least.end());
+}
+
 template <typename Crosses>
 std::vector<int> CpuBackend::crossingTriangles(const Crosses& crosses) const {
-    std::vector<int> triangles;
-    const int columns = model().columns, cellsPerRow = columns - 1;
-    const auto isHeld = [&](int point) { return pointState(point) != solver::PointState::Free; };
-    for (int row = 0; row + 1 < model().rows; ++row) {
-        for (int column = 0; column < cellsPerRow; ++column) {
+    const int columns = model().columns, rows = model().rows - 1, cells = columns - 1;
+    std::vector<std::vector<int>> ofRow(static_cast<std::size_t>(rows));
+    forRows(rows, columns, [&](int row) {
+        const auto [anyBelow, allBelow] = heldInRow(row);
+        const auto [anyAbove, allAbove] = heldInRow(row + 1);
+        if (!(anyBelow || anyAbove) || (allBelow && allAbove)) {
+            return;
+        }
+        for (int column = 0; column < cells; ++column) {
             const int lower = row * columns + column, upper = lower + columns;
             const int held = isHeld(lower) + isHeld(lower + 1) + isHeld(upper) + isHeld(upper + 1);
             for (int second = 0; held > 0 && held < 4 && second < 2; ++second) {
                 if (crosses(numerics::triangleCorners(columns, column, row, second != 0))) {
-                    triangles.push_back(2 * (row * cellsPerRow + column) + second);
+                    ofRow[std::size_t(row)].push_back(2 * (row * cells + column) + second);
                 }
             }
         }
+    });
+    std::vector<int> triangles;
+    for (const std::vector<int>& found : ofRow) {
+        triangles.insert(triangles.end(), found.begin(), found.end());
     }
     return triangles;
 }

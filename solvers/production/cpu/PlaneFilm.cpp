@@ -34,10 +34,11 @@ RowOfForces rowOfForces(EdgeForces& forces) {
 }
 
 // Calls cellRow(j, owned, forces) for each row of cells, to compute the forces on its edges.
-// Collects the forces on the points in `result`. Two bands compute the row of cells between them;
-// `owned` is true for only one of them.
+// Collects the forces on the points in `result`, and calls finish(row) for each complete row. Two
+// bands compute the row of cells between them; `owned` is true for only one of them.
 template <typename CellRow>
-void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cellRow) {
+void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cellRow,
+                  const PlaneFilm::RowWork& finish) {
     const std::size_t width = std::size_t(columns), cells = width - 1;
     forRowBands(rows, columns, [&](int begin, int end) {
         EdgeForces forces(cells);
@@ -57,6 +58,7 @@ void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cel
             cellRow(j, hasLower, forces);
             if (hasLower) {
                 give(j, -1, firstX, firstZ);
+                finish(j);
             }
             if (hasLower && hasUpper) {
                 clear(j + 1);
@@ -64,6 +66,9 @@ void gatherForces(int columns, int rows, PlaneVector& result, const CellRow& cel
             if (hasUpper) {
                 give(j + 1, 1, secondX, secondZ);
             }
+        }
+        if (end == rows) {
+            finish(end - 1);
         }
     });
 }
@@ -201,10 +206,11 @@ RowOfShapes PlaneFilm::shapesOf(int row) const {
     return shapes;
 }
 
-double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result) {
+double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result,
+                           const RowWork& finish) {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
     std::vector<numerics::SquareSum> squares(std::size_t(rows_ - 1));
-    gatherForces(columns_, rows_, result, [&](int j, bool owned, EdgeForces& forces) {
+    const auto cellRow = [&](int j, bool owned, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
         // Both bands compute the row of cells between them, but only one band keeps its states.
         std::vector<float> spare;
@@ -249,12 +255,9 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result)
             sum.add(rowWeightedSquares(moving_[1].data() + first,
                                        {forces.array(secondX), forces.array(secondZ)}, cells));
         }
-    });
-    numerics::SquareSum sum;
-    for (const numerics::SquareSum& ofRow : squares) {
-        sum.add(ofRow);
-    }
-    return sum.root();
+    };
+    gatherForces(columns_, rows_, result, cellRow, finish);
+    return sumOf(squares).root();
 }
 
 RowOfStates<const float*> PlaneFilm::statesOf(int row) const {
@@ -268,9 +271,10 @@ RowOfStates<const float*> PlaneFilm::statesOf(int row) const {
     return states;
 }
 
-void PlaneFilm::hessian(const PlaneVector& direction, Tangent tangent, PlaneVector& result) const {
+void PlaneFilm::hessian(const PlaneVector& direction, Tangent tangent, PlaneVector& result,
+                        const RowWork& finish) const {
     const std::size_t width = std::size_t(columns_), cells = width - 1;
-    gatherForces(columns_, rows_, result, [&](int j, bool, EdgeForces& forces) {
+    const auto cellRow = [&](int j, bool, EdgeForces& forces) {
         const std::size_t first = std::size_t(j) * cells;
         const RowOfPoints points = rowOfPoints(direction, width, j);
         hessianRow(cells, unsigned(j) & 1u, points, shapesOf(j), statesOf(j), tangent,
@@ -287,7 +291,8 @@ void PlaneFilm::hessian(const PlaneVector& direction, Tangent tangent, PlaneVect
                                                stressDerivative(change, stateOf(triangle), tangent),
                                                shape, areaOf(triangle)));
         }
-    });
+    };
+    gatherForces(columns_, rows_, result, cellRow, finish);
 }
 
 StressState<float> PlaneFilm::stateOf(const Crossing& triangle) const {

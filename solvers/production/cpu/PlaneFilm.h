@@ -15,6 +15,7 @@
 #include <dipwright/FilmSolver.h>
 
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace dipwright::cpu {
@@ -35,12 +36,15 @@ public:
 
     // Computes the gradient at `displacement` (from rest, mm) and keeps the states for hessian().
     // Returns the root of the sum of the squared forces on horizontal edges; the residual is
-    // relative to this number. Triangles without a free corner do not count.
-    double gradient(const PlaneVector& displacement, PlaneVector& result);
+    // relative to this number. Triangles without a free corner do not count. Calls finish(row) for
+    // each row of points whose result is complete, in any order and on several threads; it may
+    // change the row's result.
+    using RowWork = std::function<void(int row)>;
+    double gradient(const PlaneVector& displacement, PlaneVector& result, const RowWork& finish);
 
-    // Multiplies the Hessian at the last gradient by `direction`.
-    void hessian(const PlaneVector& direction, numerics::Tangent tangent,
-                 PlaneVector& result) const;
+    // Multiplies the Hessian at the last gradient by `direction`. `finish` is as in gradient().
+    void hessian(const PlaneVector& direction, numerics::Tangent tangent, PlaneVector& result,
+                 const RowWork& finish) const;
     // Computes the projected stiffness of the first and second triangles in a row of cells. `first`
     // and `second` have the lines that stiffnessRow() describes.
     void stiffness(int row, const Lines<float>& first, const Lines<float>& second) const;
@@ -61,6 +65,14 @@ public:
     // See numerics::FilmBackend.
     template <typename Work>
     void forCrossing(const Work& work);
+    // Calls work(column, row) for the cell of each crossing triangle.
+    template <typename Work>
+    void forCrossingCells(const Work& work) const {
+        for (const Crossing& triangle : crossing_) {
+            const std::size_t cells = std::size_t(columns_ - 1);
+            work(triangle.cell % cells, triangle.cell / cells);
+        }
+    }
     template <typename OnLine, typename Floating>
     void forTriangles(const OnLine& onLine, const Floating& floating);
     template <typename OnLine, typename Floating>
@@ -147,8 +159,12 @@ template <typename OnLine, typename Floating>
 void PlaneFilm::forStretched(const PlaneVector& displacement, float limit, const OnLine& onLine,
                              const Floating& floating) {
     forCrossing(onLine);
+    std::vector<std::uint8_t> mayBe(static_cast<std::size_t>(rows_ - 1));
+    forRows(rows_ - 1, columns_, [&](int row) {
+        mayBe[std::size_t(row)] = mayBeTornOrFolded(row, displacement, limit);
+    });
     for (int row = 0; row + 1 < rows_; ++row) {
-        if (mayBeTornOrFolded(row, displacement, limit)) {
+        if (mayBe[std::size_t(row)] != 0) {
             forFloating(row, floating);
         }
     }

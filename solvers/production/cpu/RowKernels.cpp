@@ -140,6 +140,21 @@ numerics::SquareSum rowWeightedSquares(const float* weight, const RowOfPairs& a,
         [&](std::size_t i) { return weight[i] * (a.x[i] * a.x[i] + a.z[i] * a.z[i]); });
 }
 
+float rowLargest(const float* a, std::size_t count) {
+    Vector most = hn::Zero(lanes);
+    std::size_t i = 0;
+    for (; i + laneCount() <= count; i += laneCount()) {
+        const Vector size = hn::Abs(load(a + i));
+        most = hn::IfThenElse(hn::Gt(size, most), size, most);
+    }
+    float largest = hn::GetLane(hn::MaxOfLanes(lanes, most));
+    for (; i < count; ++i) {
+        const float size = a[i] < 0 ? -a[i] : a[i];
+        largest = size > largest ? size : largest;
+    }
+    return largest;
+}
+
 void addScaled(std::size_t count, float factor, const float* a, float* out) {
     const Vector scale = hn::Set(lanes, factor);
     forRow(
@@ -328,10 +343,13 @@ void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
     }
 }
 
+// One maximum and one minimum per lane, because compilers do not vectorise a single one.
 StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& p,
                           const std::array<const float*, 2>& moving, const RowOfSizes& sizes) {
-    float largest = 0, least = 1;
-    for (std::size_t i = 0; i < cells; ++i) {
+    constexpr std::size_t lanesOfRange = 16;
+    std::array<float, lanesOfRange> largest{}, least;
+    least.fill(1);
+    const auto take = [&](std::size_t i, std::size_t lane) {
         const bool even = ((unsigned(i) + parity) & 1u) == 0;
         const float inverseX = sizes.inversesX[i], inverseZ = sizes.inverseZ;
         for (const bool second : {false, true}) {
@@ -340,12 +358,27 @@ StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints&
             const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
                                   (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
             const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
-            const bool moves = moving[second][i] > 0;
-            largest = moves && squares > largest ? squares : largest;
-            least = moves && area < least ? area : least;
+            const float moves = moving[second][i];
+            largest[lane] = largest[lane] > moves * squares ? largest[lane] : moves * squares;
+            least[lane] = least[lane] < moves * area ? least[lane] : moves * area;
+        }
+    };
+    std::size_t i = 0;
+    for (; i + lanesOfRange <= cells; i += lanesOfRange) {
+        for (std::size_t lane = 0; lane < lanesOfRange; ++lane) {
+            take(i + lane, lane);
         }
     }
-    return {largest, least};
+    for (; i < cells; ++i) {
+        take(i, 0);
+    }
+    StretchRange range{0, 1};
+    for (std::size_t lane = 0; lane < lanesOfRange; ++lane) {
+        range.largestSquares =
+            range.largestSquares > largest[lane] ? range.largestSquares : largest[lane];
+        range.leastArea = range.leastArea < least[lane] ? range.leastArea : least[lane];
+    }
+    return range;
 }
 
 void addForces(std::size_t cells, float sign, const float* edge, const float* left,
@@ -378,6 +411,7 @@ namespace {
 HWY_EXPORT(rowProducts);
 HWY_EXPORT(rowSquares);
 HWY_EXPORT(rowWeightedSquares);
+HWY_EXPORT(rowLargest);
 HWY_EXPORT(addScaled);
 HWY_EXPORT(scaledRow);
 HWY_EXPORT(addWeighted);
@@ -401,6 +435,9 @@ numerics::SquareSum rowSquares(const RowOfPairs& a, std::size_t count) {
 numerics::SquareSum rowWeightedSquares(const float* weight, const RowOfPairs& a,
                                        std::size_t count) {
     return HWY_DYNAMIC_DISPATCH(rowWeightedSquares)(weight, a, count);
+}
+float rowLargest(const float* a, std::size_t count) {
+    return HWY_DYNAMIC_DISPATCH(rowLargest)(a, count);
 }
 void addScaled(std::size_t count, float factor, const float* a, float* out) {
     HWY_DYNAMIC_DISPATCH(addScaled)(count, factor, a, out);

@@ -23,6 +23,9 @@ std::int64_t rowProducts(const RowOfPairs& a, const RowOfPairs& b, float factor,
 numerics::SquareSum rowSquares(const RowOfPairs& a, std::size_t count);
 numerics::SquareSum rowWeightedSquares(const float* weight, const RowOfPairs& a, std::size_t count);
 
+// Returns the largest absolute value; passes over numbers that are not a number.
+float rowLargest(const float* a, std::size_t count);
+
 // Computes out += factor·a.
 void addScaled(std::size_t count, float factor, const float* a, float* out);
 // Computes out = factor·a.

@@ -196,20 +196,47 @@ struct Pair {
     Vector x, z;
 };
 
+// Subtracts the part of one neighbour.
+HWY_INLINE void subtract(Pair& left, const Vector& xx, const Vector& xz, const Vector& zx,
+                         const Vector& zz, const float* nowX, const float* nowZ) {
+    const Vector x = load(nowX), z = load(nowZ);
+    left.x = hn::Sub(left.x, hn::Add(hn::Mul(xx, x), hn::Mul(xz, z)));
+    left.z = hn::Sub(left.z, hn::Add(hn::Mul(zx, x), hn::Mul(zz, z)));
+}
+
 // Returns right − K·now at the points i, i + 1, …. Subtracts the nine neighbours' parts row by row.
-HWY_INLINE Pair residualAt(const Lines<const float>& stencil, std::size_t pitch,
+HWY_INLINE Pair residualAt(const StencilRow& stencil, std::size_t pitch,
                            const RowOfVectors<const float>& right,
                            const RowOfVectors<const float>& now, std::size_t i) {
     Pair left{load(right.x + i), load(right.z + i)};
-    for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
-        const std::ptrdiff_t to = (std::ptrdiff_t(neighbour / 3) - 1) * std::ptrdiff_t(pitch) +
-                                  std::ptrdiff_t(neighbour % 3) - 1 + std::ptrdiff_t(i);
-        const Vector x = load(now.x + to), z = load(now.z + to);
+    constexpr std::size_t own = middleLine / 4;
+    const auto to = [&](std::size_t neighbour) {
+        return (std::ptrdiff_t(neighbour / 3) - 1) * std::ptrdiff_t(pitch) +
+               std::ptrdiff_t(neighbour % 3) - 1 + std::ptrdiff_t(i);
+    };
+    const auto subtractOwn = [&](std::size_t neighbour) HWY_ATTR {
         const std::size_t line = 4 * neighbour;
-        left.x = hn::Sub(left.x, hn::Add(hn::Mul(load(stencil[line] + i), x),
-                                         hn::Mul(load(stencil[line + 1] + i), z)));
-        left.z = hn::Sub(left.z, hn::Add(hn::Mul(load(stencil[line + 2] + i), x),
-                                         hn::Mul(load(stencil[line + 3] + i), z)));
+        const Lines<const float>& here = stencil.here;
+        subtract(left, load(here[line] + i), load(here[line + 1] + i), load(here[line + 2] + i),
+                 load(here[line + 3] + i), now.x + to(neighbour), now.z + to(neighbour));
+    };
+    if (stencil.kindAt(i) == StencilKind::Any) {
+        for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
+            subtractOwn(neighbour);
+        }
+        return left;
+    }
+    // The block of a neighbour with this point, transposed.
+    for (std::size_t neighbour = 0; neighbour < own; ++neighbour) {
+        const Lines<const float>& there = neighbour < 3 ? stencil.below : stencil.here;
+        const std::size_t line = 4 * (8 - neighbour);
+        const std::size_t at = i + neighbour % 3 - 1;
+        subtract(left, load(there[line] + at), load(there[line + 2] + at),
+                 load(there[line + 1] + at), load(there[line + 3] + at), now.x + to(neighbour),
+                 now.z + to(neighbour));
+    }
+    for (std::size_t neighbour = own; neighbour < 9; ++neighbour) {
+        subtractOwn(neighbour);
     }
     return left;
 }
@@ -234,6 +261,11 @@ HWY_INLINE void takeStep(const ChebyshevRow& row, std::size_t i, const Pair& res
     hn::StoreU(hn::Add(now.z, dz), lanes, row.result.z + i);
 }
 
+HWY_INLINE void clear(const RowOfVectors<float>& row, std::size_t i) {
+    hn::StoreU(hn::Zero(lanes), lanes, row.x + i);
+    hn::StoreU(hn::Zero(lanes), lanes, row.z + i);
+}
+
 void smoothFirst(std::size_t columns, const ChebyshevRow& row) {
     const Pair nothing{hn::Zero(lanes), hn::Zero(lanes)};
     for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
@@ -242,17 +274,26 @@ void smoothFirst(std::size_t columns, const ChebyshevRow& row) {
 }
 
 void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
-               const Lines<const float>& stencil, const RowOfVectors<const float>& now) {
+               const StencilRow& stencil, const RowOfVectors<const float>& now) {
     for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
+        if (stencil.kindAt(i) == StencilKind::Held) {
+            clear(row.direction, i);
+            clear(row.result, i);
+            continue;
+        }
         takeStep(row, i, residualAt(stencil, pitch, row.right, now, i),
                  {load(now.x + i), load(now.z + i)});
     }
 }
 
-void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
+void residualRow(std::size_t columns, std::size_t pitch, const StencilRow& stencil,
                  const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
                  const RowOfVectors<float>& residual) {
     for (std::size_t i = 0; i < columns; i += hn::Lanes(lanes)) {
+        if (stencil.kindAt(i) == StencilKind::Held) {
+            clear(residual, i);
+            continue;
+        }
         const Pair left = residualAt(stencil, pitch, right, now, i);
         hn::StoreU(left.x, lanes, residual.x + i);
         hn::StoreU(left.z, lanes, residual.z + i);
@@ -335,10 +376,10 @@ void smoothFirst(std::size_t columns, const ChebyshevRow& row) {
     HWY_DYNAMIC_DISPATCH(smoothFirst)(columns, row);
 }
 void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
-               const Lines<const float>& stencil, const RowOfVectors<const float>& now) {
+               const StencilRow& stencil, const RowOfVectors<const float>& now) {
     HWY_DYNAMIC_DISPATCH(smoothRow)(columns, pitch, row, stencil, now);
 }
-void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
+void residualRow(std::size_t columns, std::size_t pitch, const StencilRow& stencil,
                  const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
                  const RowOfVectors<float>& residual) {
     HWY_DYNAMIC_DISPATCH(residualRow)(columns, pitch, stencil, right, now, residual);

@@ -10,6 +10,7 @@
 #include "production/cpu/RowKernels.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace dipwright::cpu {
 
@@ -60,6 +61,27 @@ void coarsenAcross(std::size_t columns, const FineRows& fine, const Lines<float>
 void coarsenAlong(std::size_t fineColumns, const Lines<const float>& fine,
                   const Lines<float>& coarse);
 
+// What is known about the stencils of `pointsPerKind` points.
+enum class StencilKind : std::uint8_t {
+    Any,
+    // The stiffness between these points and all their neighbours is symmetric to the last bit. The
+    // neighbours below and to the left then need not be read: their own stencils, which are in the
+    // cache, have the transposed blocks.
+    Symmetric,
+    Held // all points are held, so all stencils and results are 0
+};
+inline constexpr std::size_t pointsPerKind = 16;
+// The stencils of a row and of the row below it. Without `kinds`, all are StencilKind::Any, and
+// `below` may be empty.
+struct StencilRow {
+    Lines<const float> here, below;
+    const StencilKind* kinds = nullptr;
+
+    DIPWRIGHT_IN_LOOP StencilKind kindAt(std::size_t point) const {
+        return kinds == nullptr ? StencilKind::Any : kinds[point / pointsPerKind];
+    }
+};
+
 // One step of Chebyshev smoothing: direction ← keep·direction + gain·inverse·(right − K·now), then
 // result = now + direction. The first step starts from now = 0 and needs no K.
 struct ChebyshevRow {
@@ -70,9 +92,9 @@ struct ChebyshevRow {
 };
 void smoothFirst(std::size_t columns, const ChebyshevRow& row);
 void smoothRow(std::size_t columns, std::size_t pitch, const ChebyshevRow& row,
-               const Lines<const float>& stencil, const RowOfVectors<const float>& now);
+               const StencilRow& stencil, const RowOfVectors<const float>& now);
 // Computes residual = right − K·now.
-void residualRow(std::size_t columns, std::size_t pitch, const Lines<const float>& stencil,
+void residualRow(std::size_t columns, std::size_t pitch, const StencilRow& stencil,
                  const RowOfVectors<const float>& right, const RowOfVectors<const float>& now,
                  const RowOfVectors<float>& residual);
 

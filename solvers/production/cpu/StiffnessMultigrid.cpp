@@ -3,6 +3,7 @@
 #include "common/cpu/RowParallel.h"
 #include "production/formulas/GalerkinCycle.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dipwright::cpu {
@@ -17,6 +18,10 @@ constexpr int rowsBelow = 1, rowsAbove = 2; // number of rows of zeros
 
 std::size_t pitchOf(int columns) {
     return margin + (std::size_t(columns) + 2 * widestVector) / widestVector * widestVector;
+}
+
+std::size_t kindsPerRow(int columns) {
+    return (std::size_t(columns) + pointsPerKind - 1) / pointsPerKind;
 }
 
 } // namespace
@@ -40,6 +45,16 @@ Lines<float> StiffnessMultigrid::Level::stencil(int row) {
 }
 Lines<float> StiffnessMultigrid::Level::inverse(int row) {
     return {inverses.data() + std::size_t(row) * inverseLines * pitch, pitch};
+}
+StencilRow StiffnessMultigrid::Level::stencilRow(int row) {
+    const Lines<float> here = stencil(row);
+    if (kinds.empty() || row == 0) {
+        return {{here.first, here.pitch}, {}, nullptr};
+    }
+    const Lines<float> below = stencil(row - 1);
+    return {{here.first, here.pitch},
+            {below.first, below.pitch},
+            kinds.data() + std::size_t(row) * kindsPerRow(columns)};
 }
 RowOfVectors<float> StiffnessMultigrid::Level::row(Vectors& vectors, int row) const {
     return {vectors.x.data() + at(row), vectors.z.data() + at(row)};
@@ -112,6 +127,29 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
     });
 }
 
+void StiffnessMultigrid::findKinds(const PlaneFilm& film, const std::vector<float>& free) {
+    Level& level = levels_.front();
+    const std::size_t width = std::size_t(level.columns), kinds = kindsPerRow(level.columns);
+    level.kinds.assign(kinds * std::size_t(level.rows), StencilKind::Symmetric);
+    film.forCrossingCells([&](std::size_t column, std::size_t row) {
+        for (const std::size_t i : {column, column + 1}) {
+            for (const std::size_t j : {row, row + 1}) {
+                level.kinds[j * kinds + i / pointsPerKind] = StencilKind::Any;
+            }
+        }
+    });
+    forRows(level.rows, level.columns, [&](int row) {
+        const float* ofRow = free.data() + std::size_t(row) * width;
+        for (std::size_t kind = 0; kind < kinds; ++kind) {
+            const std::size_t end = std::min(width, (kind + 1) * pointsPerKind);
+            if (std::all_of(ofRow + kind * pointsPerKind, ofRow + end,
+                            [](float isFree) { return isFree == 0; })) {
+                level.kinds[std::size_t(row) * kinds + kind] = StencilKind::Held;
+            }
+        }
+    });
+}
+
 void StiffnessMultigrid::coarsen(Level& fine, Level& coarse) {
     const std::vector<float> zeros(fine.pitch);
     const auto fineRow = [&](int row) {
@@ -137,6 +175,7 @@ void StiffnessMultigrid::invert(Level& level, int row) {
 void StiffnessMultigrid::prepare(const PlaneFilm& film, const std::vector<float>& free,
                                  const std::vector<float>& area, float drag) {
     assemble(film, free, area, drag);
+    findKinds(film, free);
     for (std::size_t index = 1; index < levels_.size(); ++index) {
         coarsen(levels_[index - 1], levels_[index]);
     }
@@ -154,7 +193,7 @@ void StiffnessMultigrid::smoothRowOf(Level& level, int row, const ChebyshevStep&
     if (now == nullptr) {
         smoothFirst(std::size_t(level.columns), to);
     } else {
-        smoothRow(std::size_t(level.columns), level.pitch, to, constant(level.stencil(row)),
+        smoothRow(std::size_t(level.columns), level.pitch, to, level.stencilRow(row),
                   level.row(*now, row));
     }
 }
@@ -180,27 +219,22 @@ void StiffnessMultigrid::smoothFromZero(Level& level, const Take& take) {
         } else if (stage == 1) {
             smoothRowOf(level, row, smoothingSteps[1], &level.next, level.now);
         } else {
-            residualRow(std::size_t(level.columns), level.pitch, constant(level.stencil(row)),
+            residualRow(std::size_t(level.columns), level.pitch, level.stencilRow(row),
                         level.row(std::as_const(level.right), row),
                         level.row(std::as_const(level.now), row), level.row(level.next, row));
         }
     });
 }
 
-// Writes the fine grid's residual, which is in its `next`, into the right side of the coarse grid.
-void StiffnessMultigrid::restrictResidual(const Level& fine, Level& coarse) {
-    forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
-        std::vector<float> sum(std::size_t(fine.columns) + 3);
-        const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to,
-                                    int row) {
-            restrictRow(std::size_t(fine.columns), std::size_t(coarse.columns), fine.pitch,
-                        from.data() + fine.at(2 * row), sum.data(), to.data() + coarse.at(row));
-        };
-        for (int row = begin; row < end; ++row) {
-            restricted(fine.next.x, coarse.right.x, row);
-            restricted(fine.next.z, coarse.right.z, row);
-        }
-    });
+// Sets the right side of a coarse row to the fine grid's residual, which is in its `next`.
+void StiffnessMultigrid::Restriction::operator()(int row) const {
+    std::vector<float> sum(std::size_t(fine->columns) + 3);
+    const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to) {
+        restrictRow(std::size_t(fine->columns), std::size_t(coarse->columns), fine->pitch,
+                    from.data() + fine->at(2 * row), sum.data(), to.data() + coarse->at(row));
+    };
+    restricted(fine->next.x, coarse->right.x);
+    restricted(fine->next.z, coarse->right.z);
 }
 
 // Adds the coarse grid's correction to a row of `now`.
@@ -221,13 +255,18 @@ void StiffnessMultigrid::cycle(std::size_t index, const Take& take, const Give& 
     static_assert(smoothingSteps.size() == 2);
     Level& level = levels_[index];
     if (index + 1 == levels_.size()) {
+        for (int row = 0; row < level.rows; ++row) {
+            take(row);
+        }
         solveCoarsest(level);
+        for (int row = 0; row < level.rows; ++row) {
+            give(row);
+        }
         return;
     }
     Level& coarse = levels_[index + 1];
     smoothFromZero(level, take);
-    restrictResidual(level, coarse);
-    cycle(index + 1, Nothing{}, Nothing{});
+    cycle(index + 1, Restriction{&level, &coarse}, Nothing{});
     forRowStages<3>(level.rows, level.columns, [&](int stage, int row) {
         if (stage == 0) {
             addCorrection(coarse, level, index == 0, row);

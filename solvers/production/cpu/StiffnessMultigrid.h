@@ -29,6 +29,7 @@ private:
         int columns, rows;
         std::size_t pitch;
         std::vector<float> stencils, inverses; // stencilLines and inverseLines lines per row
+        std::vector<StencilKind> kinds;        // StencilRow::kinds of all rows, or empty
         struct Vectors {
             std::vector<float> x, z;
         };
@@ -37,13 +38,24 @@ private:
         Level(int columns, int rows);
         std::size_t at(int row) const;
         Lines<float> stencil(int row);
+        // A row's stencils, with what is known about them.
+        StencilRow stencilRow(int row);
         Lines<float> inverse(int row);
         RowOfVectors<float> row(Vectors& vectors, int row) const;
         RowOfVectors<const float> row(const Vectors& vectors, int row) const;
     };
 
+    struct Restriction {
+        const Level* fine;
+        Level* coarse;
+        void operator()(int row) const;
+    };
+
     void assemble(const PlaneFilm& film, const std::vector<float>& free,
                   const std::vector<float>& area, float drag);
+    // Finds the kinds of the finest grid's stencils. Triangles on the contact line make them
+    // unsymmetric.
+    void findKinds(const PlaneFilm& film, const std::vector<float>& free);
     static void coarsen(Level& fine, Level& coarse);
     static void invert(Level& level, int row);
     static void smoothRowOf(Level& level, int row, const numerics::galerkin::ChebyshevStep& step,
@@ -51,7 +63,6 @@ private:
     static void solveCoarsest(Level& level);
     template <typename Take>
     static void smoothFromZero(Level& level, const Take& take);
-    static void restrictResidual(const Level& fine, Level& coarse);
     void addCorrection(const Level& coarse, Level& fine, bool isFinest, int row) const;
     // Calls take(row) before it uses the right side of a row, and give(row) when the row's result
     // is in `now`.

@@ -83,6 +83,17 @@ public:
     __device__ float least(float value) const { return float(-largest(-double(value))); }
     __device__ bool anyOf(bool flag) const { return largest(flag ? 1.0 : 0.0) > 0; }
 
+    template <typename Ask>
+    __device__ bool anyPoint(const Ask& ask) const {
+        bool any = false;
+        forPoints([&](int point) { any = ask(point) || any; });
+        return any;
+    }
+    template <typename Fold>
+    __device__ float leastOver(float value, const Fold& fold) {
+        forPoints([&](int point) { value = fold(point, value); });
+        return least(value);
+    }
     template <typename Work>
     __device__ void forPoints(const Work& work) const {
         const int count = numerics::pointCount(own.block.model);

@@ -17,7 +17,7 @@ struct EdgeStiffness {
 // Returns the stiffness of a floating triangle, made positive semi-definite (Tangent::Projected).
 // The derivative of P is 2 dF + `resists` (R : dF) R + `turns` (RJ : dF) RJ, with the factors of
 // tangentFactors() (docs/film-model.md, "The film's energy"). So the stiffness is a multiple of the
-// identity plus two dyads.
+// identity plus two dyads. It is symmetric to the last bit.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP EdgeStiffness<Real>
 edgeStiffness(const Matrix2<Real>& shape, const StressState<Real>& state, Real area) {
@@ -31,12 +31,13 @@ edgeStiffness(const Matrix2<Real>& shape, const StressState<Real>& state, Real a
     const Real hh = Real(2) * area * (a * a + b * b), hv = Real(2) * area * (a * c + b * d),
                vv = Real(2) * area * (c * c + d * d);
     // RJ is R rotated by 90°: (x, z) of an edge becomes (−z, x).
+    const Matrix2<Real> mixed{
+        hv + resists * hx * vx + turns * hz * vz, resists * hx * vz - turns * hz * vx,
+        resists * hz * vx - turns * hx * vz, hv + resists * hz * vz + turns * hx * vx};
     return {{hh + resists * hx * hx + turns * hz * hz, (resists - turns) * hx * hz,
              (resists - turns) * hx * hz, hh + resists * hz * hz + turns * hx * hx},
-            {hv + resists * hx * vx + turns * hz * vz, resists * hx * vz - turns * hz * vx,
-             resists * hz * vx - turns * hx * vz, hv + resists * hz * vz + turns * hx * vx},
-            {hv + resists * vx * hx + turns * vz * hz, resists * vx * hz - turns * vz * hx,
-             resists * vz * hx - turns * vx * hz, hv + resists * vz * hz + turns * vx * hx},
+            mixed,
+            {mixed.a, mixed.c, mixed.b, mixed.d},
             {vv + resists * vx * vx + turns * vz * vz, (resists - turns) * vx * vz,
              (resists - turns) * vx * vz, vv + resists * vz * vz + turns * vx * vx}};
 }

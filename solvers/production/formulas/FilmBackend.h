@@ -50,6 +50,13 @@ namespace detail {
 struct PointWork {
     void operator()(int point) const;
 };
+struct PointQuestion {
+    bool operator()(int point) const;
+};
+template <typename Real>
+struct PointFold {
+    Real operator()(int point, Real value) const;
+};
 struct TriangleWork {
     void operator()(int triangle) const;
 };
@@ -109,6 +116,7 @@ concept FilmStorage = requires(Film& film, const Film& seen, int i, Vector2<Real
 
 template <typename Film, typename Real = typename Film::Real>
 concept FilmTeam = requires(Film& film, Real value, bool flag, detail::PointWork forPoint,
+                            detail::PointQuestion askPoint, detail::PointFold<Real> fold,
                             detail::TriangleWork forTriangle, detail::TriangleQuestion crosses,
                             detail::CrossingWork<Real> forCrossing,
                             detail::Unfolding<Real> unfolding) {
@@ -119,22 +127,28 @@ concept FilmTeam = requires(Film& film, Real value, bool flag, detail::PointWork
     { film.least(value) } -> std::same_as<Real>;
     { film.anyOf(flag) } -> std::same_as<bool>;
 
-    // Calls work(point) for all points. Each thread gets its points in ascending order, so `work`
-    // may use variables of its own thread.
+    // Calls work(point) for all points. Helper threads may call it.
     film.forPoints(forPoint);
+    // Calls ask(point) for all points; helper threads may call it. Returns whether the answer was
+    // true for any point of this thread.
+    { film.anyPoint(askPoint) } -> std::same_as<bool>;
+    // Each thread begins with `value` and replaces it by fold(point, value) for each of its points,
+    // in ascending order. Returns the smallest value over all threads of the team, and acts as a
+    // barrier. Helper threads may call `fold`.
+    { film.leastOver(value, fold) } -> std::same_as<Real>;
     // Makes the triangles that satisfy crosses(corners) the crossing triangles; unfold(triangle,
     // corners) gives their values. If the set of triangles has not changed, they keep their
     // anchors. Helper threads may call both functions.
     { film.findCrossing(crosses, unfolding) } -> std::same_as<LineState<Real>>;
-    // Calls work(triangle, crossing, anchor) for the crossing triangles, in the same way as
-    // forPoints.
+    // Calls work(triangle, crossing, anchor) for the crossing triangles. Each thread gets its
+    // triangles in ascending order, so `work` may use variables of its own thread.
     film.forCrossing(forCrossing);
     // Calls onLine(triangle, crossing, anchor) for the crossing triangles and floating(triangle)
     // for all others. Helper threads may call both functions.
     film.forTriangles(forCrossing, forTriangle);
     // Does the same for all triangles that may be stretched to more than `value` times their length
     // or area, and possibly for other triangles. Each thread gets its triangles in ascending order,
-    // as in forPoints.
+    // as in forCrossing.
     film.forStretched(value, forCrossing, forTriangle);
 };
 

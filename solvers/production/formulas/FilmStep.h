@@ -45,8 +45,7 @@ DIPWRIGHT_TEAM inline double nearestClearance(Film& film, double most) {
     const ContactBody<Real>& body = film.body();
     const BodyFrame<Real> frame = body.frameAt(film.state().descent);
     const auto free = [&](std::size_t point) { return isFree(film, int(point)); };
-    Real nearest = Real(most);
-    film.forPoints([&](int point) {
+    return double(film.leastOver(Real(most), [&](int point, Real nearest) {
         if (film.clearance(point) < nearest &&
             !isNextToContact(model.columns, model.rows, point, free)) {
             const Vector3<Real> place =
@@ -55,8 +54,8 @@ DIPWRIGHT_TEAM inline double nearestClearance(Film& film, double most) {
                 sampleField(body.field, frame.toBody(place)).distance - body.contactDistance;
             nearest = distance < nearest ? distance : nearest;
         }
-    });
-    return double(film.least(nearest));
+        return nearest;
+    }));
 }
 
 // Returns the largest increment of the descent that keeps the limit on the contact line's travel.
@@ -229,9 +228,8 @@ DIPWRIGHT_TEAM inline void forUnbalanced(Film& film, const Work& work) {
         const Vector2<Real> force = film.forceOn(point);
         return force.x * force.x + force.z * force.z;
     };
-    Real most(0);
-    film.forPoints([&](int point) { most = std::fmax(most, squareAt(point)); });
-    most = -film.least(-most);
+    const Real most = -film.leastOver(
+        Real(0), [&](int point, Real least) { return std::fmin(least, -squareAt(point)); });
     film.forPoints([&](int point) {
         if (squareAt(point) >= Real(unbalancedShare * unbalancedShare) * most) {
             film.mark(point, solver::PointMark::Unbalanced);
@@ -244,12 +242,12 @@ DIPWRIGHT_TEAM inline void forUnbalanced(Film& film, const Work& work) {
 template <FilmBackend Film>
 DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
     using Real = typename Film::Real;
-    Real farthest(0);
-    film.forPoints([&](int point) {
+    return -double(film.leastOver(Real(0), [&](int point, Real least) {
         const Vector2<Real> way = film.displacement(point);
-        farthest = std::fmax(farthest, std::fmax(std::fabs(way.x), std::fabs(way.z)));
-    });
-    return double(-film.least(-farthest));
+        const Real x = -std::fabs(way.x), z = -std::fabs(way.z);
+        const Real lower = x < z ? x : z;
+        return lower < least ? lower : least;
+    }));
 }
 
 // Finds the film's equilibrium at the end of a step. Holds points that prevent convergence, and
@@ -391,11 +389,11 @@ DIPWRIGHT_TEAM inline bool touch(Film& film, double increment) {
     using Real = typename Film::Real;
     const ContactBody<Real>& body = film.body();
     const BodyFrame<Real> frame = body.frameAt(film.state().descent + increment);
-    bool hasTouched = false;
-    film.forPoints([&](int point) {
+    return film.anyPoint([&](int point) {
         if (!isFree(film, point)) {
-            return;
+            return false;
         }
+        bool hasTouched = false;
         const Vector2<Real> now = film.displacement(point), before = film.before(point);
         const Vector2<Real> way{now.x - before.x, now.z - before.z};
         Real clearance =
@@ -407,15 +405,15 @@ DIPWRIGHT_TEAM inline bool touch(Film& film, double increment) {
             if (distance <= Real(0)) {
                 const Vector3<Real> start =
                     planePosition(film.model(), std::uint32_t(point), before);
-                hasTouched = stick(film, point, increment, start, end) || hasTouched;
+                hasTouched = stick(film, point, increment, start, end);
             } else {
                 // A third of the distance, so that this is safe outside the field's grid too.
                 clearance = distance / Real(3);
             }
         }
         film.setClearance(point, clearance);
+        return hasTouched;
     });
-    return hasTouched;
 }
 
 // Releases film where the body at `descent` turns up too far to hold it. Returns whether any thread

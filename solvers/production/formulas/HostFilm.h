@@ -67,6 +67,18 @@ public:
         }
     }
 
+    template <typename Ask>
+    bool anyPoint(const Ask& ask) const {
+        bool any = false;
+        forPoints([&](int point) { any = ask(point) || any; });
+        return any;
+    }
+    template <typename Fold>
+    Real leastOver(Real value, const Fold& fold) const {
+        forPoints([&](int point) { value = fold(point, value); });
+        return value;
+    }
+
     // See solver::FilmSolver::read.
     void read(std::span<float> positions, std::span<solver::PointState> states) const {
         const BodyFrame<Real> frame = body_.frameAt(state_.descent);
