@@ -227,7 +227,7 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
     pose.trappedAir = trappedAir(laid.body()).area / area_;
     pose.filmUsed = usedShare(laid);
     const DippedFilm& film = laid.film();
-    pose.film = {film.grid.leastSpacing(), workOf(film.grid, double(film.steps))};
+    pose.film = {film.grid.leastSpacing(), workOf(film.grid.pointCount(), double(film.steps))};
     return pose;
 }
 

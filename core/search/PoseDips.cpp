@@ -271,7 +271,7 @@ FilmWork PoseDips::jobFilm(const PosedBody& body, const Immersion& immersion,
     const double cell = grid.leastSpacing();
     const double steps = double(dipped.steps) * process_.contactTravel /
                          subject_.process.contactTravel * dipped.grid.leastSpacing() / cell;
-    return {cell, workOf(grid, steps)};
+    return {cell, workOf(grid.pointCount(), steps)};
 }
 
 // Judges a dip as the job would, but for its ink. Without an estimate of the numerical error, the

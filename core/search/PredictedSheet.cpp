@@ -25,8 +25,8 @@ double exceededBy(std::vector<float>& values, double share) {
 
 } // namespace
 
-double workOf(const solver::FilmGrid& grid, double steps) {
-    return double(grid.pointCount()) * steps / million;
+double workOf(std::size_t points, double steps) {
+    return double(points) * steps / million;
 }
 
 double predictedDoublings(const std::vector<PlaceMove>& moves, const ComparedFilms& films,

@@ -5,8 +5,7 @@
 #include "settings/ToleranceSettings.h"
 #include "settings/VerdictSettings.h"
 
-#include <dipwright/FilmSolver.h>
-
+#include <cstddef>
 #include <vector>
 
 namespace dipwright {
@@ -16,7 +15,7 @@ struct FilmWork {
     double cell = 0; // the smallest, mm; 0: not known
     double work = 0; // film points × steps, in millions
 };
-double workOf(const solver::FilmGrid& grid, double steps);
+double workOf(std::size_t points, double steps);
 
 // How far a place of the flat film moves between two dips, and the zone that it paints.
 struct PlaceMove {
