@@ -1,7 +1,5 @@
 #include "dip/FilmOnBody.h"
 
-#include "parallel/ParallelFor.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -58,22 +56,6 @@ float largestCell(const solver::FilmGrid& grid, const std::vector<std::uint32_t>
     return largest;
 }
 
-// Marks the triangles of the body whose distance from the queried mesh is at most about `reach`.
-std::vector<std::uint8_t> nearTriangles(const TriangleMesh& body, const SurfaceQuery& query,
-                                        float reach) {
-    std::vector<std::uint8_t> isNear(body.triangles.size());
-    parallelFor(std::size_t(0), isNear.size(), [&](std::size_t triangle) {
-        const auto& [a, b, c] = body.triangles[triangle];
-        const Eigen::Vector3f middle =
-            (body.positions[a] + body.positions[b] + body.positions[c]) / 3;
-        const float radius =
-            std::max({(body.positions[a] - middle).norm(), (body.positions[b] - middle).norm(),
-                      (body.positions[c] - middle).norm()});
-        isNear[triangle] = query.closest(middle, 1.01f * (reach + radius)).point.isValid();
-    });
-    return isNear;
-}
-
 } // namespace
 
 FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTriangle>& triangles,
@@ -82,7 +64,7 @@ FilmOnBody::FilmOnBody(const solver::FilmGrid& grid, const std::vector<FilmTrian
       painted_(paintedMesh(contact, triangles, filmTriangle_)), bodyNormals_(triangleNormals(body)),
       paintedNormals_(triangleNormals(painted_)), opposite_(oppositeEdges(painted_)),
       isBorderPoint_(painted_.positions.size(), 0), query_(painted_),
-      reach_(largestCell(grid, filmTriangle_)), isNear_(nearTriangles(body, query_, reach_)) {
+      reach_(largestCell(grid, filmTriangle_)), near_(body.triangles.size()) {
     for (std::size_t edge = 0; edge < opposite_.size(); ++edge) {
         if (opposite_[edge] == noEdge) {
             isBorderPoint_[painted_.triangles[edge / 3][edge % 3]] = 1;
@@ -142,8 +124,25 @@ ClosestPoint FilmOnBody::filmOver(const Eigen::Vector3f& place,
     return isBelow ? ClosestPoint{below.point, below.distance} : ClosestPoint{};
 }
 
+// Whether film is at most about reach_ away from a triangle of the body.
+bool FilmOnBody::isNear(std::uint32_t triangle) const {
+    const Near known = near_[triangle].load(std::memory_order_relaxed);
+    if (known != Near::Unknown) {
+        return known == Near::Yes;
+    }
+    const auto& [a, b, c] = body_.triangles[triangle];
+    const Eigen::Vector3f middle =
+        (body_.positions[a] + body_.positions[b] + body_.positions[c]) / 3;
+    const float radius =
+        std::max({(body_.positions[a] - middle).norm(), (body_.positions[b] - middle).norm(),
+                  (body_.positions[c] - middle).norm()});
+    const bool isNear = query_.closest(middle, 1.01f * (reach_ + radius)).point.isValid();
+    near_[triangle].store(isNear ? Near::Yes : Near::No, std::memory_order_relaxed);
+    return isNear;
+}
+
 std::optional<FilmPlace> FilmOnBody::place(const SurfacePoint& point) const {
-    if (!isNear_[point.triangle]) {
+    if (!isNear(point.triangle)) {
         return std::nullopt;
     }
     const Eigen::Vector3f onBody = position(body_, point);

@@ -4,6 +4,8 @@
 
 #include "dip/LaidFilm.h"
 
+#include <atomic>
+
 namespace dipwright {
 
 // A search hierarchy over the deformed film that paints. Keeps references to its arguments. Any
@@ -18,6 +20,9 @@ public:
     std::optional<FilmPlace> place(const SurfacePoint& point) const;
 
 private:
+    enum class Near : std::uint8_t { Unknown, Yes, No };
+
+    bool isNear(std::uint32_t triangle) const;
     float cell(const SurfacePoint& onFilm) const; // cell size of the film there, mm
     bool fits(const SurfacePoint& onFilm, float distance, const Eigen::Vector3f& outward) const;
     bool isOnBorder(const SurfacePoint& onFilm) const;
@@ -37,7 +42,8 @@ private:
     std::vector<std::uint8_t> isBorderPoint_; // per film point
     SurfaceQuery query_;                      // of painted_
     float reach_;                             // size of the largest film cell that paints, mm
-    std::vector<std::uint8_t> isNear_;        // per body triangle: 1 if film is within reach_
+    // Per body triangle: whether film is within reach_; found when it is first needed.
+    mutable std::vector<std::atomic<Near>> near_;
 };
 
 } // namespace dipwright

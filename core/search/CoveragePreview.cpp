@@ -50,9 +50,17 @@ public:
         }
         const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
         const auto [top, bottom] = std::minmax({a.z(), b.z(), c.z()});
-        const int first = columnOf(left), last = columnOf(right), lastRow = rowOf(bottom);
+        int first = columnOf(left), last = columnOf(right);
+        int firstRow = rowOf(top), lastRow = rowOf(bottom);
+        if (std::abs(area) > leastArea * cell_ * cell_) {
+            keepMiddles(left - corner_.x(), right - corner_.x(), first, last);
+            keepMiddles(top - corner_.y(), bottom - corner_.y(), firstRow, lastRow);
+        }
+        if (first > last || firstRow > lastRow) {
+            return;
+        }
         const Eigen::Vector3f ab = (b - a) / area, ac = (c - a) / area;
-        for (int row = rowOf(top); row <= lastRow; ++row) {
+        for (int row = firstRow; row <= lastRow; ++row) {
             const float z = corner_.y() + (float(row) + 0.5f) * cell_ - a.z();
             for (int column = first; column <= last; ++column) {
                 const float x = corner_.x() + (float(column) + 0.5f) * cell_ - a.x();
@@ -67,10 +75,20 @@ public:
     }
 
 private:
+    // In cells: how far outside a triangle a place is not taken for inside because of rounding.
+    // This holds for triangles whose doubled area is larger than leastArea, in cells.
+    static constexpr float clearlyOutside = 0.05f, leastArea = 1e-4f;
+
     int columnOf(float x) const {
         return std::clamp(int((x - corner_.x()) * perCell_), 0, columns_ - 1);
     }
     int rowOf(float z) const { return std::clamp(int((z - corner_.y()) * perCell_), 0, rows_ - 1); }
+    // Leaves out cells whose middles are clearly outside the range from `least` to `most`, mm from
+    // the corner.
+    void keepMiddles(float least, float most, int& first, int& last) const {
+        first = std::max(first, int(least * perCell_ + 0.5f - clearlyOutside));
+        last = std::min(last, int(most * perCell_ - 0.5f + clearlyOutside));
+    }
     std::size_t index(const Eigen::Vector3f& place) const {
         return std::size_t(rowOf(place.z()) * columns_ + columnOf(place.x()));
     }

@@ -1,5 +1,6 @@
 #include "search/JudgedPose.h"
 
+#include "accuracy/tolerance/Zones.h"
 #include "base/Error.h"
 #include "dip/TrappedAir.h"
 #include "geometry/SurfaceSamples.h"
@@ -40,14 +41,10 @@ bool isMarked(const PaintedSample& sample, solver::PointMark mark) {
     return solver::has(sample.marks, mark);
 }
 
-// Returns how well the film paints a place. If two dips paint it, the larger value wins.
-double worth(const PaintedSample& sample) {
-    if (sample.larger == 0) {
-        return -1;
-    }
-    const double quality =
-        printQuality(sample.larger / stretchUnits, sample.smaller / stretchUnits);
-    return sample.marks != 0 ? markedWorth * quality : quality;
+// Returns how well the film paints a painted place. If two dips paint it, the larger value wins.
+double worthOf(const JudgedPose& pose, std::size_t place) {
+    const double quality = pose.qualities[place];
+    return pose.samples[place].marks != 0 ? markedWorth * quality : quality;
 }
 
 double percentile(std::vector<std::uint16_t>& values, double share) {
@@ -59,11 +56,23 @@ double percentile(std::vector<std::uint16_t>& values, double share) {
     return *nth / stretchUnits;
 }
 
+std::vector<Zone> zonesOf(const std::vector<SurfacePoint>& places, const SearchSubject& subject) {
+    std::vector<Zone> zones(places.size(), Zone::C);
+    if (!subject.tolerance.marks.empty()) {
+        ZonedBody zoned(subject.model);
+        zoned.setMarks(subject.tolerance.marks);
+        std::transform(places.begin(), places.end(), zones.begin(),
+                       [&](const SurfacePoint& place) { return zoned.at(place); });
+    }
+    return zones;
+}
+
 } // namespace
 
 JudgedBody::JudgedBody(const SearchSubject& subject,
                        const std::array<double, zoneCount>& zoneWeights)
-    : model_(subject.model), area_(surfaceArea(model_->mesh)), openArea_(area_) {
+    : model_(subject.model), tolerance_(subject.tolerance), area_(surfaceArea(model_->mesh)),
+      openArea_(area_) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
     if (subject.mask) {
         const auto all = double(samples_.size());
@@ -80,6 +89,7 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
     linkReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
     const std::vector<LinearColour> colours = surfaceColours(*model_, samples_);
     weights_ = placeWeights(subject, zoneWeights, samples_, colours);
+    zones_ = zonesOf(samples_, subject);
     linkNeighbours();
     for (const LinearColour& colour : colours) {
         bands_.push_back(float(neededOverlap(colour, subject.registrationError.value(), 0)));
@@ -87,7 +97,7 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
 }
 
 void JudgedBody::linkNeighbours() {
-    links_.resize(samples_.size());
+    std::vector<std::vector<Link>> links(samples_.size());
     std::map<std::array<int, 3>, std::vector<std::uint32_t>> cells;
     std::vector<Eigen::Vector3f> places, normals;
     const auto cellOf = [&](const Eigen::Vector3f& place) {
@@ -111,13 +121,28 @@ void JudgedBody::linkNeighbours() {
                 const float length = (places[other] - places[index]).norm();
                 if (double(length) <= linkReach_ &&
                     normals[other].dot(normals[index]) > 0) { // not across a thin wall
-                    links_[index].push_back({other, length});
-                    links_[other].push_back({index, length});
+                    links[index].push_back({other, length});
+                    links[other].push_back({index, length});
                 }
             }
         }
         cells[cell].push_back(index);
     }
+    for (const std::vector<Link>& each : links) {
+        firstLinks_.push_back(links_.size());
+        links_.insert(links_.end(), each.begin(), each.end());
+    }
+    firstLinks_.push_back(links_.size());
+}
+
+void JudgedBody::complete(JudgedPose& pose) const {
+    pose.qualities.clear();
+    for (const PaintedSample& sample : pose.samples) {
+        pose.qualities.push_back(sample.larger == 0 ? 0
+                                                    : printQuality(sample.larger / stretchUnits,
+                                                                   sample.smaller / stretchUnits));
+    }
+    pose.depths = depths(pose.samples);
 }
 
 // Uses Dijkstra's algorithm along the links. Paint ends halfway between a painted and a bare place.
@@ -134,7 +159,7 @@ std::vector<float> JudgedBody::depths(const std::vector<PaintedSample>& samples)
     for (std::size_t sample = 0; sample < samples.size(); ++sample) {
         if (samples[sample].larger == 0) {
             depths[sample] = 0;
-            for (const Link& link : links_[sample]) {
+            for (const Link& link : linksOf(sample)) {
                 if (samples[link.sample].larger != 0) {
                     arrive(link.sample, link.length / 2);
                 }
@@ -147,7 +172,7 @@ std::vector<float> JudgedBody::depths(const std::vector<PaintedSample>& samples)
         if (depth > depths[sample]) {
             continue;
         }
-        for (const Link& link : links_[sample]) {
+        for (const Link& link : linksOf(sample)) {
             arrive(link.sample, depth + link.length);
         }
     }
@@ -168,11 +193,11 @@ void JudgedBody::measureSeam(const std::vector<std::uint8_t>& painters,
                              const std::vector<const JudgedPose*>& dips,
                              PoseMeasures& measures) const {
     std::size_t crossings = 0, narrow = 0;
-    for (std::size_t sample = 0; sample < links_.size(); ++sample) {
+    for (std::size_t sample = 0; sample < samples_.size(); ++sample) {
         if (painters[sample] != 1) {
             continue;
         }
-        for (const Link& link : links_[sample]) {
+        for (const Link& link : linksOf(sample)) {
             if (painters[link.sample] == 2) {
                 ++crossings;
                 narrow += isNarrow(sample, dips) || isNarrow(link.sample, dips);
@@ -189,45 +214,66 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
     JudgedPose pose;
     pose.immersion = immersion;
     pose.samples.resize(samples_.size());
+    pose.rests.resize(samples_.size(), Eigen::Vector2f::Zero());
     for (std::size_t index = 0; index < samples_.size(); ++index) {
         if (const std::optional<FilmPlace> place = laid.place(samples_[index])) {
             const PrincipalStretch& stretch = laid.stretches()[place->triangle];
             pose.samples[index] = {units(stretch.larger), units(stretch.smaller),
                                    laid.marks(place->triangle)};
+            pose.rests[index] = place->rest;
         }
     }
-    pose.depths = depths(pose.samples);
+    complete(pose);
     pose.trappedAir = trappedAir(laid.body()).area / area_;
     pose.filmUsed = usedShare(laid);
+    const DippedFilm& film = laid.film();
+    pose.film = {film.grid.leastSpacing(), workOf(film.grid.pointCount(), double(film.steps))};
     return pose;
 }
 
+PredictedSheet JudgedBody::predicted(const JudgedPose& coarse, const JudgedPose& finer) const {
+    if (coarse.samples.empty() || finer.samples.empty()) {
+        return {};
+    }
+    std::vector<PlaceMove> moves;
+    for (std::size_t place = 0; place < samples_.size(); ++place) {
+        const bool isBefore = coarse.samples[place].larger != 0;
+        const bool isAfter = finer.samples[place].larger != 0;
+        if (isBefore && isAfter) {
+            moves.push_back({(finer.rests[place] - coarse.rests[place]).norm(), zones_[place]});
+        }
+    }
+    return {std::max(finer.verdict.advice, Advice::Print),
+            predictedDoublings(moves, {coarse.film, finer.film, finer.jobFilm}, tolerance_)};
+}
+
 PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) const {
-    std::vector<std::uint8_t> painters(
-        samples_.size(), 0); // number of the dip that paints the place; 0 if none does
+    // Number of the dip that paints each place; 0 if none does.
+    std::vector<std::uint8_t> painters(samples_.size(), 0);
     std::vector<std::uint16_t> stretches;
+    stretches.reserve(samples_.size());
     double quality = 0, weights = 0;
     std::size_t certain = 0, wrinkled = 0, torn = 0;
     for (std::size_t index = 0; index < samples_.size(); ++index) {
         weights += double(weights_[index]);
-        const PaintedSample* best = nullptr;
+        double worth = -1;
         for (std::size_t dip = 0; dip < dips.size(); ++dip) {
-            if (dips[dip]->samples.empty() || dips[dip]->samples[index].larger == 0) {
-                continue;
-            }
-            const PaintedSample& sample = dips[dip]->samples[index];
-            if (!best || worth(sample) > worth(*best)) {
-                best = &sample;
+            const JudgedPose& pose = *dips[dip];
+            const bool isPainted = !pose.samples.empty() && pose.samples[index].larger != 0;
+            const double own = isPainted ? worthOf(pose, index) : -1;
+            if (own > worth) {
+                worth = own;
                 painters[index] = std::uint8_t(dip + 1);
             }
         }
-        if (best) {
-            quality += double(weights_[index]) *
-                       printQuality(best->larger / stretchUnits, best->smaller / stretchUnits);
-            stretches.push_back(best->larger);
-            certain += best->marks == 0;
-            wrinkled += best->smaller < gatheredBelow * stretchUnits;
-            torn += isMarked(*best, solver::PointMark::Torn);
+        if (painters[index] != 0) {
+            const JudgedPose& best = *dips[painters[index] - 1u];
+            const PaintedSample& sample = best.samples[index];
+            quality += double(weights_[index]) * best.qualities[index];
+            stretches.push_back(sample.larger);
+            certain += sample.marks == 0;
+            wrinkled += sample.smaller < gatheredBelow * stretchUnits;
+            torn += isMarked(sample, solver::PointMark::Torn);
         }
     }
     const auto painted = double(std::max<std::size_t>(stretches.size(), 1));

@@ -4,10 +4,12 @@
 
 #include "accuracy/verdict/Verdict.h"
 #include "dip/LaidFilm.h"
+#include "search/PredictedSheet.h"
 #include "search/SearchSubject.h"
 #include "settings/SearchSettings.h"
 
 #include <memory>
+#include <span>
 
 namespace dipwright {
 
@@ -21,12 +23,21 @@ struct PaintedSample {
 struct JudgedPose {
     Immersion immersion;
     std::vector<PaintedSample> samples; // one per sampled place; empty if the dip failed
-    std::vector<float> depths; // mm along the surface from each place to the end of the paint
-    double trappedAir = 0;     // share of the surface that is in trapped air
-    double filmUsed = 0;       // share of the film's area that paints
-    QString tankFaults;        // sentences on limits of the tank that the dip exceeds
+    // Per sampled place: the place on the flat film that paints it, mm.
+    std::vector<Eigen::Vector2f> rests;
+    // From `samples`, by JudgedBody::complete(): the print quality of each place, 0 if unpainted,
+    // and mm along the surface from each place to the end of the paint, infinite if there is none.
+    std::vector<double> qualities;
+    std::vector<float> depths;
+    double trappedAir = 0;    // share of the surface that is in trapped air
+    double filmUsed = 0;      // share of the film's area that paints
+    QString tankFaults;       // sentences on limits of the tank that the dip exceeds
+    FilmWork film;            // of this dip
+    FilmWork jobFilm;         // with which the job would begin, if the sheet is to be predicted
+    PredictedSheet predicted; // of the job
     // The verdict on the dip, but not on its ink. Only poses that were dipped with the job's own
-    // film are judged.
+    // film have one, for which refinement is taken into account. For poses whose sheets are
+    // predicted, it is a verdict without the numerical error.
     Verdict verdict;
 };
 
@@ -41,8 +52,10 @@ public:
 
     // Measures one dip.
     JudgedPose judged(const LaidFilm& laid, const Immersion& immersion) const;
-    // Computes JudgedPose::depths. The depths are infinite if the dip paints everything.
-    std::vector<float> depths(const std::vector<PaintedSample>& samples) const;
+    // Predicts the sheet of the job from two dips in one pose.
+    PredictedSheet predicted(const JudgedPose& coarse, const JudgedPose& finer) const;
+    // Computes everything that follows from `samples`.
+    void complete(JudgedPose& pose) const;
     // Measures one or two dips together, in this order. Each place counts for the dip that paints
     // it better.
     PoseMeasures measures(const std::vector<const JudgedPose*>& dips) const;
@@ -54,6 +67,11 @@ private:
     };
 
     void linkNeighbours();
+    std::span<const Link> linksOf(std::size_t sample) const {
+        return std::span(links_).subspan(firstLinks_[sample],
+                                         firstLinks_[sample + 1] - firstLinks_[sample]);
+    }
+    std::vector<float> depths(const std::vector<PaintedSample>& samples) const;
     bool isNarrow(std::size_t sample, const std::vector<const JudgedPose*>& dips) const;
     void measureSeam(const std::vector<std::uint8_t>& painters,
                      const std::vector<const JudgedPose*>& dips, PoseMeasures& measures) const;
@@ -61,7 +79,11 @@ private:
     std::shared_ptr<const TexturedMesh> model_;
     std::vector<SurfacePoint> samples_;
     std::vector<float> weights_;
-    std::vector<std::vector<Link>> links_; // from each sample to the samples within linkReach_
+    std::vector<Zone> zones_; // per place
+    ToleranceSettings tolerance_;
+    // From each sample to the samples within linkReach_; the links of a sample follow each other.
+    std::vector<Link> links_;
+    std::vector<std::size_t> firstLinks_; // per sample, and the number of links
     // Per place: the overlap that it needs with unstretched film, mm.
     std::vector<float> bands_;
     double area_ = 0, openArea_ = 0, linkReach_ = 0, equator_ = 0;

@@ -1,16 +1,18 @@
 #include "search/PoseDips.h"
 
-#include "accuracy/error/NumericalErrorEstimate.h"
 #include "accuracy/verdict/FinerFilm.h"
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "dip/TankFit.h"
 #include "parallel/ParallelFor.h"
+#include "parallel/Tasks.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <numeric>
+#include <utility>
 
 namespace dipwright {
 namespace {
@@ -64,25 +66,23 @@ QString tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
 PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
     : subject_(subject), areJobs_(std::isinf(detail.cells)),
       film_(areJobs_ ? subject.film : coarseFilm(subject.film, subject.model->mesh, detail.cells)) {
+    if (!areJobs_ && isGraded(film_)) {
+        query_ = std::make_unique<const SurfaceQuery>(subject.model->mesh);
+    }
 }
 
-// Whether the search chooses the films, so that it can make them equal.
-bool PoseFilms::areChosen() const {
-    return !areJobs_ && isGraded(film_);
-}
-
-// Returns the part of the film that needs fine cells.
-Eigen::AlignedBox2d PoseFilms::fineCellsOf(const PosedBody& body) const {
-    const Underside underside = undersideOf(body, subject_.process);
+Eigen::AlignedBox2d PoseFilms::fineCellsOf(const Immersion& immersion) const {
+    const TriangleMesh& mesh = subject_.model->mesh;
+    const Underside underside = undersideOf(mesh, *query_, immersion, subject_.process);
     const Eigen::Vector2d further = Eigen::Vector2d::Constant(drawIn(underside));
     const Eigen::AlignedBox2d wanted(underside.shadow.min() - further,
                                      underside.shadow.max() + further);
-    return roundedOut(wanted, alikeShare * longestEdgeOf(subject_.model->mesh));
+    return roundedOut(wanted, alikeShare * longestEdgeOf(mesh));
 }
 
 solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion) const {
     return areChosen()
-               ? gradedFilm(film_, fineCellsOf(body), 0, film_.cell, immersion.offset)
+               ? gradedFilm(film_, fineCellsOf(immersion), 0, film_.cell, immersion.offset)
                : filmUnderBody(film_, undersideOf(body, subject_.process), immersion.offset);
 }
 
@@ -97,10 +97,13 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
     : subject_(subject), body_(body), module_(module), cancelToken_(progress.cancelToken),
       films_(subject, detail), process_(subject.process) {
     const TriangleMesh& mesh = subject.model->mesh;
-    if (films_.areJobs() && !subject.tolerance.marks.empty()) {
+    if ((films_.areJobs() || detail.predicts) && !subject.tolerance.marks.empty()) {
         auto zones = std::make_unique<ZonedBody>(subject.model);
         zones->setMarks(subject.tolerance.marks);
         zones_ = std::move(zones);
+    }
+    if (detail.predicts) {
+        jobFilms_ = std::make_unique<const PoseFilms>(subject, jobDetail);
     }
     process_.contactTravel = std::max(process_.contactTravel, detail.travel);
     field_ = cachedDistanceField(mesh, std::min(subject.fieldResolution, detail.field), progress);
@@ -109,13 +112,54 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
 void PoseDips::dip(const std::vector<Immersion>& immersions,
                    std::vector<std::shared_ptr<const JudgedPose>>& judged,
                    const std::function<void(std::size_t)>& batchDone, std::size_t first) const {
-    const std::vector<std::size_t> order = orderedByFilm(immersions);
-    const std::size_t batch = batchSizeFor(immersions);
-    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-        end = std::min(begin + (begin == 0 ? std::min(batch, first) : batch), order.size());
-        dipBatch(immersions, {order.begin() + std::ptrdiff_t(begin), end - begin}, judged);
-        batchDone(end);
+    const std::vector<std::vector<std::size_t>> all = batches(immersions, first);
+    std::size_t done = 0;
+    Batch before, present, next; // `before` is simulated, but not judged
+    const auto finish = [&](Batch& batch) {
+        judge(immersions, batch, judged);
+        done += batch.places.size();
+        batch = {};
+    };
+    for (std::size_t number = 0; number < all.size(); ++number) {
+        cancelToken_.throwIfCancelled();
+        if (number == 0) {
+            present = setUp(immersions, all.front());
+        }
+        Tasks aside;
+        aside.run([&] { finish(before); });
+        if (number + 1 < all.size()) {
+            aside.run([&] { next = setUp(immersions, all[number + 1]); });
+        }
+        std::exception_ptr failure;
+        try {
+            simulate(immersions, present);
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        aside.wait();
+        if (failure) {
+            std::rethrow_exception(failure);
+        }
+        before = std::exchange(present, std::exchange(next, {}));
+        if (number == 0 || number + 1 == all.size()) { // the first results are wanted early
+            finish(before);
+        }
+        batchDone(done);
     }
+}
+
+std::vector<std::vector<std::size_t>> PoseDips::batches(const std::vector<Immersion>& immersions,
+                                                        std::size_t first) const {
+    const std::vector<std::size_t> order = orderedByFilm(immersions);
+    const std::size_t most = batchSizeFor(immersions);
+    std::vector<std::vector<std::size_t>> batches;
+    for (auto begin = order.begin(); begin != order.end();) {
+        const std::size_t size = batches.empty() ? std::min(most, first) : most;
+        const auto end = begin + std::min(std::ptrdiff_t(size), order.end() - begin);
+        batches.emplace_back(begin, end);
+        begin = end;
+    }
+    return batches;
 }
 
 std::size_t PoseDips::batchSizeFor(const std::vector<Immersion>& immersions) const {
@@ -138,8 +182,7 @@ std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& i
     std::vector<std::array<double, 6>> films(immersions.size());
     parallelFor(std::size_t(0), films.size(), [&](std::size_t index) {
         const Immersion& immersion = immersions[index];
-        const Eigen::AlignedBox2d box = films_.fineCellsOf(
-            posedBody(subject_.model->mesh, immersion, subject_.process, searchedAirCells));
+        const Eigen::AlignedBox2d box = films_.fineCellsOf(immersion);
         films[index] = {box.min().x(),
                         box.min().y(),
                         box.max().x(),
@@ -152,79 +195,93 @@ std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& i
     return order;
 }
 
-solver::DipSetup PoseDips::setupOf(const PosedBody& body, const FilledField& field,
-                                   const Immersion& immersion) const {
-    return dipSetup(body, field, immersion, films_.film(), films_.gridOf(body, immersion),
-                    process_);
-}
-
-void PoseDips::dipBatch(const std::vector<Immersion>& immersions,
-                        std::span<const std::size_t> batch,
-                        std::vector<std::shared_ptr<const JudgedPose>>& judged) const {
-    cancelToken_.throwIfCancelled();
-    std::vector<std::shared_ptr<const PosedBody>> bodies(batch.size());
-    std::vector<std::optional<FilledField>> fields(batch.size());
-    std::vector<solver::BatchItem> items(batch.size());
-    parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
-        const Immersion& immersion = immersions[batch[item]];
-        bodies[item] = std::make_shared<const PosedBody>(
+PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
+                                std::vector<std::size_t> places) const {
+    Batch batch;
+    batch.places = std::move(places);
+    const std::size_t count = batch.places.size();
+    batch.bodies.resize(count);
+    batch.fields.resize(count);
+    batch.items.resize(count);
+    parallelFor(std::size_t(0), count, [&](std::size_t item) {
+        const Immersion& immersion = immersions[batch.places[item]];
+        batch.bodies[item] = std::make_shared<const PosedBody>(
             posedBody(subject_.model->mesh, immersion, subject_.process, searchedAirCells));
-        fields[item].emplace(*bodies[item], *field_);
-        items[item].setup = setupOf(*bodies[item], *fields[item], immersion);
+        const PosedBody& body = *batch.bodies[item];
+        batch.fields[item].emplace(body, *field_);
+        batch.items[item].setup = dipSetup(body, *batch.fields[item], immersion, films_.film(),
+                                           films_.gridOf(body, immersion), process_);
     });
-    simulateDips(items, module_, [this] { return cancelToken_.isCancelled(); });
-    std::vector<std::shared_ptr<const LaidFilm>> laid(items.size());
-    std::vector<JudgedPose> poses(items.size());
-    parallelFor(std::size_t(0), items.size(), [&](std::size_t item) {
-        const Immersion& immersion = immersions[batch[item]];
-        const solver::DipSetup& setup = items[item].setup;
-        DippedFilm film = dippedFilm(items[item], immersion);
-        poses[item].immersion = immersion;
-        if (isStable(film, setup.motion.travel)) {
-            laid[item] = layFilm(bodies[item], std::move(film), process_);
-            poses[item] = body_.judged(*laid[item], immersion);
-        }
-        poses[item].tankFaults =
-            tankFaultsOf(subject_, bodies[item]->mesh, bodies[item]->path, immersion);
-    });
+    return batch;
+}
+
+void PoseDips::simulate(const std::vector<Immersion>& immersions, Batch& batch) const {
+    const auto isCancelled = [this] { return cancelToken_.isCancelled(); };
+    simulateDips(batch.items, module_, isCancelled);
     if (films_.areJobs()) {
-        addVerdicts(poses, bodies, laid);
-    }
-    for (std::size_t item = 0; item < items.size(); ++item) {
-        judged[batch[item]] = std::make_shared<const JudgedPose>(std::move(poses[item]));
+        std::vector<PosedDip> dips;
+        for (std::size_t item = 0; item < batch.items.size(); ++item) {
+            dips.push_back({batch.bodies[item], immersions[batch.places[item]]});
+        }
+        batch.coarser = coarserFilms(dips, *field_, films_.film(), process_, module_, isCancelled);
     }
 }
 
-// Judges dips as the job would, but for their ink. Films that the job would refine are not refined
-// here: the verdict is the one to be expected. `laid` is null for a dip that failed.
-void PoseDips::addVerdicts(std::vector<JudgedPose>& poses,
-                           const std::vector<std::shared_ptr<const PosedBody>>& bodies,
-                           const std::vector<std::shared_ptr<const LaidFilm>>& laid) const {
-    std::vector<PosedDip> dips;
-    std::vector<std::size_t> places; // of `dips` in `poses`
-    for (std::size_t place = 0; place < poses.size(); ++place) {
-        if (laid[place]) {
-            dips.push_back({bodies[place], poses[place].immersion});
-            places.push_back(place);
-        } else {
-            ReasonList reasons;
-            reasons.add({VerdictReason::Kind::Unpainted, Advice::DoNotPrint});
-            poses[place].verdict = std::move(reasons).verdict();
-        }
+void PoseDips::judge(const std::vector<Immersion>& immersions, Batch& batch,
+                     std::vector<std::shared_ptr<const JudgedPose>>& judged) const {
+    parallelFor(std::size_t(0), batch.items.size(), [&](std::size_t item) {
+        const std::size_t place = batch.places[item];
+        judged[place] =
+            std::make_shared<const JudgedPose>(judgedDip(batch, item, immersions[place]));
+    });
+}
+
+JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& immersion) const {
+    const std::shared_ptr<const PosedBody>& body = batch.bodies[item];
+    DippedFilm film = dippedFilm(batch.items[item], immersion);
+    JudgedPose pose;
+    pose.immersion = immersion;
+    std::shared_ptr<const LaidFilm> laid; // null if the dip failed
+    if (isStable(film, batch.items[item].setup.motion.travel)) {
+        laid = layFilm(body, std::move(film), process_);
+        pose = body_.judged(*laid, immersion);
     }
-    const std::vector<CoarserFilms> coarser =
-        coarserFilms(dips, *field_, films_.film(), process_, module_,
-                     [this] { return cancelToken_.isCancelled(); });
-    for (std::size_t dip = 0; dip < dips.size(); ++dip) {
-        const LaidFilm& own = *laid[places[dip]];
-        const NumericalErrorEstimate error = estimateNumericalError(own, coarser[dip]);
-        const SurfaceMask* mask = subject_.mask.get();
-        const Coverage covered = coverage(own, mask);
-        poses[places[dip]].verdict = afterRefinement(
-            verdict({own, covered, &error, 0, zones_.get(), poses[places[dip]].tankFaults, mask},
-                    subject_.tolerance, subject_.verdict),
-            own.film(), subject_.film);
+    pose.tankFaults = tankFaultsOf(subject_, body->mesh, body->path, immersion);
+    if (laid && jobFilms_) {
+        pose.jobFilm = jobFilm(*body, immersion, laid->film());
+        pose.verdict = verdictOf(*laid, nullptr, pose.tankFaults);
     }
+    if (films_.areJobs() && laid) {
+        const NumericalErrorEstimate error = estimateNumericalError(*laid, batch.coarser[item]);
+        pose.verdict =
+            afterRefinement(verdictOf(*laid, &error, pose.tankFaults), laid->film(), subject_.film);
+    } else if (films_.areJobs()) {
+        ReasonList reasons;
+        reasons.add({VerdictReason::Kind::Unpainted, Advice::DoNotPrint});
+        pose.verdict = std::move(reasons).verdict();
+    }
+    return pose;
+}
+
+// Returns the film with which the job would begin. The number of its steps follows from that of
+// another film, because their length is given in cells.
+FilmWork PoseDips::jobFilm(const PosedBody& body, const Immersion& immersion,
+                           const DippedFilm& dipped) const {
+    const solver::FilmGrid grid = jobFilms_->gridOf(body, immersion);
+    const double cell = grid.leastSpacing();
+    const double steps = double(dipped.steps) * process_.contactTravel /
+                         subject_.process.contactTravel * dipped.grid.leastSpacing() / cell;
+    return {cell, workOf(grid.pointCount(), steps)};
+}
+
+// Judges a dip as the job would, but for its ink. Without an estimate of the numerical error, the
+// other reasons alone count.
+Verdict PoseDips::verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
+                            const QString& tankFaults) const {
+    const SurfaceMask* mask = subject_.mask.get();
+    const Coverage covered = coverage(laid, mask);
+    return verdict({laid, covered, error, 0, zones_.get(), tankFaults, mask}, subject_.tolerance,
+                   subject_.verdict);
 }
 
 } // namespace dipwright

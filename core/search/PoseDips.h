@@ -1,6 +1,7 @@
 // Simulates the dips of many poses in batches. Private to this folder.
 #pragma once
 
+#include "accuracy/error/NumericalErrorEstimate.h"
 #include "accuracy/tolerance/Zones.h"
 #include "base/Progress.h"
 #include "dip/FilledField.h"
@@ -15,12 +16,13 @@ namespace dipwright {
 
 // The resolution of a dip; never finer than the job's.
 struct DipDetail {
-    double cells;  // number of film cells along the longest edge of the body's box
-    int field;     // number of distance field cells along that edge
-    double travel; // least travel of the contact line in one step, in film cells
+    double cells;          // number of film cells along the longest edge of the body's box
+    int field;             // number of distance field cells along that edge
+    double travel;         // least travel of the contact line in one step, in film cells
+    bool predicts = false; // whether the film with which the job would begin is found, too
 };
 // coarseDetail finds poses worth refining, finerDetail ranks them, and jobDetail is the job's own.
-inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5},
+inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5, true},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0};
 
 // Number of air grid cells along the body's longest edge (posedBody()).
@@ -37,8 +39,10 @@ public:
     PoseFilms(const SearchSubject& subject, const DipDetail& detail);
 
     const FilmSettings& film() const { return film_; }
-    bool areChosen() const;
-    Eigen::AlignedBox2d fineCellsOf(const PosedBody& body) const;
+    // Whether the search chooses the films, so that it can make them equal.
+    bool areChosen() const { return query_ != nullptr; }
+    // Returns the part of a film with the search's choice of cells that needs fine ones.
+    Eigen::AlignedBox2d fineCellsOf(const Immersion& immersion) const;
     // Returns the film's points for a pose. Throws like filmUnderBody().
     solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion) const;
     // Returns the time that a dip takes, within about a third, in units that are the same for all
@@ -50,6 +54,7 @@ private:
     const SearchSubject& subject_;
     bool areJobs_;
     FilmSettings film_;
+    std::unique_ptr<const SurfaceQuery> query_; // of the model; null unless areChosen()
 };
 
 class PoseDips {
@@ -59,8 +64,10 @@ public:
 
     // Simulates a dip with each of `immersions` and stores its result in `judged` at the same
     // index; both have the same length. After an exception the finished dips remain. Dips with
-    // similar films are simulated together, so the order of the dips may differ. Calls `batchDone`
-    // after each batch with the number of finished dips. The first batch has at most `first` dips.
+    // similar films are simulated together, so the order of the dips may differ. While the solver
+    // simulates a batch, other threads judge the batch before and set up the next. Calls
+    // `batchDone` after each batch with the number of finished dips. The first batch has at most
+    // `first` dips.
     // A dip that misses the film or becomes unstable has no samples. Dips with the job's film get a
     // verdict. Throws Error if the solver fails. Throws Cancelled.
     void dip(const std::vector<Immersion>& immersions,
@@ -69,21 +76,35 @@ public:
              std::size_t first = std::numeric_limits<std::size_t>::max()) const;
 
 private:
+    // Dips that are simulated together, in their places in the list of immersions.
+    struct Batch {
+        std::vector<std::size_t> places;
+        std::vector<std::shared_ptr<const PosedBody>> bodies;
+        std::vector<std::optional<FilledField>> fields;
+        std::vector<solver::BatchItem> items;
+        std::vector<CoarserFilms> coarser; // of the job's films
+    };
+
     std::size_t batchSizeFor(const std::vector<Immersion>& immersions) const;
     std::vector<std::size_t> orderedByFilm(const std::vector<Immersion>& immersions) const;
-    solver::DipSetup setupOf(const PosedBody& body, const FilledField& field,
-                             const Immersion& immersion) const;
-    void dipBatch(const std::vector<Immersion>& immersions, std::span<const std::size_t> batch,
-                  std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
-    void addVerdicts(std::vector<JudgedPose>& poses,
-                     const std::vector<std::shared_ptr<const PosedBody>>& bodies,
-                     const std::vector<std::shared_ptr<const LaidFilm>>& laid) const;
+    std::vector<std::vector<std::size_t>> batches(const std::vector<Immersion>& immersions,
+                                                  std::size_t first) const;
+    Batch setUp(const std::vector<Immersion>& immersions, std::vector<std::size_t> places) const;
+    void simulate(const std::vector<Immersion>& immersions, Batch& batch) const;
+    void judge(const std::vector<Immersion>& immersions, Batch& batch,
+               std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
+    JudgedPose judgedDip(Batch& batch, std::size_t item, const Immersion& immersion) const;
+    FilmWork jobFilm(const PosedBody& body, const Immersion& immersion,
+                     const DippedFilm& dipped) const;
+    Verdict verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
+                      const QString& tankFaults) const;
 
     const SearchSubject& subject_;
     const JudgedBody& body_;
     const solver::SolverModule& module_;
     const CancelToken cancelToken_;
     PoseFilms films_;
+    std::unique_ptr<const PoseFilms> jobFilms_; // if sheets are predicted
     ProcessSettings process_;
     std::unique_ptr<const ZonedBody> zones_; // for verdicts; null: no zones are marked
     std::shared_ptr<const DistanceField> field_;

@@ -37,6 +37,9 @@ constexpr std::array<double, 3> tilts{10, 5, 2.5}; // degrees, one for each roun
 constexpr double turn = 5;                         // degrees about the vertical, in the last round
 constexpr double shift = 0.05;                     // share of the film's sides, in the last round
 constexpr std::size_t triedWithPaths = 6;          // number of best poses that are tried with paths
+// Objective that a doubling of the work counts for, and a verdict that is worse by one step
+// (docs/pose-search.md, "Certain sheets").
+constexpr double lostPerDoubling = 0.01, lostPerAdvice = 0.02;
 constexpr double fieldShare = 0.05, geometryShare = 0.1; // progress after these steps, 0 … 1
 
 // Share of the best pairs' dips that are distinct; most pairs have a dip in common with another
@@ -59,9 +62,48 @@ bool canBePrinted(const Entry& entry) {
     return entry.ranked.advice() == Advice::Print;
 }
 
+// Returns how often the work of the job's first dip is expected to be doubled: by the verdict if
+// the dip has the job's own film, otherwise by the prediction.
+double expectedDoublings(const JudgedPose& dip) {
+    for (const VerdictReason& reason : dip.verdict.reasons) {
+        if (reason.kind == VerdictReason::Kind::Refined) {
+            return 3 * std::log2(dip.film.cell / reason.value);
+        }
+    }
+    return dip.predicted.doublings;
+}
+
+// Returns the objective, lowered by the work that certain sheets are expected to need: the mean
+// over the dips.
+double objectiveWithWork(const Entry& entry) {
+    double doublings = 0;
+    for (const Judged& dip : entry.dips) {
+        doublings += expectedDoublings(*dip) / double(entry.dips.size());
+    }
+    return entry.ranked.objective - lostPerDoubling * doublings;
+}
+
+// Compares poses that are not confirmed yet, but whose sheets are predicted.
+bool isBetterToConfirm(const Entry& one, const Entry& other) {
+    if (exceedsTank(one) != exceedsTank(other)) {
+        return exceedsTank(other);
+    }
+    if (one.ranked.limitsMissed != other.ranked.limitsMissed) {
+        return one.ranked.limitsMissed < other.ranked.limitsMissed;
+    }
+    const auto rating = [](const Entry& entry) {
+        Advice advice = Advice::Print;
+        for (const Judged& dip : entry.dips) {
+            advice = std::max(advice, dip->predicted.advice);
+        }
+        return objectiveWithWork(entry) - lostPerAdvice * (int(advice) - int(Advice::Print));
+    };
+    return rating(one) > rating(other);
+}
+
 // A pose that the tank cannot carry out is never better than one that it can. Confirmed poses are
 // then compared by their verdicts: a pose whose sheet must not be printed is never better than one
-// whose sheet can be.
+// whose sheet can be, and a sheet that needs more work counts less.
 bool isBetter(const Entry& one, const Entry& other) {
     if (exceedsTank(one) != exceedsTank(other)) {
         return exceedsTank(other);
@@ -73,7 +115,13 @@ bool isBetter(const Entry& one, const Entry& other) {
     if (one.ranked.limitsMissed != other.ranked.limitsMissed) {
         return one.ranked.limitsMissed < other.ranked.limitsMissed;
     }
-    return one.ranked.objective > other.ranked.objective;
+    return one.ranked.isConfirmed && other.ranked.isConfirmed
+               ? objectiveWithWork(one) > objectiveWithWork(other)
+               : one.ranked.objective > other.ranked.objective;
+}
+
+bool isSamePose(const Immersion& one, const Immersion& other) {
+    return one.rotation == other.rotation && one.offset == other.offset && one.path == other.path;
 }
 
 bool isDistinct(const Immersion& one, const Immersion& other) {
@@ -346,7 +394,7 @@ public:
                             Text::tr("search part %1 of %2").arg(part.number).arg(part.count));
             }
             JudgedPose pose = *part.poses[place];
-            pose.depths = body_.depths(pose.samples);
+            body_.complete(pose);
             pose.immersion.path = wanted.path; // the file has none
             if (subject_.tank) {
                 const TriangleMesh& mesh = subject_.model->mesh;
@@ -441,6 +489,35 @@ private:
             before = done;
             tell();
         });
+        return judged;
+    }
+
+    // Returns the coarse dips of these poses. Dips only poses that were not dipped before: many of
+    // the best pairs have a dip in common.
+    std::vector<Judged> dippedOnce(const std::vector<Immersion>& immersions) {
+        const auto known = [this](const Immersion& immersion) {
+            return std::find_if(known_.begin(), known_.end(), [&](const Judged& each) {
+                return isSamePose(each->immersion, immersion);
+            });
+        };
+        std::vector<Immersion> unknown;
+        for (const Immersion& immersion : immersions) {
+            if (known(immersion) == known_.end() &&
+                std::none_of(unknown.begin(), unknown.end(), [&](const Immersion& other) {
+                    return isSamePose(other, immersion);
+                })) {
+                unknown.push_back(immersion);
+            }
+        }
+        left_[Coarse] -= int(immersions.size() - unknown.size());
+        if (!unknown.empty()) {
+            const std::vector<Judged> dips = dipped(coarse_, Coarse, unknown);
+            known_.insert(known_.end(), dips.begin(), dips.end());
+        }
+        std::vector<Judged> judged;
+        for (const Immersion& immersion : immersions) {
+            judged.push_back(*known(immersion));
+        }
         return judged;
     }
 
@@ -591,6 +668,8 @@ private:
 
     // Moves each dip of the best entries in turn to the best pose near it.
     void refine() {
+        known_ = poses_;
+        known_.insert(known_.end(), own_.begin(), own_.end());
         const std::size_t count = std::min(best_.size(), std::size_t(settings_.refined));
         unrefined_.assign(best_.begin(), best_.begin() + std::ptrdiff_t(count));
         for (std::size_t round = 0; round < tilts.size() && count > 0; ++round) {
@@ -662,7 +741,7 @@ private:
                 owner.push_back(index);
             }
         }
-        const std::vector<Judged> judged = dipped(coarse_, Coarse, trials);
+        const std::vector<Judged> judged = dippedOnce(trials);
         const std::vector<Entry> before = entries;
         for (std::size_t trial = 0; trial < trials.size(); ++trial) {
             std::vector<Judged> dips = before[owner[trial]].dips;
@@ -705,7 +784,12 @@ private:
         left_[resolution] = int(immersions.size());
         const PoseDips dips(subject_, body_, module_, isConfirmed ? jobDetail : finerDetail,
                             progress_.silent());
-        const std::vector<Judged> judged = dipped(dips, resolution, immersions);
+        std::vector<Judged> judged = dipped(dips, resolution, immersions);
+        if (resolution == Finer) {
+            for (const auto& [coarse, place] : places) {
+                judged[place] = withPrediction(*coarse, *judged[place]);
+            }
+        }
         if (own > 0) {
             current_ = entry({judged.begin(), judged.begin() + own}, isConfirmed);
         }
@@ -718,6 +802,11 @@ private:
             again.push_back(entry(std::move(both), isConfirmed));
         }
         return again;
+    }
+
+    Judged withPrediction(const JudgedPose& coarse, JudgedPose finer) const {
+        finer.predicted = body_.predicted(coarse, finer);
+        return std::make_shared<const JudgedPose>(std::move(finer));
     }
 
     std::vector<Entry> first(int count) const {
@@ -738,7 +827,8 @@ private:
 
     // Confirms further poses while the sheets of none of the confirmed ones can be printed.
     void confirm() {
-        std::vector<Entry> open = ranked(), confirmed;
+        addPairsToConfirm();
+        std::vector<Entry> open = distinctFirst(best_, isBetterToConfirm), confirmed;
         const auto count = std::ptrdiff_t(settings_.confirmed);
         for (int round = 0; round < confirmedRounds && count > 0 && !open.empty() &&
                             std::none_of(confirmed.begin(), confirmed.end(), canBePrinted);
@@ -753,6 +843,31 @@ private:
             best_.insert(best_.end(), open.begin(), open.end());
             rank();
         }
+    }
+
+    // Pairs the finer dips anew and adds the pairs that are best to confirm, as many as are
+    // confirmed at once.
+    void addPairsToConfirm() {
+        std::vector<Judged> dips;
+        for (const Entry& each : best_) {
+            for (const Judged& dip : each.dips) {
+                if (std::find(dips.begin(), dips.end(), dip) == dips.end()) {
+                    dips.push_back(dip);
+                }
+            }
+        }
+        std::vector<Entry> pairs(settings_.immersions == 1 ? 0 : dips.size() * dips.size());
+        parallelFor(std::size_t(0), pairs.size(), [&](std::size_t index) {
+            const Judged& first = dips[index / dips.size()];
+            const Judged& second = dips[index % dips.size()];
+            if (first != second) {
+                pairs[index] = entry({first, second}, false);
+            }
+        });
+        std::erase_if(pairs, [](const Entry& each) { return each.dips.empty(); });
+        std::vector<Entry> best = distinctFirst(std::move(pairs), isBetterToConfirm);
+        best.resize(std::min(best.size(), std::size_t(settings_.confirmed)));
+        best_.insert(best_.end(), best.begin(), best.end());
     }
 
     // If no sheet of the confirmed pairs can be printed as a pair, adds the best pair of their dips
@@ -791,14 +906,19 @@ private:
     // Returns the ranking: entries that the tank can carry out first, then confirmed entries, each
     // group the best first.
     std::vector<Entry> ranked() const {
-        std::vector<Entry> all = best_;
-        std::stable_sort(all.begin(), all.end(), [](const Entry& one, const Entry& other) {
+        return distinctFirst(best_, [](const Entry& one, const Entry& other) {
             if (exceedsTank(one) == exceedsTank(other) &&
                 one.ranked.isConfirmed != other.ranked.isConfirmed) {
                 return one.ranked.isConfirmed;
             }
             return isBetter(one, other);
         });
+    }
+
+    // Returns the entries, the best first, without those that are similar to a better one.
+    template <typename IsBetter>
+    static std::vector<Entry> distinctFirst(std::vector<Entry> all, const IsBetter& isBetter) {
+        std::stable_sort(all.begin(), all.end(), isBetter);
         std::vector<Entry> kept;
         for (Entry& each : all) {
             if (std::all_of(kept.begin(), kept.end(),
@@ -859,6 +979,7 @@ private:
     PoseCandidates candidates_;
     std::vector<Judged> own_;   // the job's own poses
     std::vector<Judged> poses_; // dips of candidates_.chosen; null until dipped
+    std::vector<Judged> known_; // all coarse dips, from the refinement on
     // Best objective of the entries with each pose; −1 if there are none.
     std::vector<double> objectives_;
     std::vector<Entry> best_;

@@ -17,7 +17,7 @@ struct Text {
 };
 
 constexpr quint32 signature = 0x44505350; // "DPSP"
-constexpr qint32 partVersion = 1;
+constexpr qint32 partVersion = 2;
 constexpr int longestKey = 64, mostParts = 1000;
 constexpr qint32 mostPoses = 2000, mostSamples = 100'000;
 constexpr qsizetype mostBytes = 2'000'000'000;
@@ -35,9 +35,12 @@ void write(QDataStream& out, const JudgedPose& pose) {
     for (const Millimetres offset : pose.immersion.offset) {
         out << offset.value();
     }
-    out << pose.trappedAir << pose.filmUsed << qint32(pose.samples.size());
-    for (const PaintedSample& sample : pose.samples) {
-        out << quint16(sample.larger) << quint16(sample.smaller) << quint8(sample.marks);
+    out << pose.trappedAir << pose.filmUsed << pose.film.cell << pose.film.work
+        << qint32(pose.samples.size());
+    for (std::size_t index = 0; index < pose.samples.size(); ++index) {
+        const PaintedSample& sample = pose.samples[index];
+        out << quint16(sample.larger) << quint16(sample.smaller) << quint8(sample.marks)
+            << double(pose.rests[index].x()) << double(pose.rests[index].y());
     }
 }
 
@@ -59,6 +62,7 @@ std::shared_ptr<const JudgedPose> read(QDataStream& in, const QString& where) {
     }
     pose.trappedAir = number(2);
     pose.filmUsed = number(2);
+    pose.film = {number(1e6), number(1e12)};
     qint32 count = 0;
     in >> count;
     if (in.status() != QDataStream::Ok || count < 0 || count > mostSamples) {
@@ -69,6 +73,8 @@ std::shared_ptr<const JudgedPose> read(QDataStream& in, const QString& where) {
         quint8 marks = 0;
         in >> larger >> smaller >> marks;
         pose.samples.push_back({larger, smaller, marks});
+        const double x = number(1e6);
+        pose.rests.emplace_back(float(x), float(number(1e6)));
     }
     return std::make_shared<const JudgedPose>(std::move(pose));
 }

@@ -1,5 +1,5 @@
 // Measures how well coarse dips rank poses:
-//   pose_ranking_bench [solver=ID] [poses=N] JOB.dipw…
+//   pose_ranking_bench [solver=ID] [poses=N] [exact] JOB.dipw…
 // Dips the body of each job in N directions, which are chosen as in a search, with the job's own
 // film and with coarser films. Prints one line per film:
 // - milliseconds per dip
@@ -9,6 +9,11 @@
 // - how many of the five best poses of the job's own film are among the coarse film's first twelve
 // - loss of objective if the best of the coarse film's first 1, 3, 6 or 12 poses is chosen
 // - mean difference of each measure
+// With `exact`, prints one line per pose instead, with commas: number; objective with cells of 1/20
+// and 1/40 of the body's length and with the job's film; cell of the second film, mm; predicted
+// work of the job's first dip, million points × steps; its cell and its work; predicted verdict and
+// doublings of the work; verdict on the job's first dip, its numerical error in mm, and its
+// reasons.
 #include "Bench.h"
 #include "pipeline/JobSearch.h"
 #include "project/Project.h"
@@ -30,6 +35,7 @@ using namespace dipwright;
 namespace {
 
 struct Dips {
+    std::vector<std::shared_ptr<const JudgedPose>> poses;
     std::vector<PoseMeasures> measures; // one entry per pose
     std::vector<double> objectives;
     double seconds = 0;
@@ -55,6 +61,22 @@ double rankCorrelation(const std::vector<double>& one, const std::vector<double>
     return 1 - 6 * squares / (n * (n * n - 1));
 }
 
+// Returns the numerical error that a verdict states for zone C, mm; 0 if it states none.
+double offByOf(const Verdict& verdict) {
+    for (const VerdictReason& reason : verdict.reasons) {
+        switch (reason.kind) {
+        case VerdictReason::Kind::Certain:
+        case VerdictReason::Kind::OffBy:
+        case VerdictReason::Kind::OffByMuch:
+        case VerdictReason::Kind::Step:
+            return reason.value;
+        default:
+            break;
+        }
+    }
+    return 0;
+}
+
 class Ranking {
 public:
     Ranking(const Project& project, const SolverRegistry& registry, const QString& solver,
@@ -69,9 +91,50 @@ public:
         for (const std::size_t chosen : candidates.chosen) {
             immersions_.push_back(candidates.all[chosen].immersion);
         }
-        own_ = dipped(jobDetail);
     }
 
+    void tellAll(QTextStream& out) {
+        own_ = dipped(jobDetail);
+        tell(jobDetail, out);
+        for (const DipDetail& detail :
+             {DipDetail{15, 128, 0.5}, DipDetail{20, 128, 0.5}, DipDetail{20, 128, 0.35},
+              DipDetail{30, 128, 0.5}, DipDetail{40, 128, 0.5}, DipDetail{40, 128, 0.35},
+              DipDetail{60, 128, 0}}) {
+            tell(detail, out);
+        }
+    }
+
+    void tellExactness(QTextStream& out) {
+        const Dips coarse = dipped(coarseDetail), finer = dipped(finerDetail);
+        subject_.film.work = 0; // the verdict on the first cells
+        own_ = dipped(jobDetail);
+        for (std::size_t pose = 0; pose < immersions_.size(); ++pose) {
+            const JudgedPose &ranked = *finer.poses[pose], &own = *own_.poses[pose];
+            const PredictedSheet sheet = body_.predicted(*coarse.poses[pose], ranked);
+            out << QStringLiteral("  pose,%1,%2,%3,%4,%5,%6,%7,%8,%9,%10,%11,%12")
+                       .arg(pose)
+                       .arg(coarse.objectives[pose], 0, 'f', 4)
+                       .arg(finer.objectives[pose], 0, 'f', 4)
+                       .arg(own_.objectives[pose], 0, 'f', 4)
+                       .arg(ranked.film.cell, 0, 'f', 4)
+                       .arg(ranked.jobFilm.work, 0, 'f', 3)
+                       .arg(own.film.cell, 0, 'f', 4)
+                       .arg(own.film.work, 0, 'f', 3)
+                       .arg(adviceKey(sheet.advice))
+                       .arg(sheet.doublings, 0, 'f', 2)
+                       .arg(adviceKey(own.verdict.advice))
+                       .arg(offByOf(own.verdict), 0, 'f', 4);
+            for (const VerdictReason& reason : own.verdict.reasons) {
+                out << "," << reasonKey(reason.kind) << "=" << reason.value;
+            }
+            out << "\n";
+        }
+        out.flush();
+    }
+
+    std::size_t poses() const { return immersions_.size(); }
+
+private:
     void tell(const DipDetail& detail, QTextStream& out) const {
         const Dips dips = std::isinf(detail.cells) ? own_ : dipped(detail);
         const std::size_t count = immersions_.size();
@@ -130,13 +193,11 @@ public:
         out.flush();
     }
 
-    std::size_t poses() const { return immersions_.size(); }
-
-private:
     Dips dipped(const DipDetail& detail) const {
         const PoseDips poses(subject_, body_, module_, detail, {});
         Dips dips;
-        std::vector<std::shared_ptr<const JudgedPose>> all(immersions_.size());
+        std::vector<std::shared_ptr<const JudgedPose>>& all = dips.poses;
+        all.resize(immersions_.size());
         dips.seconds = bench::secondsOf([&] {
             poses.dip(immersions_, all, [](std::size_t) {});
             for (const auto& judged : all) {
@@ -162,19 +223,18 @@ int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QGuiApplication app(argc, argv);
     QTextStream out(stdout);
-    const bench::Arguments arguments(argc, argv);
+    bench::Arguments arguments(argc, argv);
+    const bool isExact = arguments.take("exact");
     const QString solver = QString::fromStdString(arguments.value("solver", "auto"));
     const SolverRegistry registry;
     for (const std::string& path : arguments.words()) {
         const Project project = loadProject(QString::fromStdString(path));
-        const Ranking ranking(project, registry, solver, arguments.number("poses", 96));
+        Ranking ranking(project, registry, solver, arguments.number("poses", 96));
         out << project.name << ", " << ranking.poses() << " poses\n";
-        ranking.tell(jobDetail, out);
-        for (const DipDetail& detail :
-             {DipDetail{15, 128, 0.5}, DipDetail{20, 128, 0.5}, DipDetail{20, 128, 0.35},
-              DipDetail{30, 128, 0.5}, DipDetail{40, 128, 0.5}, DipDetail{40, 128, 0.35},
-              DipDetail{60, 128, 0}}) {
-            ranking.tell(detail, out);
+        if (isExact) {
+            ranking.tellExactness(out);
+        } else {
+            ranking.tellAll(out);
         }
     }
     return 0;

@@ -38,6 +38,17 @@ SearchSettings sidesOnly(int immersions) {
     return settings;
 }
 
+// Returns a bowl whose sheet must not be printed if air stays under it; nothing else forbids it.
+SearchSubject bowlThatMustVent() {
+    SearchSubject subject = subjectOf(test::bowl());
+    subject.verdict.air = 0.05;
+    subject.verdict.damaged = subject.verdict.pale = 1;
+    subject.verdict.edge = Millimetres(0);
+    subject.film.columns = subject.film.rows = 37;
+    subject.tolerance.limits.fill(Millimetres(100)); // the numerical error does not count
+    return subject;
+}
+
 void compare(const SearchResult& one, const SearchResult& other) {
     QCOMPARE(one.ranking.size(), other.ranking.size());
     for (std::size_t rank = 0; rank < one.ranking.size(); ++rank) {
@@ -146,12 +157,7 @@ private slots:
     // The objective wants the least film, and so the bowl's rim down: then little is painted. But
     // trapped air forbids to print this sheet.
     void searchPoses_forbiddenSheet_standsBelowPrintableOnesAndSaysWhy() {
-        SearchSubject subject = subjectOf(test::bowl());
-        subject.verdict.air = 0.05;
-        subject.verdict.damaged = subject.verdict.pale = 1;
-        subject.verdict.edge = Millimetres(0);
-        subject.film.columns = subject.film.rows = 37;
-        subject.tolerance.limits.fill(Millimetres(100)); // the numerical error does not count
+        const SearchSubject subject = bowlThatMustVent();
         SearchSettings settings = sidesOnly(1);
         settings.finer = settings.confirmed = 6;
         for (const Measure measure : allMeasures()) {
@@ -170,6 +176,32 @@ private slots:
         const VerdictReason& reason = forbidden->verdicts.front().reasons.front();
         QCOMPARE(reason.advice, Advice::DoNotPrint);
         QCOMPARE(reason.kind, VerdictReason::Kind::Air);
+    }
+
+    // All poses are worth nearly the same, and the bowl's rim down a little more. The air under it
+    // shows before any pose is confirmed.
+    void searchPoses_poseThatCannotPrint_isNotConfirmedBeforeOneThatCan() {
+        SearchSettings settings = sidesOnly(1);
+        settings.finer = 6;
+        settings.confirmed = 1;
+        for (const Measure measure : allMeasures()) {
+            settings.aims.weights[measure] = 0;
+        }
+        settings.aims.weights[Measure::FilmUsed] = 1;
+        settings.aims.weights[Measure::Torn] = 100;
+        SearchSubject subject = bowlThatMustVent();
+        subject.film.columns = subject.film.rows = 73;
+        const std::vector<RankedPoses> ranking = search(subject, settings).ranking;
+        QCOMPARE(ranking.front().advice(), Advice::Print);
+        const auto confirmed =
+            std::count_if(ranking.begin(), ranking.end(),
+                          [](const RankedPoses& poses) { return poses.isConfirmed; });
+        QCOMPARE(confirmed, 1);
+        const auto best = std::max_element(ranking.begin(), ranking.end(),
+                                           [](const RankedPoses& one, const RankedPoses& other) {
+                                               return one.objective < other.objective;
+                                           });
+        QVERIFY(best != ranking.begin() && best->measures[Measure::TrappedAir] > 0.25);
     }
 
     // Both films must give about the same objective, because one table ranks poses dipped with
