@@ -358,9 +358,10 @@ StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints&
             const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
                                   (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
             const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
-            const float moves = moving[second][i];
-            largest[lane] = largest[lane] > moves * squares ? largest[lane] : moves * squares;
-            least[lane] = least[lane] < moves * area ? least[lane] : moves * area;
+            const bool moves = moving[second][i] > 0;
+            const float ownSquares = moves ? squares : 0, ownArea = moves ? area : 1;
+            largest[lane] = largest[lane] > ownSquares ? largest[lane] : ownSquares;
+            least[lane] = least[lane] < ownArea ? least[lane] : ownArea;
         }
     };
     std::size_t i = 0;

@@ -126,13 +126,14 @@ Grid coarsened(const Grid& fine) {
     Grid coarse(fine.columns / 2 + 1, fine.rows / 2 + 1);
     for (int row = 0; row < coarse.rows; ++row) {
         Row across(stencilLines * fine.pitch);
-        const Lines<float> lines{across.data(), fine.pitch};
-        for (const int offset : {-1, 0, 1}) {
-            const int from = 2 * row + offset;
-            if (from >= 0 && from < fine.rows) {
-                coarsenAcross(std::size_t(fine.columns), offset, fine.constRow(from), lines);
-            }
-        }
+        const Row outside(across.size());
+        const auto rowAt = [&](int from) {
+            return from >= 0 && from < fine.rows ? fine.constRow(from)
+                                                 : Lines<const float>{outside.data(), fine.pitch};
+        };
+        coarsenAcross(std::size_t(fine.columns),
+                      {rowAt(2 * row - 1), rowAt(2 * row), rowAt(2 * row + 1)},
+                      {across.data(), fine.pitch});
         coarsenAlong(std::size_t(fine.columns), {across.data(), fine.pitch}, coarse.row(row));
     }
     return coarse;
@@ -170,8 +171,8 @@ struct Points {
 };
 
 // A row of stencils, and the residual right − K·now.
-struct StencilRow {
-    explicit StencilRow(std::size_t count)
+struct RandomStencils {
+    explicit RandomStencils(std::size_t count)
         : columns(count), pitch(count + room), stencil(stencilLines * pitch),
           inverse(inverseLines * pitch) {
         for (std::size_t line = 0; line < stencilLines; ++line) {
@@ -231,6 +232,7 @@ private Q_SLOTS:
     void smoothFirst_withoutStiffness_equalsScalarBits();
     void smoothRow_isAChebyshevStep();
     void residualRow_equalsScalarBits();
+    void residualRow_symmetricAndHeldPoints_givesTheSameBits();
     void restrictRow_isTheTransposeOfInterpolateRow();
     void interpolateRow_linearValues_isExact();
 };
@@ -336,7 +338,7 @@ void StencilKernelsTest::coarsen_givesTheGalerkinOperator() {
 
 void StencilKernelsTest::smoothFirst_withoutStiffness_equalsScalarBits() {
     for (std::size_t count = 1; count <= longest; ++count) {
-        const StencilRow row(count);
+        const RandomStencils row(count);
         const Points right(count, 60);
         const auto smoothed = [&] {
             Points direction(count, 70), result(count, 80);
@@ -361,14 +363,14 @@ void StencilKernelsTest::smoothFirst_withoutStiffness_equalsScalarBits() {
 
 void StencilKernelsTest::smoothRow_isAChebyshevStep() {
     for (std::size_t count = 1; count <= longest; ++count) {
-        const StencilRow row(count);
+        const RandomStencils row(count);
         const Points right(count, 60), now(count, 90);
         const auto smoothed = [&] {
             Points direction(count, 70), result(count, 80);
             smoothRow(
                 count, now.pitch,
                 {0.4f, 0.7f, row.inverses(), right.middle(), direction.middle(), result.middle()},
-                row.lines(), now.middle());
+                {row.lines(), {}}, now.middle());
             return joined({direction.row(), result.row()});
         };
         Points direction(count, 70), result(count, 80);
@@ -388,11 +390,11 @@ void StencilKernelsTest::smoothRow_isAChebyshevStep() {
 
 void StencilKernelsTest::residualRow_equalsScalarBits() {
     for (std::size_t count = 1; count <= longest; ++count) {
-        const StencilRow row(count);
+        const RandomStencils row(count);
         const Points right(count, 60), now(count, 90);
         const auto left = [&] {
             Points residual(count, 70);
-            residualRow(count, now.pitch, row.lines(), right.middle(), now.middle(),
+            residualRow(count, now.pitch, {row.lines(), {}}, right.middle(), now.middle(),
                         residual.middle());
             return residual.row();
         };
@@ -405,6 +407,43 @@ void StencilKernelsTest::residualRow_equalsScalarBits() {
         QVERIFY(haveSameBits(left(), expected.row()));
         QVERIFY(isSameOnAll(left));
     }
+}
+
+// The kinds only say which stencils need not be read.
+void StencilKernelsTest::residualRow_symmetricAndHeldPoints_givesTheSameBits() {
+    const int columns = 3 * int(pointsPerKind);
+    const auto count = std::size_t(columns);
+    Grid grid(columns, 3, 5);
+    grid.forEntries([&](int row, int column, int dr, int dc, int k) { // K is its own transpose
+        const int toRow = row + dr, toColumn = column + dc,
+                  transposed = k == 1   ? 2
+                               : k == 2 ? 1
+                                        : k;
+        if (toRow >= 0 && toRow < 3 && toColumn >= 0 && toColumn < columns) {
+            grid.at(toRow, toColumn, -dr, -dc, transposed) = grid.at(row, column, dr, dc, k);
+        }
+    });
+    for (int column = columns - int(pointsPerKind); column < columns; ++column) {
+        for (int line = 0; line < int(stencilLines); ++line) {
+            grid.row(1)[std::size_t(line)][column] = 0;
+        }
+    }
+    // The points beside those that are held have one stencil that is not symmetric.
+    const std::array kinds{StencilKind::Symmetric, StencilKind::Any, StencilKind::Held};
+    const Points right(count, 60), now(count, 90);
+    const auto left = [&](const StencilKind* known) {
+        Points residual(count, 70);
+        residualRow(count, now.pitch, {grid.constRow(1), grid.constRow(0), known}, right.middle(),
+                    now.middle(), residual.middle());
+        return residual;
+    };
+    const Points all = left(nullptr), some = left(kinds.data());
+    const auto free = count - pointsPerKind;
+    QVERIFY(std::equal(all.middle().x, all.middle().x + free, some.middle().x));
+    QVERIFY(std::equal(all.middle().z, all.middle().z + free, some.middle().z));
+    QVERIFY(std::all_of(some.middle().x + free, some.middle().x + count,
+                        [](float v) { return v == 0; }));
+    QVERIFY(isSameOnAll([&] { return left(kinds.data()).row(); }));
 }
 
 // Checks that (P c) · f = c · (Pᵀ f) for all rows of a fine and a coarse grid.

@@ -51,7 +51,7 @@ struct Film {
     void prepare() {
         PlaneVector force(free.size());
         plane.setFree(free);
-        plane.gradient(displacement, force);
+        plane.gradient(displacement, force, [](int) {});
         multigrid.prepare(plane, free, area, drag);
     }
     void hold(PlaneVector& v) const {
@@ -71,7 +71,7 @@ struct Film {
     }
     PlaneVector stiffnessTimes(const PlaneVector& v) const {
         PlaneVector force(free.size());
-        plane.hessian(v, numerics::Tangent::Projected, force);
+        plane.hessian(v, numerics::Tangent::Projected, force, [](int) {});
         for (std::size_t point = 0; point < free.size(); ++point) {
             force.x[point] += drag * v.x[point];
             force.z[point] += drag * v.z[point];
