@@ -26,7 +26,9 @@ constexpr double narrowestShare = 0.1;
 // Least number of cells along the longest side of the body's shadow, whatever the body's thickness.
 constexpr double leastCellsAlong = 60;
 constexpr double mostCellsAlong = 150;
-constexpr double mostPoints = 500'000;
+// The fine cells are so large that an even film of cells `largerThanFinest` times as large has at
+// most `mostPoints` points.
+constexpr double mostPoints = 500'000, largerThanFinest = 2.5;
 constexpr int fewestLines = 8;
 constexpr double wantedSamples = 4'000;
 // Faces whose normals point down by less than this count as upright.
@@ -128,9 +130,7 @@ Millimetres automaticCell(const Underside& underside, const FilmSettings& film) 
     const double coarsest = longest / leastCellsAlong;
     const double wanted = underside.thickness > 0 ? underside.thickness / cellsAcross : coarsest;
     const solver::FilmGrid whole = filmGrid(film);
-    // Smallest size of the fine cells. If the whole film had cells coarsestCell times as large, it
-    // would have mostPoints points.
-    const double affordable = std::sqrt(whole.width * whole.depth / mostPoints) / coarsestCell;
+    const double affordable = std::sqrt(whole.width * whole.depth / mostPoints) / largerThanFinest;
     return Millimetres(
         std::max(std::clamp(wanted, longest / mostCellsAlong, coarsest), affordable));
 }
