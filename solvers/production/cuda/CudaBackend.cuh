@@ -292,7 +292,7 @@ private:
     }
     // Returns the root of the sum of all threads' squares.
     __device__ __noinline__ static double rootOf(numerics::SquareSum squares) {
-        std::int64_t sums[2] = {squares.whole, squares.rest};
+        std::int64_t sums[2] = {squares.coarse, squares.rest};
         own.block.team.sum(sums);
         return numerics::SquareSum{sums[0], sums[1]}.root();
     }

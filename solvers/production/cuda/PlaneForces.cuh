@@ -168,7 +168,7 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                 squares.add(double(left.x * left.x + left.y * left.y));
             });
     }
-    std::int64_t sums[4] = {squares.whole, squares.rest, elastic.whole, elastic.rest};
+    std::int64_t sums[4] = {squares.coarse, squares.rest, elastic.coarse, elastic.rest};
     team.sum(sums);
     return {numerics::SquareSum{sums[0], sums[1]}.root(),
             numerics::SquareSum{sums[2], sums[3]}.root()};
