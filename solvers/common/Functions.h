@@ -8,7 +8,7 @@
 
 namespace dipwright::numerics {
 
-// Returns eˣ for x ≤ 0; the relative error is below 1e-15.
+// Returns eˣ for x ≤ 0; the relative error is below 1e-15; 0 below −700.
 DIPWRIGHT_HOST_DEVICE inline double decay(double x) {
     constexpr double least = -700; // e⁻⁷⁰⁰ is near the smallest number
     if (!(x > least)) {

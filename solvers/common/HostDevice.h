@@ -17,8 +17,8 @@
 #define DIPWRIGHT_TEAM
 #endif
 
-// Marks a function, in place of `inline`, that is large and called at several places. A GPU has one
-// copy of its code: code that is not in the instruction cache takes longer to fetch than to run.
+// Replaces `inline` for a large function that is called at several places. A GPU has one copy of
+// its code: code that is not in the instruction cache takes longer to fetch than to run.
 #if defined(__CUDACC__)
 #define DIPWRIGHT_CALLED __noinline__
 #else

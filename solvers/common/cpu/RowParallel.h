@@ -14,7 +14,7 @@ namespace dipwright::cpu {
 // A band with less is not worth a thread.
 inline constexpr int leastPointsPerBand = 1024, leastRowsPerBand = 8;
 
-// Returns the number of bands of a grid: one for each thread, or fewer.
+// Returns the number of bands of a grid: one for each thread of the team, or fewer.
 inline int bandCount(int rows, int columns) {
     const int most = std::min(rows * columns / leastPointsPerBand, rows / leastRowsPerBand);
     return most > 1 ? std::min(loopThreads(), most) : 1;

@@ -148,11 +148,7 @@ void PlaneFilm::forFloating(int row, const Floating& floating) const {
 template <typename OnLine, typename Floating>
 void PlaneFilm::forTriangles(const OnLine& onLine, const Floating& floating) {
     forCrossing(onLine);
-    forRowBands(rows_ - 1, columns_, [&](int begin, int end) {
-        for (int row = begin; row < end; ++row) {
-            forFloating(row, floating);
-        }
-    });
+    forRows(rows_ - 1, columns_, [&](int row) { forFloating(row, floating); });
 }
 
 template <typename OnLine, typename Floating>

@@ -22,7 +22,10 @@ public:
         film_.reset();
         const bool isSmall = setup.film.pointCount() < fewestForThreads;
         team_.emplace(isSmall ? 1 : setup.settings.threads);
-        film_.emplace(setup);
+        team_->run([&] {
+            const FlushDenormals flush;
+            film_.emplace(setup);
+        });
     }
 
     solver::DipState advance(int maximumSteps) override {

@@ -75,13 +75,15 @@ std::int64_t rowProducts(const RowOfPairs& a, const RowOfPairs& b, float factor,
     using numerics::ProductSum;
     const Terms scale = hn::Set(doubles, double(factor));
     const Terms shift = hn::Set(doubles, ProductSum::shift);
+    const Terms limit = hn::Set(doubles, ProductSum::limit);
     const Multiples none = bitsOf(shift);
     Multiples sums = hn::Zero(integers);
     std::size_t i = 0;
     for (; i + hn::Lanes(doubles) <= count; i += hn::Lanes(doubles)) {
         const auto product = hn::Add(hn::Mul(loadFloats(a.x + i), loadFloats(b.x + i)),
                                      hn::Mul(loadFloats(a.z + i), loadFloats(b.z + i)));
-        const Terms term = hn::Mul(asTerms(product), scale);
+        const Terms given = hn::Mul(asTerms(product), scale);
+        const Terms term = hn::IfThenElseZero(hn::Lt(hn::Abs(given), limit), given);
         sums = hn::Add(sums, hn::Sub(bitsOf(hn::Add(term, shift)), none));
     }
     std::int64_t sum = sumOf(sums);
@@ -99,20 +101,20 @@ HWY_INLINE numerics::SquareSum sumOfSquares(std::size_t count, const Square& squ
                                             const One& one) {
     using numerics::SquareSum;
     const Terms limit = hn::Set(doubles, SquareSum::limit);
-    const Terms wholeShift = hn::Set(doubles, SquareSum::wholeShift);
+    const Terms coarseShift = hn::Set(doubles, SquareSum::coarseShift);
     const Terms shift = hn::Set(doubles, SquareSum::shift);
-    const Multiples none = bitsOf(shift), noWhole = bitsOf(wholeShift);
-    Multiples whole = hn::Zero(integers), rest = hn::Zero(integers);
+    const Multiples none = bitsOf(shift), noCoarse = bitsOf(coarseShift);
+    Multiples coarse = hn::Zero(integers), rest = hn::Zero(integers);
     std::size_t i = 0;
     for (; i + hn::Lanes(doubles) <= count; i += hn::Lanes(doubles)) { // as SquareSum::add()
         const Terms given = asTerms(square(i));
         const Terms term = hn::IfThenElse(hn::Lt(given, limit), given, limit);
-        const Terms shifted = hn::Add(term, wholeShift);
-        const Terms left = hn::Sub(term, hn::Sub(shifted, wholeShift));
-        whole = hn::Add(whole, hn::Sub(bitsOf(shifted), noWhole));
+        const Terms shifted = hn::Add(term, coarseShift);
+        const Terms left = hn::Sub(term, hn::Sub(shifted, coarseShift));
+        coarse = hn::Add(coarse, hn::Sub(bitsOf(shifted), noCoarse));
         rest = hn::Add(rest, hn::Sub(bitsOf(hn::Add(left, shift)), none));
     }
-    SquareSum sum{sumOf(whole), sumOf(rest)};
+    SquareSum sum{sumOf(coarse), sumOf(rest)};
     for (; i < count; ++i) {
         sum.add(double(one(i)));
     }

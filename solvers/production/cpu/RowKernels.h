@@ -17,13 +17,14 @@ struct RowOfPairs {
     const float *x, *z;
 };
 
-// Returns factor·Σ a·b, in multiples (OrderlessSum.h).
+// Returns factor·Σ (a.x·b.x + a.z·b.z), in multiples (OrderlessSum.h). In these three sums, each
+// pair is summed in single precision before it is rounded to multiples.
 std::int64_t rowProducts(const RowOfPairs& a, const RowOfPairs& b, float factor, std::size_t count);
-// Return Σ a² and Σ weight·a².
+// Return Σ (x² + z²) and Σ weight·(x² + z²).
 numerics::SquareSum rowSquares(const RowOfPairs& a, std::size_t count);
 numerics::SquareSum rowWeightedSquares(const float* weight, const RowOfPairs& a, std::size_t count);
 
-// Returns the largest absolute value; passes over numbers that are not a number.
+// Returns the largest absolute value; ignores NaN.
 float rowLargest(const float* a, std::size_t count);
 
 // Computes out += factor·a.

@@ -1,4 +1,4 @@
-// What a block of threads knows of its film.
+// The memory that a block of threads shares.
 #pragma once
 
 #include "common/cuda/Team.cuh"
@@ -27,7 +27,7 @@ union BlockMemory {
     __device__ BlockMemory() {}
     Block block;
 };
-__shared__ BlockMemory own;
-extern __shared__ float2 memory[]; // for tiles and levels
+__shared__ BlockMemory thisBlock;
+extern __shared__ float2 tileMemory[]; // for tiles and levels
 
 } // namespace dipwright::cuda

@@ -16,70 +16,70 @@ class CudaBackend {
 public:
     using Real = float;
 
-    __device__ CudaBackend() : state_(*own.block.dip.state) {}
+    __device__ CudaBackend() : state_(*thisBlock.block.dip.state) {}
 
-    __device__ const numerics::FilmModel<float>& model() const { return own.block.model; }
-    __device__ const numerics::ContactBody<float>& body() const { return own.block.dip.body; }
+    __device__ const numerics::FilmModel<float>& model() const { return thisBlock.block.model; }
+    __device__ const numerics::ContactBody<float>& body() const { return thisBlock.block.dip.body; }
     __device__ numerics::StepState<float>& state() { return state_; }
 
     __device__ numerics::Vector2<float> displacement(int point) const {
-        return plain(own.block.dip.displacement[point]);
+        return plain(thisBlock.block.dip.displacement[point]);
     }
     __device__ numerics::Vector2<float> before(int point) const {
-        return plain(own.block.dip.before[point]);
+        return plain(thisBlock.block.dip.before[point]);
     }
     __device__ void setDisplacement(int point, numerics::Vector2<float> way) const {
-        own.block.dip.displacement[point] = {way.x, way.z};
+        thisBlock.block.dip.displacement[point] = {way.x, way.z};
     }
     __device__ void setBefore(int point, numerics::Vector2<float> way) const {
-        own.block.dip.before[point] = {way.x, way.z};
+        thisBlock.block.dip.before[point] = {way.x, way.z};
     }
     __device__ solver::PointState pointState(int point) const {
-        return solver::PointState(own.block.dip.states[point]);
+        return solver::PointState(thisBlock.block.dip.states[point]);
     }
     __device__ numerics::Vector3<float> attached(int point) const {
-        const float3 place = own.block.dip.attached[point];
+        const float3 place = thisBlock.block.dip.attached[point];
         return {place.x, place.y, place.z};
     }
     __device__ void attach(int point, numerics::Vector3<float> place,
                            solver::PointState state) const {
-        own.block.dip.attached[point] = {place.x, place.y, place.z};
-        own.block.dip.states[point] = std::uint8_t(state);
+        thisBlock.block.dip.attached[point] = {place.x, place.y, place.z};
+        thisBlock.block.dip.states[point] = std::uint8_t(state);
     }
     __device__ void mark(int point, solver::PointMark why) const {
-        atomicOr(own.block.dip.marks + point, unsigned(why));
+        atomicOr(thisBlock.block.dip.marks + point, unsigned(why));
     }
-    __device__ bool moves(int point) const { return own.block.dip.free[point] > 0; }
-    __device__ void hold(int point) const { own.block.dip.free[point] = 0; }
-    __device__ float clearance(int point) const { return own.block.dip.clearance[point]; }
+    __device__ bool moves(int point) const { return thisBlock.block.dip.free[point] > 0; }
+    __device__ void hold(int point) const { thisBlock.block.dip.free[point] = 0; }
+    __device__ float clearance(int point) const { return thisBlock.block.dip.clearance[point]; }
     __device__ void setClearance(int point, float clearance) const {
-        own.block.dip.clearance[point] = clearance;
+        thisBlock.block.dip.clearance[point] = clearance;
     }
 
     __device__ numerics::Matrix2<float> shape(int triangle) const {
-        return shapeOf(own.block.dip, triangle);
+        return shapeOf(thisBlock.block.dip, triangle);
     }
     __device__ void setShape(int triangle, const numerics::Matrix2<float>& inverse) const {
-        own.block.dip.inverseShape[triangle] = {inverse.a, inverse.b, inverse.c, inverse.d};
+        thisBlock.block.dip.inverseShape[triangle] = {inverse.a, inverse.b, inverse.c, inverse.d};
     }
     __device__ numerics::EdgePair<float> edges(int triangle) const {
-        const numerics::TriangleSize<float> size = triangleSize(own.block.model, triangle);
+        const numerics::TriangleSize<float> size = triangleSize(thisBlock.block.model, triangle);
         return triangleEdges(corners(triangle), size.x, size.z, [&](std::uint32_t point) {
-            return own.block.dip.displacement[point];
+            return thisBlock.block.dip.displacement[point];
         });
     }
     __device__ bool triangleMoves(int triangle) const {
         bool moves = false;
         for (const std::uint32_t point : corners(triangle).points) {
-            moves = moves || own.block.dip.masked[point] > 0;
+            moves = moves || thisBlock.block.dip.masked[point] > 0;
         }
         return moves;
     }
     __device__ numerics::LaidCorners<float>& laid(int triangle) const {
-        return own.block.dip.laid[triangle];
+        return thisBlock.block.dip.laid[triangle];
     }
 
-    __device__ void barrier() const { own.block.team.barrier(); }
+    __device__ void barrier() const { thisBlock.block.team.barrier(); }
     __device__ float least(float value) const { return float(-largest(-double(value))); }
     __device__ bool anyOf(bool flag) const { return largest(flag ? 1.0 : 0.0) > 0; }
 
@@ -96,9 +96,9 @@ public:
     }
     template <typename Work>
     __device__ void forPoints(const Work& work) const {
-        const int count = numerics::pointCount(own.block.model);
-        for (int point = own.block.team.thread(); point < count;
-             point += own.block.team.threadCount()) {
+        const int count = numerics::pointCount(thisBlock.block.model);
+        for (int point = thisBlock.block.team.thread(); point < count;
+             point += thisBlock.block.team.threadCount()) {
             work(point);
         }
     }
@@ -109,34 +109,36 @@ public:
         bool driven = false;
         const auto cross = [&](int triangle) {
             const numerics::UnfoldedTriangle<float> unfolded = unfold(triangle, corners(triangle));
-            own.block.dip.crossing[triangle] = unfolded.crossing;
+            thisBlock.block.dip.crossing[triangle] = unfolded.crossing;
             steepness = fminf(steepness, unfolded.steepness);
             driven = true;
         };
         forListed(
             [&](int triangle) {
                 const bool onLine = crosses(corners(triangle));
-                own.block.dip.crosses[triangle] = onLine ? 1 : 0;
+                thisBlock.block.dip.crosses[triangle] = onLine ? 1 : 0;
                 return onLine;
             },
             cross);
         double found[2] = {-double(steepness), driven ? 1.0 : 0.0};
-        own.block.team.largest(found);
+        thisBlock.block.team.largest(found);
         return {float(-found[0]), found[1] > 0};
     }
     template <typename Work>
     __device__ void forCrossing(const Work& work) const {
         forAllTriangles([&](int triangle) {
-            if (own.block.dip.crosses[triangle]) {
-                work(triangle, own.block.dip.crossing[triangle], own.block.dip.anchors[triangle]);
+            if (thisBlock.block.dip.crosses[triangle]) {
+                work(triangle, thisBlock.block.dip.crossing[triangle],
+                     thisBlock.block.dip.anchors[triangle]);
             }
         });
     }
     template <typename OnLine, typename Floating>
     __device__ void forTriangles(const OnLine& onLine, const Floating& floating) const {
         forAllTriangles([&](int triangle) {
-            if (own.block.dip.crosses[triangle]) {
-                onLine(triangle, own.block.dip.crossing[triangle], own.block.dip.anchors[triangle]);
+            if (thisBlock.block.dip.crosses[triangle]) {
+                onLine(triangle, thisBlock.block.dip.crossing[triangle],
+                       thisBlock.block.dip.anchors[triangle]);
             } else {
                 floating(triangle);
             }
@@ -149,17 +151,19 @@ public:
 
     __host__ __device__ static constexpr numerics::NewtonLimits newtonLimits() { return {}; }
     __device__ void setFree() const {
-        forPoints([&](int point) { own.block.dip.masked[point] = own.block.dip.free[point]; });
+        forPoints([&](int point) {
+            thisBlock.block.dip.masked[point] = thisBlock.block.dip.free[point];
+        });
     }
     __device__ numerics::FilmForce force(float drag) const { return forceOf(drag, false, 0); }
     __device__ numerics::FilmForce forceAlong(float length, float drag) const {
         return forceOf(drag, true, length);
     }
     __device__ numerics::Vector2<float> forceOn(int point) const {
-        return plain(own.block.dip.forces[point]);
+        return plain(thisBlock.block.dip.forces[point]);
     }
     __device__ __noinline__ void prepareLinear(float drag) const {
-        prepareCycle(own.block.model, own.block.dip, drag, own.block.team);
+        prepareCycle(thisBlock.block.model, thisBlock.block.dip, drag, thisBlock.block.team);
     }
     __device__ __noinline__ void solveLinear(float drag, numerics::Tangent tangent, double start,
                                              double tolerance) {
@@ -168,61 +172,66 @@ public:
     __device__ double startOfStep() const {
         double longest = 0;
         forPoints([&](int point) {
-            const float2 step = own.block.dip.newtonStep[point];
-            own.block.dip.start[point] = own.block.dip.displacement[point];
+            const float2 step = thisBlock.block.dip.newtonStep[point];
+            thisBlock.block.dip.start[point] = thisBlock.block.dip.displacement[point];
             longest = fmax(longest, double(fmaxf(fabsf(step.x), fabsf(step.y))));
         });
         return largest(longest);
     }
-    __device__ void keepBest() const { copy(own.block.dip.displacement, own.block.dip.best); }
+    __device__ void keepBest() const {
+        copy(thisBlock.block.dip.displacement, thisBlock.block.dip.best);
+    }
     __device__ void takeBest() const {
-        copy(own.block.dip.best, own.block.dip.displacement);
-        own.block.team.barrier();
+        copy(thisBlock.block.dip.best, thisBlock.block.dip.displacement);
+        thisBlock.block.team.barrier();
     }
 
     // Each block has its own problem, and one of its threads works on it.
     template <typename Work>
     __device__ double inSmallProblem(const Work& work) const {
         if (threadIdx.x == 0) {
-            own.block.small.answer = work(own.block.small.problem);
+            thisBlock.block.small.answer = work(thisBlock.block.small.problem);
         }
         __syncthreads();
-        const double answer = own.block.small.answer;
+        const double answer = thisBlock.block.small.answer;
         __syncthreads();
         return answer;
     }
     __device__ void startLinear() const {
         // The first basis vector already holds the forces.
-        forPoints([&](int point) { own.block.dip.newtonStep[point] = {0, 0}; });
+        forPoints([&](int point) { thisBlock.block.dip.newtonStep[point] = {0, 0}; });
     }
     __device__ void startBasis(float factor) const {
-        inSmallProblem(
-            [&](numerics::GmresProblem&) { return own.block.small.factors[0] = factor; });
+        if (threadIdx.x == 0) {
+            thisBlock.block.small.factors[0] = factor;
+        }
+        __syncthreads();
     }
     __device__ void extendBasis(int count, float drag, numerics::Tangent tangent) const {
-        float2* next = own.block.dip.basis[count + 1];
+        float2* next = thisBlock.block.dip.basis[count + 1];
         smoothBasis(count);
         std::int64_t products[numerics::mostBasisVectors] = {};
-        multiply(own.block.model, own.block.dip, drag, tangent, own.block.dip.smoothed[count],
-                 own.block.team, memory, [&](int point, float2 product) {
+        multiply(thisBlock.block.model, thisBlock.block.dip, drag, tangent,
+                 thisBlock.block.dip.smoothed[count], thisBlock.block.team,
+                 [&](int point, float2 product) {
                      next[point] = product;
 #pragma unroll
                      for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                          if (i <= count) {
-                             const float2 earlier = own.block.dip.basis[i][point];
+                             const float2 earlier = thisBlock.block.dip.basis[i][point];
                              products[i] += numerics::ProductSum::multiple(
                                  double(product.x * earlier.x + product.y * earlier.y) *
-                                 double(own.block.small.factors[i]));
+                                 double(thisBlock.block.small.factors[i]));
                          }
                      }
                  });
-        own.block.team.sum(products, count + 1);
+        thisBlock.block.team.sum(products, count + 1);
         float weights[numerics::mostBasisVectors];
 #pragma unroll
         for (int i = 0; i < numerics::mostBasisVectors; ++i) {
             if (i <= count) {
                 weights[i] = float(numerics::ProductSum::value(products[i]) *
-                                   double(own.block.small.factors[i]));
+                                   double(thisBlock.block.small.factors[i]));
             }
         }
         numerics::SquareSum squares;
@@ -231,7 +240,7 @@ public:
 #pragma unroll
             for (int i = 0; i < numerics::mostBasisVectors; ++i) {
                 if (i <= count) {
-                    left = left - own.block.dip.basis[i][point] * weights[i];
+                    left = left - thisBlock.block.dip.basis[i][point] * weights[i];
                 }
             }
             next[point] = left;
@@ -247,27 +256,28 @@ public:
                 }
             }
             column[count + 1] = length;
-            own.block.small.factors[count + 1] = numerics::inverseLength(length);
+            thisBlock.block.small.factors[count + 1] = numerics::inverseLength(length);
             return 0.0;
         });
     }
     __device__ void addToStep(int count) const {
         forPoints([&](int point) {
-            float2 step = own.block.dip.newtonStep[point];
+            float2 step = thisBlock.block.dip.newtonStep[point];
             for (int i = 0; i < count; ++i) {
-                step = step -
-                       own.block.dip.smoothed[i][point] * float(own.block.small.problem.weights[i]);
+                step = step - thisBlock.block.dip.smoothed[i][point] *
+                                  float(thisBlock.block.small.problem.weights[i]);
             }
-            own.block.dip.newtonStep[point] = step;
+            thisBlock.block.dip.newtonStep[point] = step;
         });
     }
     __device__ double linearResidual(float drag, numerics::Tangent tangent) const {
-        own.block.team.barrier();
+        thisBlock.block.team.barrier();
         numerics::SquareSum squares;
-        multiply(own.block.model, own.block.dip, drag, tangent, own.block.dip.newtonStep,
-                 own.block.team, memory, [&](int point, float2 product) {
-                     const float2 left = own.block.dip.forces[point] + product;
-                     own.block.dip.basis[0][point] = left;
+        multiply(thisBlock.block.model, thisBlock.block.dip, drag, tangent,
+                 thisBlock.block.dip.newtonStep, thisBlock.block.team,
+                 [&](int point, float2 product) {
+                     const float2 left = thisBlock.block.dip.forces[point] + product;
+                     thisBlock.block.dip.basis[0][point] = left;
                      squares.add(double(left.x * left.x + left.y * left.y));
                  });
         return rootOf(squares);
@@ -275,38 +285,38 @@ public:
 
 private:
     __device__ __noinline__ static void smoothBasis(int count) {
-        multigridCycle(
-            own.block.model, own.block.dip,
-            {own.block.dip.basis[count], own.block.small.factors[count], own.block.model.columns},
-            own.block.dip.smoothed[count], own.block.team);
+        multigridCycle(thisBlock.block.model, thisBlock.block.dip,
+                       {thisBlock.block.dip.basis[count], thisBlock.block.small.factors[count],
+                        thisBlock.block.model.columns},
+                       thisBlock.block.dip.smoothed[count], thisBlock.block.team);
     }
     __device__ __noinline__ static double largest(double value) {
         double values[1] = {value};
-        own.block.team.largest(values);
+        thisBlock.block.team.largest(values);
         return values[0];
     }
     __device__ __noinline__ static numerics::FilmForce forceOf(float drag, bool isAlong,
                                                                float length) {
-        return cuda::force(own.block.model, own.block.dip, drag, isAlong, length, own.block.team,
-                           memory);
+        return cuda::force(thisBlock.block.model, thisBlock.block.dip, drag, isAlong, length,
+                           thisBlock.block.team);
     }
     // Returns the root of the sum of all threads' squares.
     __device__ __noinline__ static double rootOf(numerics::SquareSum squares) {
-        std::int64_t sums[2] = {squares.whole, squares.rest};
-        own.block.team.sum(sums);
+        std::int64_t sums[2] = {squares.coarse, squares.rest};
+        thisBlock.block.team.sum(sums);
         return numerics::SquareSum{sums[0], sums[1]}.root();
     }
     __device__ static numerics::Vector2<float> plain(float2 value) {
         return {value.x, value.y};
     }
     __device__ numerics::TriangleCorners corners(int triangle) const {
-        return numerics::triangleCorners(own.block.model.columns, std::size_t(triangle));
+        return numerics::triangleCorners(thisBlock.block.model.columns, std::size_t(triangle));
     }
     template <typename Work>
     __device__ void forAllTriangles(const Work& work) const {
-        const int count = numerics::triangleCount(own.block.model);
-        for (int triangle = own.block.team.thread(); triangle < count;
-             triangle += own.block.team.threadCount()) {
+        const int count = numerics::triangleCount(thisBlock.block.model);
+        for (int triangle = thisBlock.block.team.thread(); triangle < count;
+             triangle += thisBlock.block.team.threadCount()) {
             work(triangle);
         }
     }
@@ -316,21 +326,21 @@ private:
     template <typename IsMeant, typename Work>
     __device__ void forListed(const IsMeant& isMeant, const Work& work) const {
         constexpr int most = 4096; // fits into the memory for tiles
-        int* list = reinterpret_cast<int*>(memory);
+        int* list = reinterpret_cast<int*>(tileMemory);
         if (threadIdx.x == 0) {
-            own.block.listed = 0;
+            thisBlock.block.listed = 0;
         }
         __syncthreads();
         forAllTriangles([&](int triangle) {
             if (isMeant(triangle)) {
-                const int place = atomicAdd(&own.block.listed, 1);
+                const int place = atomicAdd(&thisBlock.block.listed, 1);
                 if (place < most) {
                     list[place] = triangle;
                 }
             }
         });
         __syncthreads();
-        const int count = own.block.listed;
+        const int count = thisBlock.block.listed;
         if (count > most) {
             forAllTriangles([&](int triangle) {
                 if (isMeant(triangle)) {
@@ -358,18 +368,19 @@ __global__ void __launch_bounds__(Team::threads, 1)
     productionSteps(const __grid_constant__ ProductionModel model, const ProductionDip* dips,
                     int blocksPerDip, int maximumSteps) {
     if (threadIdx.x == 0) {
-        own.block.model = model;
-        own.block.dip = dips[int(blockIdx.x) / blocksPerDip];
+        thisBlock.block.model = model;
+        thisBlock.block.dip = dips[int(blockIdx.x) / blocksPerDip];
     }
     __syncthreads();
-    own.block.team.begin(own.block.dip.team, blocksPerDip, int(blockIdx.x) % blocksPerDip);
+    thisBlock.block.team.begin(thisBlock.block.dip.team, blocksPerDip,
+                               int(blockIdx.x) % blocksPerDip);
     CudaBackend film;
     for (int step = 0; step < maximumSteps && !numerics::isFinished(film); ++step) {
         numerics::step(film);
     }
-    own.block.team.barrier(); // all threads have read the state
-    if (own.block.team.block() == 0 && threadIdx.x == 0) {
-        *own.block.dip.state = film.state();
+    thisBlock.block.team.barrier(); // all threads have read the state
+    if (thisBlock.block.team.block() == 0 && threadIdx.x == 0) {
+        *thisBlock.block.dip.state = film.state();
     }
 }
 

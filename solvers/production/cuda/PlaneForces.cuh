@@ -104,14 +104,13 @@ __device__ inline void gatherForces(const ProductionModel& model, const FilmTile
 // function, because a tile's places and sums stay in shared memory and registers from the first to
 // the last line.
 __device__ inline numerics::FilmForce force(const ProductionModel& model, const ProductionDip& dip,
-                                            float drag, bool isAlong, float length, Team& team,
-                                            float2* memory) {
+                                            float drag, bool isAlong, float length, Team& team) {
     numerics::SquareSum squares, elastic;
 #pragma unroll 1
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
         const FilmTile tile(model, t);
-        float2* values = memory;
-        auto* forces = reinterpret_cast<CellForces*>(memory + tile.corners.count());
+        float2* values = tileMemory;
+        auto* forces = reinterpret_cast<CellForces*>(tileMemory + tile.corners.count());
         forRange(tile.corners, [&](int x, int z) {
             const int point = z * model.columns + x;
             const float2 place = isAlong ? dip.start[point] + dip.newtonStep[point] * length
@@ -168,7 +167,7 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
                 squares.add(double(left.x * left.x + left.y * left.y));
             });
     }
-    std::int64_t sums[4] = {squares.whole, squares.rest, elastic.whole, elastic.rest};
+    std::int64_t sums[4] = {squares.coarse, squares.rest, elastic.coarse, elastic.rest};
     team.sum(sums);
     return {numerics::SquareSum{sums[0], sums[1]}.root(),
             numerics::SquareSum{sums[2], sums[3]}.root()};
@@ -179,12 +178,12 @@ __device__ inline numerics::FilmForce force(const ProductionModel& model, const 
 template <typename Work>
 __device__ inline void multiply(const ProductionModel& model, const ProductionDip& dip, float drag,
                                 numerics::Tangent tangent, const float2* vector, const Team& team,
-                                float2* memory, const Work& work) {
+                                const Work& work) {
 #pragma unroll 1
     for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
         const FilmTile tile(model, t);
-        float2* values = memory;
-        auto* forces = reinterpret_cast<CellForces*>(memory + tile.corners.count());
+        float2* values = tileMemory;
+        auto* forces = reinterpret_cast<CellForces*>(tileMemory + tile.corners.count());
         const auto value = [&](int x, int z) -> float2& {
             return values[(z - tile.corners.z0) * tile.corners.width() + x - tile.corners.x0];
         };

@@ -241,10 +241,10 @@ __device__ __noinline__ void smoothPoints(int index, PlaneRange range, int place
     using numerics::galerkin::coarsestDegree, numerics::galerkin::smoothingDegree;
     // The number of steps is even, so the solution is always in `result`.
     static_assert(smoothingDegree % 2 == 0 && coarsestDegree % 2 == 0);
-    const ProductionModel& model = own.block.model;
+    const ProductionModel& model = thisBlock.block.model;
     const PlaneLevel& level = model.levels[index];
-    PlanePatch patch(level, range, memory + place);
-    Points points(patch, stencilsOf(own.block.dip, level),
+    PlanePatch patch(level, range, tileMemory + place);
+    Points points(patch, stencilsOf(thisBlock.block.dip, level),
                   [&](int x, int z) { return right.values[z * right.pitch + x] * right.factor; });
     const bool isCoarsest = way == Smoothing::Coarsest;
     points.smooth(patch, isCoarsest ? model.coarsest : model.smoothing,
@@ -254,7 +254,7 @@ __device__ __noinline__ void smoothPoints(int index, PlaneRange range, int place
     }
 }
 
-// Smooths a patch of level `index`, whose memory starts at memory[place]. On the way down, also
+// Smooths a patch of level `index`, whose memory starts at tileMemory[place]. On the way down, also
 // writes the residual to `other`.
 __device__ inline void smooth(int index, const PlaneRange& range, int place,
                               const ScaledVector& right, Smoothing way) {
@@ -322,15 +322,15 @@ __device__ inline PlanePatch patchAround(const PlaneRange& tile, const PlaneLeve
 
 // Computes a level's `result` and the right side of the next coarser level.
 __device__ inline void descend(const ProductionModel& model, const ProductionDip& dip, int index,
-                               ScaledVector right, const Team& team, float2* tileMemory) {
+                               ScaledVector right, const Team& team, float2* patchMemory) {
     const PlaneLevel &level = model.levels[index], &coarser = model.levels[index + 1];
 #pragma unroll 1
     for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
         const CoarseTile tile(level, coarser, t);
-        PlanePatch patch = patchAround(tile.leaning, level, tileMemory);
+        PlanePatch patch = patchAround(tile.leaning, level, patchMemory);
         patch.clear();
         __syncthreads();
-        smooth(index, patch.range, int(tileMemory - memory), right, Smoothing::Down);
+        smooth(index, patch.range, int(patchMemory - tileMemory), right, Smoothing::Down);
         forRange(tile.own, [&](int x, int z) {
             dip.result[level.offset + z * level.columns + x] = patch.result[patch.index(x, z)];
         });
@@ -344,12 +344,12 @@ __device__ inline void descend(const ProductionModel& model, const ProductionDip
 // Computes a level's solution from its `result` and the coarser level's solution.
 __device__ inline void ascend(const ProductionModel& model, const ProductionDip& dip, int index,
                               ScaledVector right, const float2* coarse, int coarsePitch,
-                              float2* solution, const Team& team, float2* tileMemory) {
+                              float2* solution, const Team& team, float2* patchMemory) {
     const PlaneLevel &level = model.levels[index], &coarser = model.levels[index + 1];
 #pragma unroll 1
     for (int t = team.block(); t < level.tiles.count(); t += team.blocks()) {
         const CoarseTile tile(level, coarser, t);
-        PlanePatch patch = patchAround(tile.own, level, tileMemory);
+        PlanePatch patch = patchAround(tile.own, level, patchMemory);
         patch.clear();
         __syncthreads();
         forRange(patch.range, [&](int x, int z) {
@@ -359,7 +359,7 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
                 interpolated(coarse, coarsePitch, x, z) * freedom(dip, index, point);
         });
         __syncthreads();
-        smooth(index, patch.range, int(tileMemory - memory), right, Smoothing::Up);
+        smooth(index, patch.range, int(patchMemory - tileMemory), right, Smoothing::Up);
         forRange(tile.own, [&](int x, int z) {
             solution[z * level.columns + x] = patch.result[patch.index(x, z)];
         });
@@ -368,15 +368,15 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
 }
 
 // Solves the levels from `wholeLevel` on in this block's shared memory. Returns the patch with the
-// solution on `wholeLevel`; it lies at the beginning of `memory`. One function, because both halves
-// of the cycle use the same layout of this memory.
+// solution on `wholeLevel`; it lies at the beginning of `tileMemory`. One function, because both
+// halves of the cycle use the same layout of this memory.
 __device__ inline PlanePatch solveWhole(const ProductionModel& model, const ProductionDip& dip,
                                         ScaledVector firstRight) {
     const int first = model.wholeLevel, last = model.levelCount - 1;
     // Each level has three arrays, surrounded by zeros: two belong to its patch, the third is its
     // right side.
     const auto patchOf = [&](int l) {
-        float2* start = memory;
+        float2* start = tileMemory;
         for (int finer = first; finer < l; ++finer) {
             start += 3 * PlanePatch::values(model.levels[finer].columns, model.levels[finer].rows);
         }
@@ -397,7 +397,7 @@ __device__ inline PlanePatch solveWhole(const ProductionModel& model, const Prod
         __syncthreads();
     }
     const auto smoothWhole = [&](int l, const PlanePatch& patch, Smoothing way) {
-        smooth(l, patch.range, int(patch.result - memory),
+        smooth(l, patch.range, int(patch.result - tileMemory),
                {rightOf(patch) + patch.index(0, 0), 1.0f, patch.pitch()}, way);
     };
 #pragma unroll 1
@@ -438,13 +438,14 @@ __device__ inline void multigridCycle(const ProductionModel& model, const Produc
         return l == 0 ? right : ScaledVector{dip.right + level.offset, 1.0f, level.columns};
     };
     for (int l = 0; l < model.wholeLevel; ++l) {
-        descend(model, dip, l, rightOf(l), team, memory);
+        descend(model, dip, l, rightOf(l), team, tileMemory);
         team.barrier();
     }
     const PlanePatch whole = solveWhole(model, dip, rightOf(model.wholeLevel));
     const float2* coarse = whole.result + whole.index(0, 0);
     int coarsePitch = whole.pitch();
-    float2* tileMemory = memory + 3 * PlanePatch::values(whole.range.width(), whole.range.height());
+    float2* patchMemory =
+        tileMemory + 3 * PlanePatch::values(whole.range.width(), whole.range.height());
     if (model.wholeLevel == 0) {
         for (int i = team.thread(); i < model.columns * model.rows; i += team.threadCount()) {
             const int row = i / model.columns;
@@ -453,7 +454,7 @@ __device__ inline void multigridCycle(const ProductionModel& model, const Produc
     }
     for (int l = model.wholeLevel - 1; l >= 0; --l) {
         float2* found = l == 0 ? solution : dip.solution + model.levels[l].offset;
-        ascend(model, dip, l, rightOf(l), coarse, coarsePitch, found, team, tileMemory);
+        ascend(model, dip, l, rightOf(l), coarse, coarsePitch, found, team, patchMemory);
         team.barrier();
         coarse = found;
         coarsePitch = model.levels[l].columns;

@@ -45,9 +45,9 @@ void FunctionsTest::decay_equalsTheExponential() {
 }
 
 void FunctionsTest::decay_limits_areExact() {
-    QCOMPARE(decay(0), 1.0);
-    QCOMPARE(decay(-1e4), 0.0);
-    QCOMPARE(decay(-std::numeric_limits<double>::infinity()), 0.0);
+    QVERIFY(decay(0) == 1);
+    QVERIFY(decay(-1e4) == 0);
+    QVERIFY(decay(-std::numeric_limits<double>::infinity()) == 0);
     QVERIFY(std::isnan(decay(std::numeric_limits<double>::quiet_NaN())));
 }
 
@@ -59,7 +59,7 @@ void FunctionsTest::sineOf_equalsTheSine() {
 
 void FunctionsTest::angleOf_equalsTheArcCosine() {
     QVERIFY(largest([](double cosine) { return angleOf(cosine) - std::acos(cosine); }) < 2e-15);
-    QCOMPARE(angleOf(1), 0.0);
+    QVERIFY(angleOf(1) == 0);
 }
 
 QTEST_GUILESS_MAIN(FunctionsTest)

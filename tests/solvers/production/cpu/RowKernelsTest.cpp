@@ -8,6 +8,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 using namespace dipwright;
@@ -98,12 +99,37 @@ struct Edges {
     std::vector<Row> arrays, states;
 };
 
+// Returns whether the sums over a row are the same as term by term.
+bool rowSumsEqualScalarBits(const Row& ax, const Row& az) {
+    const float factor = 1.7f;
+    const std::size_t count = ax.size();
+    const Row bx = randomRow(count, 3), bz = randomRow(count, 4), w = randomRow(count, 5, 0, 1);
+    std::int64_t products = 0;
+    numerics::SquareSum squares, weighted;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float product = ax[i] * bx[i] + az[i] * bz[i];
+        const float square = ax[i] * ax[i] + az[i] * az[i];
+        products += numerics::ProductSum::multiple(double(product) * double(factor));
+        squares.add(double(square));
+        weighted.add(double(w[i] * square));
+    }
+    const RowOfPairs a{ax.data(), az.data()}, b{bx.data(), bz.data()};
+    const auto areEqual = [](const numerics::SquareSum& one, const numerics::SquareSum& other) {
+        return one.coarse == other.coarse && one.rest == other.rest;
+    };
+    return rowProducts(a, b, factor, count) == products &&
+           areEqual(rowSquares(a, count), squares) &&
+           areEqual(rowWeightedSquares(w.data(), a, count), weighted);
+}
+
 } // namespace
 
 class RowKernelsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void rowSums_everyLength_equalScalarBits();
+    void rowSums_termsOutOfRange_equalScalarBits();
+    void rowLargest_ignoresNaN();
     void rowCombinations_everyLength_equalScalarBits();
     void gradientAndHessianRow_everyLength_equalScalarBits();
     void stiffnessRow_everyLength_equalsScalarBits();
@@ -112,26 +138,35 @@ private Q_SLOTS:
 };
 
 void RowKernelsTest::rowSums_everyLength_equalScalarBits() {
-    const float factor = 1.7f;
     for (std::size_t count = 0; count <= longest; ++count) {
-        const Row ax = randomRow(count, 1), az = randomRow(count, 2), bx = randomRow(count, 3),
-                  bz = randomRow(count, 4), w = randomRow(count, 5, 0, 1);
-        std::int64_t products = 0;
-        numerics::SquareSum squares, weighted;
-        for (std::size_t i = 0; i < count; ++i) {
-            const float product = ax[i] * bx[i] + az[i] * bz[i];
-            const float square = ax[i] * ax[i] + az[i] * az[i];
-            products += numerics::ProductSum::multiple(double(product) * double(factor));
-            squares.add(double(square));
-            weighted.add(double(w[i] * square));
+        QVERIFY(rowSumsEqualScalarBits(randomRow(count, 1), randomRow(count, 2)));
+    }
+}
+
+// One such term at each place of a row, in the vectors and in the remainder.
+void RowKernelsTest::rowSums_termsOutOfRange_equalScalarBits() {
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (const float bad :
+         {infinite, -infinite, std::numeric_limits<float>::quiet_NaN(), 1e6f, -1e6f}) {
+        for (std::size_t place = 0; place < longest; ++place) {
+            Row x = randomRow(longest, 1);
+            x[place] = bad;
+            QVERIFY(rowSumsEqualScalarBits(x, randomRow(longest, 2)));
         }
-        const RowOfPairs a{ax.data(), az.data()}, b{bx.data(), bz.data()};
-        const auto areEqual = [](const numerics::SquareSum& one, const numerics::SquareSum& other) {
-            return one.whole == other.whole && one.rest == other.rest;
-        };
-        QVERIFY(rowProducts(a, b, factor, count) == products);
-        QVERIFY(areEqual(rowSquares(a, count), squares));
-        QVERIFY(areEqual(rowWeightedSquares(w.data(), a, count), weighted));
+    }
+}
+
+void RowKernelsTest::rowLargest_ignoresNaN() {
+    for (std::size_t count = 1; count <= longest; ++count) {
+        for (std::size_t place = 0; place < count; ++place) {
+            Row row = randomRow(count, 1);
+            row[place] = 0;
+            const float largest = rowLargest(row.data(), count);
+            row[place] = std::numeric_limits<float>::quiet_NaN();
+            QVERIFY(rowLargest(row.data(), count) == largest);
+            row[place] = -2;
+            QVERIFY(rowLargest(row.data(), count) == 2);
+        }
     }
 }
 

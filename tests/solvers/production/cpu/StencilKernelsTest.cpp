@@ -232,7 +232,8 @@ private Q_SLOTS:
     void smoothFirst_withoutStiffness_equalsScalarBits();
     void smoothRow_isAChebyshevStep();
     void residualRow_equalsScalarBits();
-    void residualRow_symmetricAndHeldPoints_givesTheSameBits();
+    void symmetricAndHeldPoints_giveTheSameBits();
+    void assembledFilm_isSymmetricToTheLastBit();
     void restrictRow_isTheTransposeOfInterpolateRow();
     void interpolateRow_linearValues_isExact();
 };
@@ -410,7 +411,7 @@ void StencilKernelsTest::residualRow_equalsScalarBits() {
 }
 
 // The kinds only say which stencils need not be read.
-void StencilKernelsTest::residualRow_symmetricAndHeldPoints_givesTheSameBits() {
+void StencilKernelsTest::symmetricAndHeldPoints_giveTheSameBits() {
     const int columns = 3 * int(pointsPerKind);
     const auto count = std::size_t(columns);
     Grid grid(columns, 3, 5);
@@ -431,19 +432,113 @@ void StencilKernelsTest::residualRow_symmetricAndHeldPoints_givesTheSameBits() {
     // The points beside those that are held have one stencil that is not symmetric.
     const std::array kinds{StencilKind::Symmetric, StencilKind::Any, StencilKind::Held};
     const Points right(count, 60), now(count, 90);
+    const RandomStencils row(count);
     const auto left = [&](const StencilKind* known) {
         Points residual(count, 70);
         residualRow(count, now.pitch, {grid.constRow(1), grid.constRow(0), known}, right.middle(),
                     now.middle(), residual.middle());
         return residual;
     };
-    const Points all = left(nullptr), some = left(kinds.data());
+    const auto smoothed = [&](const StencilKind* known) {
+        Points direction(count, 70), result(count, 80);
+        smoothRow(count, now.pitch,
+                  {0.4f, 0.7f, row.inverses(), right.middle(), direction.middle(), result.middle()},
+                  {grid.constRow(1), grid.constRow(0), known}, now.middle());
+        return result;
+    };
     const auto free = count - pointsPerKind;
-    QVERIFY(std::equal(all.middle().x, all.middle().x + free, some.middle().x));
-    QVERIFY(std::equal(all.middle().z, all.middle().z + free, some.middle().z));
-    QVERIFY(std::all_of(some.middle().x + free, some.middle().x + count,
-                        [](float v) { return v == 0; }));
+    const auto agree = [&](const Points& all, const Points& some) {
+        const auto part = [&](const float* values) { return Row(values, values + free); };
+        return haveSameBits(part(all.middle().x), part(some.middle().x)) &&
+               haveSameBits(part(all.middle().z), part(some.middle().z));
+    };
+    const auto isZero = [&](const Points& some) {
+        const auto held = [&](const float* values) {
+            return std::all_of(values + free, values + count, [](float v) { return v == 0; });
+        };
+        return held(some.middle().x) && held(some.middle().z);
+    };
+    QVERIFY(agree(left(nullptr), left(kinds.data())));
+    QVERIFY(agree(smoothed(nullptr), smoothed(kinds.data())));
+    QVERIFY(isZero(left(kinds.data())));
+    QVERIFY(isZero(smoothed(kinds.data())));
     QVERIFY(isSameOnAll([&] { return left(kinds.data()).row(); }));
+    QVERIFY(isSameOnAll([&] { return smoothed(kinds.data()).row(); }));
+}
+
+// StencilKind::Symmetric depends on this.
+void StencilKernelsTest::assembledFilm_isSymmetricToTheLastBit() {
+    constexpr int columns = 39, rows = 6;
+    constexpr std::size_t width = columns, cells = width - 1;
+    const auto assembled = [&] {
+        const Row x = randomRow(width * rows, 1, -0.2f, 0.2f),
+                  z = randomRow(width * rows, 2, -0.2f, 0.2f),
+                  edgesX = randomRow(cells, 3, 0.8f, 1.2f), area(width, 1.0f);
+        Row inverses(cells);
+        std::ranges::transform(edgesX, inverses.begin(), [](float edge) { return 1 / edge; });
+        const RowOfShapes shapes{false, {}, {edgesX.data(), inverses.data(), 0.97f, 1 / 0.97f}};
+        Grid grid(columns, rows);
+        for (int row = 0; row + 1 < rows; ++row) {
+            const float *lowerX = x.data() + std::size_t(row) * width,
+                        *lowerZ = z.data() + std::size_t(row) * width;
+            const unsigned parity = unsigned(row) % 2;
+            Row states[8], forces[8], stiffness[2];
+            for (std::size_t i = 0; i < 8; ++i) {
+                states[i] = forces[i] = Row(cells);
+                stiffness[i % 2] = Row(triangleLines * cells);
+            }
+            RowOfStates<float*> written;
+            RowOfStates<const float*> read;
+            for (std::size_t k = 0; k < 2; ++k) {
+                float *cosine = states[4 * k].data(), *sine = states[4 * k + 1].data(),
+                      *turn = states[4 * k + 2].data(), *resists = states[4 * k + 3].data();
+                written.states[k] = {cosine, sine, turn, resists};
+                read.states[k] = {cosine, sine, turn, resists};
+            }
+            gradientRow(cells, parity, {lowerX, lowerZ, lowerX + width, lowerZ + width}, shapes,
+                        -1.5f, written,
+                        {forces[0].data(), forces[1].data(), forces[2].data(), forces[3].data(),
+                         forces[4].data(), forces[5].data(), forces[6].data(), forces[7].data()});
+            stiffnessRow(cells, shapes, read, {stiffness[0].data(), cells},
+                         {stiffness[1].data(), cells});
+            addToStencils(cells, parity,
+                          {{stiffness[0].data(), cells}, {stiffness[1].data(), cells}},
+                          grid.row(row), grid.row(row + 1));
+        }
+        Row free(std::size_t(rows + 2) * (width + 2)); // surrounded by zeros
+        const Row random = randomRow(width * rows, 4, -0.2f, 1);
+        for (int row = 0; row < rows; ++row) {
+            for (std::size_t column = 0; column < width; ++column) {
+                free[std::size_t(row + 1) * (width + 2) + column + 1] =
+                    random[std::size_t(row) * width + column] > 0 ? 1.f : 0.f;
+            }
+        }
+        for (int row = 0; row < rows; ++row) {
+            const float* below = free.data() + std::size_t(row) * (width + 2);
+            holdPoints(width, {below, below + width + 2, below + 2 * (width + 2)}, 0.25f,
+                       area.data(), grid.row(row));
+        }
+        return grid.stencils;
+    };
+    Grid grid(columns, rows);
+    grid.stencils = assembled();
+    int differing = 0, compared = 0;
+    grid.forEntries([&](int row, int column, int dr, int dc, int k) {
+        const int toRow = row + dr, toColumn = column + dc,
+                  transposed = k == 1   ? 2
+                               : k == 2 ? 1
+                                        : k;
+        const bool isNeighbour = dr != 0 || dc != 0;
+        if (isNeighbour && toRow >= 0 && toRow < rows && toColumn >= 0 && toColumn < columns) {
+            const float there = grid.at(row, column, dr, dc, k),
+                        back = grid.at(toRow, toColumn, -dr, -dc, transposed);
+            differing += !haveSameBits({there}, {back});
+            compared += there != 0;
+        }
+    });
+    QVERIFY(compared > 1000);
+    QVERIFY(differing == 0);
+    QVERIFY(isSameOnAll(assembled));
 }
 
 // Checks that (P c) · f = c · (Pᵀ f) for all rows of a fine and a coarse grid.

@@ -46,6 +46,8 @@ private Q_SLOTS:
     void sums_otherOrder_giveTheSameBits();
     void productSum_isPrecise();
     void squareSum_smallAndLargeTerms_isPrecise();
+    void squareSum_equalTerms_isExact();
+    void productSum_termsOutOfRange_countAsZero();
     void squareSum_inParts_givesTheSameBits();
     void squareSum_termsOutOfRange_isNotANumber();
 };
@@ -71,11 +73,11 @@ void OrderlessSumTest::productSum_isPrecise() {
         exact += term;
     }
     QVERIFY(std::abs(ProductSum::value(products(terms)) - double(exact)) < 1e-8);
-    QCOMPARE(ProductSum::value(ProductSum::multiple(-0.75)), -0.75);
+    QVERIFY(ProductSum::value(ProductSum::multiple(-0.75)) == -0.75);
 }
 
 void OrderlessSumTest::squareSum_smallAndLargeTerms_isPrecise() {
-    for (const float size : {1e-12f, 1e-6f, 1.f, 1e5f}) {
+    for (const float size : {1e-12f, 1e-6f, 1.f, 1e4f}) {
         const std::vector<double> terms = randomTerms(0, size);
         long double exact = 0;
         for (const double term : terms) {
@@ -83,6 +85,24 @@ void OrderlessSumTest::squareSum_smallAndLargeTerms_isPrecise() {
         }
         QVERIFY(std::abs(squareSum(terms).root() / double(std::sqrt(exact)) - 1) < 1e-6);
     }
+}
+
+// The rests of equal terms all have the same sign, so their sum is the largest possible.
+void OrderlessSumTest::squareSum_equalTerms_isExact() {
+    for (const double term : {0.25, 0.5 - 0x1p-25, 0x1p-11, 3 * 0x1p-11, 4 + 0x1p-11}) {
+        const double root = squareSum(std::vector<double>(60'000, term)).root();
+        QVERIFY(root == std::sqrt(60'000 * term));
+    }
+}
+
+void OrderlessSumTest::productSum_termsOutOfRange_countAsZero() {
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const double bad : {ProductSum::limit, 1e300, infinite, -infinite,
+                             std::numeric_limits<double>::quiet_NaN()}) {
+        QVERIFY(ProductSum::multiple(bad) == 0);
+        QVERIFY(ProductSum::multiple(-bad) == 0);
+    }
+    QVERIFY(ProductSum::value(ProductSum::multiple(-65535.5)) == -65535.5);
 }
 
 void OrderlessSumTest::squareSum_inParts_givesTheSameBits() {
