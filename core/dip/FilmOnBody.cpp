@@ -136,9 +136,9 @@ bool FilmOnBody::isNear(std::uint32_t triangle) const {
     const float radius =
         std::max({(body_.positions[a] - middle).norm(), (body_.positions[b] - middle).norm(),
                   (body_.positions[c] - middle).norm()});
-    const bool isNear = query_.closest(middle, 1.01f * (reach_ + radius)).point.isValid();
-    near_[triangle].store(isNear ? Near::Yes : Near::No, std::memory_order_relaxed);
-    return isNear;
+    const bool found = query_.closest(middle, 1.01f * (reach_ + radius)).point.isValid();
+    near_[triangle].store(found ? Near::Yes : Near::No, std::memory_order_relaxed);
+    return found;
 }
 
 std::optional<FilmPlace> FilmOnBody::place(const SurfacePoint& point) const {

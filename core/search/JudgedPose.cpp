@@ -1,6 +1,5 @@
 #include "search/JudgedPose.h"
 
-#include "accuracy/tolerance/Zones.h"
 #include "base/Error.h"
 #include "dip/TrappedAir.h"
 #include "geometry/SurfaceSamples.h"
@@ -56,23 +55,21 @@ double percentile(std::vector<std::uint16_t>& values, double share) {
     return *nth / stretchUnits;
 }
 
-std::vector<Zone> zonesOf(const std::vector<SurfacePoint>& places, const SearchSubject& subject) {
-    std::vector<Zone> zones(places.size(), Zone::C);
-    if (!subject.tolerance.marks.empty()) {
-        ZonedBody zoned(subject.model);
-        zoned.setMarks(subject.tolerance.marks);
-        std::transform(places.begin(), places.end(), zones.begin(),
-                       [&](const SurfacePoint& place) { return zoned.at(place); });
+std::shared_ptr<const ZonedBody> zonedBody(const SearchSubject& subject) {
+    if (subject.tolerance.marks.empty()) {
+        return nullptr;
     }
-    return zones;
+    auto zoned = std::make_shared<ZonedBody>(subject.model);
+    zoned->setMarks(subject.tolerance.marks);
+    return zoned;
 }
 
 } // namespace
 
 JudgedBody::JudgedBody(const SearchSubject& subject,
                        const std::array<double, zoneCount>& zoneWeights)
-    : model_(subject.model), tolerance_(subject.tolerance), area_(surfaceArea(model_->mesh)),
-      openArea_(area_) {
+    : model_(subject.model), zoned_(zonedBody(subject)), tolerance_(subject.tolerance),
+      area_(surfaceArea(model_->mesh)), openArea_(area_) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
     if (subject.mask) {
         const auto all = double(samples_.size());
@@ -89,7 +86,9 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
     linkReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
     const std::vector<LinearColour> colours = surfaceColours(*model_, samples_);
     weights_ = placeWeights(subject, zoneWeights, samples_, colours);
-    zones_ = zonesOf(samples_, subject);
+    for (const SurfacePoint& place : samples_) {
+        zones_.push_back(zoned_ ? zoned_->at(place) : Zone::C);
+    }
     linkNeighbours();
     for (const LinearColour& colour : colours) {
         bands_.push_back(float(neededOverlap(colour, subject.registrationError.value(), 0)));
@@ -226,17 +225,16 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
     complete(pose);
     pose.trappedAir = trappedAir(laid.body()).area / area_;
     pose.filmUsed = usedShare(laid);
-    const DippedFilm& film = laid.film();
-    pose.film = {film.grid.leastSpacing(), workOf(film.grid.pointCount(), double(film.steps))};
+    pose.cell = laid.film().grid.leastSpacing();
     return pose;
 }
 
 PredictedSheet JudgedBody::predicted(const JudgedPose& coarse, const JudgedPose& finer) const {
-    if (coarse.samples.empty() || finer.samples.empty()) {
-        return {};
+    if (finer.samples.empty()) { // the dip failed, as the job's is likely to
+        return {Advice::DoNotPrint, 0};
     }
     std::vector<PlaceMove> moves;
-    for (std::size_t place = 0; place < samples_.size(); ++place) {
+    for (std::size_t place = 0; place < coarse.samples.size(); ++place) {
         const bool isBefore = coarse.samples[place].larger != 0;
         const bool isAfter = finer.samples[place].larger != 0;
         if (isBefore && isAfter) {
@@ -244,7 +242,7 @@ PredictedSheet JudgedBody::predicted(const JudgedPose& coarse, const JudgedPose&
         }
     }
     return {std::max(finer.verdict.advice, Advice::Print),
-            predictedDoublings(moves, {coarse.film, finer.film, finer.jobFilm}, tolerance_)};
+            predictedDoublings(moves, {coarse.cell, finer.cell, finer.jobCell}, tolerance_)};
 }
 
 PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) const {

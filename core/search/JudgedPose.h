@@ -2,6 +2,7 @@
 // Private to this folder.
 #pragma once
 
+#include "accuracy/tolerance/Zones.h"
 #include "accuracy/verdict/Verdict.h"
 #include "dip/LaidFilm.h"
 #include "search/PredictedSheet.h"
@@ -9,6 +10,7 @@
 #include "settings/SearchSettings.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace dipwright {
@@ -32,13 +34,13 @@ struct JudgedPose {
     double trappedAir = 0;    // share of the surface that is in trapped air
     double filmUsed = 0;      // share of the film's area that paints
     QString tankFaults;       // sentences on limits of the tank that the dip exceeds
-    FilmWork film;            // of this dip
-    FilmWork jobFilm;         // with which the job would begin, if the sheet is to be predicted
-    PredictedSheet predicted; // of the job
-    // The verdict on the dip, but not on its ink. Only poses that were dipped with the job's own
-    // film have one, for which refinement is taken into account. For poses whose sheets are
-    // predicted, it is a verdict without the numerical error.
-    Verdict verdict;
+    double cell = 0;          // the film's smallest cell, mm
+    PredictedSheet predicted; // of the job, by coarser dips
+    // Which of these a dip has depends on its resolution (DipDetail).
+    double jobCell = 0; // smallest cell of the film with which the job would begin, mm; 0: none
+    Verdict verdict;    // on everything but the ink
+    // neededDoublings() of the verdict; none if the numerical error is not known.
+    std::optional<double> doublings;
 };
 
 // The places of a body at which its dips are measured. Immutable; any thread may use it.
@@ -49,6 +51,7 @@ public:
 
     std::size_t places() const { return samples_.size(); }
     double equator() const { return equator_; } // mm: circumference of a ball of equal surface
+    const ZonedBody* zoned() const { return zoned_.get(); } // null if no zones are marked
 
     // Measures one dip.
     JudgedPose judged(const LaidFilm& laid, const Immersion& immersion) const;
@@ -79,7 +82,8 @@ private:
     std::shared_ptr<const TexturedMesh> model_;
     std::vector<SurfacePoint> samples_;
     std::vector<float> weights_;
-    std::vector<Zone> zones_; // per place
+    std::shared_ptr<const ZonedBody> zoned_; // null if no zones are marked
+    std::vector<Zone> zones_;                // per place
     ToleranceSettings tolerance_;
     // From each sample to the samples within linkReach_; the links of a sample follow each other.
     std::vector<Link> links_;

@@ -4,6 +4,7 @@
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "dip/TankFit.h"
+#include "film/FilmGrid.h"
 #include "parallel/ParallelFor.h"
 #include "parallel/Tasks.h"
 
@@ -50,6 +51,16 @@ FilmSettings coarseFilm(FilmSettings film, const TriangleMesh& mesh, double cell
     return film;
 }
 
+// Calls `work` and returns the exception that it throws; null if it throws none.
+std::exception_ptr failureOf(const std::function<void()>& work) {
+    try {
+        work();
+    } catch (...) {
+        return std::current_exception();
+    }
+    return nullptr;
+}
+
 Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
     return {Eigen::Vector2d(((box.min() / step).array().floor() * step).matrix()),
             Eigen::Vector2d(((box.max() / step).array().ceil() * step).matrix())};
@@ -91,22 +102,26 @@ double PoseFilms::cost(const PosedBody& body, const Immersion& immersion) const 
     return dipOverhead + (areJobs_ ? jobSteps * withVerdict : 1) * std::pow(points, 1.5);
 }
 
+double PoseFilms::cellUnder(const PosedBody& body) const {
+    if (!isGraded(film_)) {
+        return filmGrid(film_).leastSpacing();
+    }
+    return film_.resolution == FilmResolution::Cell
+               ? film_.cell.value()
+               : automaticCell(undersideOf(body, subject_.process), film_).value();
+}
+
 PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
                    const solver::SolverModule& module, const DipDetail& detail,
                    const Progress& progress)
     : subject_(subject), body_(body), module_(module), cancelToken_(progress.cancelToken),
       films_(subject, detail), process_(subject.process) {
-    const TriangleMesh& mesh = subject.model->mesh;
-    if ((films_.areJobs() || detail.predicts) && !subject.tolerance.marks.empty()) {
-        auto zones = std::make_unique<ZonedBody>(subject.model);
-        zones->setMarks(subject.tolerance.marks);
-        zones_ = std::move(zones);
-    }
     if (detail.predicts) {
         jobFilms_ = std::make_unique<const PoseFilms>(subject, jobDetail);
     }
     process_.contactTravel = std::max(process_.contactTravel, detail.travel);
-    field_ = cachedDistanceField(mesh, std::min(subject.fieldResolution, detail.field), progress);
+    field_ = cachedDistanceField(subject.model->mesh,
+                                 std::min(subject.fieldResolution, detail.field), progress);
 }
 
 void PoseDips::dip(const std::vector<Immersion>& immersions,
@@ -121,24 +136,28 @@ void PoseDips::dip(const std::vector<Immersion>& immersions,
         batch = {};
     };
     for (std::size_t number = 0; number < all.size(); ++number) {
-        cancelToken_.throwIfCancelled();
         if (number == 0) {
+            cancelToken_.throwIfCancelled();
             present = setUp(immersions, all.front());
         }
         Tasks aside;
         aside.run([&] { finish(before); });
-        if (number + 1 < all.size()) {
+        if (number + 1 < all.size() && !cancelToken_.isCancelled()) {
             aside.run([&] { next = setUp(immersions, all[number + 1]); });
         }
-        std::exception_ptr failure;
-        try {
+        const std::exception_ptr ofSolver = failureOf([&] {
+            cancelToken_.throwIfCancelled();
             simulate(immersions, present);
-        } catch (...) {
-            failure = std::current_exception();
-        }
-        aside.wait();
-        if (failure) {
-            std::rethrow_exception(failure);
+        });
+        const std::exception_ptr ofOthers = failureOf([&] { aside.wait(); });
+        if (ofSolver || ofOthers) {
+            failureOf([&] { // a failure here must not hide the first
+                finish(before);
+                if (!ofSolver) {
+                    finish(present);
+                }
+            });
+            std::rethrow_exception(ofSolver ? ofSolver : ofOthers);
         }
         before = std::exchange(present, std::exchange(next, {}));
         if (number == 0 || number + 1 == all.size()) { // the first results are wanted early
@@ -219,12 +238,32 @@ void PoseDips::simulate(const std::vector<Immersion>& immersions, Batch& batch) 
     const auto isCancelled = [this] { return cancelToken_.isCancelled(); };
     simulateDips(batch.items, module_, isCancelled);
     if (films_.areJobs()) {
-        std::vector<PosedDip> dips;
-        for (std::size_t item = 0; item < batch.items.size(); ++item) {
-            dips.push_back({batch.bodies[item], immersions[batch.places[item]]});
-        }
-        batch.coarser = coarserFilms(dips, *field_, films_.film(), process_, module_, isCancelled);
+        batch.coarser = coarserFilmsOf(immersions, batch);
     }
+    batch.fields.clear(); // only the solver needs them; a batch that waits to be judged is smaller
+}
+
+// A dip that failed gets no coarser dips, which could fail in the solver and with them the coarser
+// dips of the whole batch.
+std::vector<CoarserFilms> PoseDips::coarserFilmsOf(const std::vector<Immersion>& immersions,
+                                                   const Batch& batch) const {
+    std::vector<PosedDip> dips;
+    std::vector<std::size_t> stable; // item of each of `dips`
+    for (std::size_t item = 0; item < batch.items.size(); ++item) {
+        const Immersion& immersion = immersions[batch.places[item]];
+        if (isStable(dippedFilm(batch.items[item], immersion),
+                     batch.items[item].setup.motion.travel)) {
+            dips.push_back({batch.bodies[item], immersion});
+            stable.push_back(item);
+        }
+    }
+    std::vector<CoarserFilms> found = coarserFilms(dips, *field_, films_.film(), process_, module_,
+                                                   [this] { return cancelToken_.isCancelled(); });
+    std::vector<CoarserFilms> coarser(batch.items.size());
+    for (std::size_t dip = 0; dip < stable.size(); ++dip) {
+        coarser[stable[dip]] = std::move(found[dip]);
+    }
+    return coarser;
 }
 
 void PoseDips::judge(const std::vector<Immersion>& immersions, Batch& batch,
@@ -248,13 +287,16 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
     }
     pose.tankFaults = tankFaultsOf(subject_, body->mesh, body->path, immersion);
     if (laid && jobFilms_) {
-        pose.jobFilm = jobFilm(*body, immersion, laid->film());
+        pose.jobCell = jobFilms_->cellUnder(*body);
         pose.verdict = verdictOf(*laid, nullptr, pose.tankFaults);
     }
     if (films_.areJobs() && laid) {
         const NumericalErrorEstimate error = estimateNumericalError(*laid, batch.coarser[item]);
         pose.verdict =
             afterRefinement(verdictOf(*laid, &error, pose.tankFaults), laid->film(), subject_.film);
+        if (error.failure.isEmpty()) {
+            pose.doublings = neededDoublings(pose.verdict, laid->film());
+        }
     } else if (films_.areJobs()) {
         ReasonList reasons;
         reasons.add({VerdictReason::Kind::Unpainted, Advice::DoNotPrint});
@@ -263,24 +305,13 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
     return pose;
 }
 
-// Returns the film with which the job would begin. The number of its steps follows from that of
-// another film, because their length is given in cells.
-FilmWork PoseDips::jobFilm(const PosedBody& body, const Immersion& immersion,
-                           const DippedFilm& dipped) const {
-    const solver::FilmGrid grid = jobFilms_->gridOf(body, immersion);
-    const double cell = grid.leastSpacing();
-    const double steps = double(dipped.steps) * process_.contactTravel /
-                         subject_.process.contactTravel * dipped.grid.leastSpacing() / cell;
-    return {cell, workOf(grid.pointCount(), steps)};
-}
-
 // Judges a dip as the job would, but for its ink. Without an estimate of the numerical error, the
 // other reasons alone count.
 Verdict PoseDips::verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
                             const QString& tankFaults) const {
     const SurfaceMask* mask = subject_.mask.get();
     const Coverage covered = coverage(laid, mask);
-    return verdict({laid, covered, error, 0, zones_.get(), tankFaults, mask}, subject_.tolerance,
+    return verdict({laid, covered, error, 0, body_.zoned(), tankFaults, mask}, subject_.tolerance,
                    subject_.verdict);
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "accuracy/error/NumericalErrorEstimate.h"
-#include "accuracy/tolerance/Zones.h"
 #include "base/Progress.h"
 #include "dip/FilledField.h"
 #include "search/JudgedPose.h"
@@ -16,12 +15,16 @@ namespace dipwright {
 
 // The resolution of a dip; never finer than the job's.
 struct DipDetail {
-    double cells;          // number of film cells along the longest edge of the body's box
-    int field;             // number of distance field cells along that edge
-    double travel;         // least travel of the contact line in one step, in film cells
-    bool predicts = false; // whether the film with which the job would begin is found, too
+    double cells;  // number of film cells along the longest edge of the body's box
+    int field;     // number of distance field cells along that edge
+    double travel; // least travel of the contact line in one step, in film cells
+    // Whether to find what the prediction of the job's sheet needs: JudgedPose::jobCell, and a
+    // verdict without the numerical error.
+    bool predicts = false;
 };
-// coarseDetail finds poses worth refining, finerDetail ranks them, and jobDetail is the job's own.
+// coarseDetail finds poses worth refining; their dips get measures only. finerDetail ranks them and
+// predicts. jobDetail is the job's own: its dips get the verdict that the job is expected to give
+// after refinement, and JudgedPose::doublings. If such a dip fails, it must not be printed.
 inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5, true},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0};
 
@@ -48,7 +51,9 @@ public:
     // Returns the time that a dip takes, within about a third, in units that are the same for all
     // resolutions.
     double cost(const PosedBody& body, const Immersion& immersion) const;
-    bool areJobs() const { return areJobs_; } // the job's own films; their dips get a verdict
+    // Returns the size of the film's cells over the body, mm.
+    double cellUnder(const PosedBody& body) const;
+    bool areJobs() const { return areJobs_; } // jobDetail
 
 private:
     const SearchSubject& subject_;
@@ -63,13 +68,13 @@ public:
              const solver::SolverModule& module, const DipDetail& detail, const Progress& progress);
 
     // Simulates a dip with each of `immersions` and stores its result in `judged` at the same
-    // index; both have the same length. After an exception the finished dips remain. Dips with
-    // similar films are simulated together, so the order of the dips may differ. While the solver
-    // simulates a batch, other threads judge the batch before and set up the next. Calls
-    // `batchDone` after each batch with the number of finished dips. The first batch has at most
-    // `first` dips.
-    // A dip that misses the film or becomes unstable has no samples. Dips with the job's film get a
-    // verdict. Throws Error if the solver fails. Throws Cancelled.
+    // index; both have the same length. After an exception the results of all batches that the
+    // solver finished remain. Dips with similar films are simulated together, so the order of the
+    // dips may differ. While the solver simulates a batch, other threads judge the batch before and
+    // set up the next. Calls `batchDone` after each batch with the number of finished dips. The
+    // first batch has at most `first` dips.
+    // A dip that misses the film or becomes unstable has no samples. Throws Error if the solver
+    // fails. Throws Cancelled.
     void dip(const std::vector<Immersion>& immersions,
              std::vector<std::shared_ptr<const JudgedPose>>& judged,
              const std::function<void(std::size_t)>& batchDone,
@@ -80,9 +85,9 @@ private:
     struct Batch {
         std::vector<std::size_t> places;
         std::vector<std::shared_ptr<const PosedBody>> bodies;
-        std::vector<std::optional<FilledField>> fields;
+        std::vector<std::optional<FilledField>> fields; // empty after simulate()
         std::vector<solver::BatchItem> items;
-        std::vector<CoarserFilms> coarser; // of the job's films
+        std::vector<CoarserFilms> coarser; // of the job's stable films; empty for other films
     };
 
     std::size_t batchSizeFor(const std::vector<Immersion>& immersions) const;
@@ -91,11 +96,11 @@ private:
                                                   std::size_t first) const;
     Batch setUp(const std::vector<Immersion>& immersions, std::vector<std::size_t> places) const;
     void simulate(const std::vector<Immersion>& immersions, Batch& batch) const;
+    std::vector<CoarserFilms> coarserFilmsOf(const std::vector<Immersion>& immersions,
+                                             const Batch& batch) const;
     void judge(const std::vector<Immersion>& immersions, Batch& batch,
                std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
     JudgedPose judgedDip(Batch& batch, std::size_t item, const Immersion& immersion) const;
-    FilmWork jobFilm(const PosedBody& body, const Immersion& immersion,
-                     const DippedFilm& dipped) const;
     Verdict verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
                       const QString& tankFaults) const;
 
@@ -106,7 +111,6 @@ private:
     PoseFilms films_;
     std::unique_ptr<const PoseFilms> jobFilms_; // if sheets are predicted
     ProcessSettings process_;
-    std::unique_ptr<const ZonedBody> zones_; // for verdicts; null: no zones are marked
     std::shared_ptr<const DistanceField> field_;
 };
 

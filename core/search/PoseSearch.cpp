@@ -62,15 +62,26 @@ bool canBePrinted(const Entry& entry) {
     return entry.ranked.advice() == Advice::Print;
 }
 
-// Returns how often the work of the job's first dip is expected to be doubled: by the verdict if
-// the dip has the job's own film, otherwise by the prediction.
-double expectedDoublings(const JudgedPose& dip) {
-    for (const VerdictReason& reason : dip.verdict.reasons) {
-        if (reason.kind == VerdictReason::Kind::Refined) {
-            return 3 * std::log2(dip.film.cell / reason.value);
-        }
+// Returns the advice on the sheets that coarser dips predict.
+Advice predictedAdvice(const Entry& entry) {
+    Advice advice = Advice::NotJudged;
+    for (const Judged& dip : entry.dips) {
+        advice = std::max(advice, dip->predicted.advice);
     }
-    return dip.predicted.doublings;
+    return advice;
+}
+
+// Whether the sheets must not be printed: by their verdicts if the poses are confirmed, otherwise
+// by the prediction.
+bool isForbidden(const Entry& entry) {
+    return (entry.ranked.isConfirmed ? entry.ranked.advice() : predictedAdvice(entry)) ==
+           Advice::DoNotPrint;
+}
+
+// Returns how often the work of the job's first dip is expected to be doubled: by the verdict if
+// the dip has the job's own film and its numerical error is known, otherwise by the prediction.
+double expectedDoublings(const JudgedPose& dip) {
+    return dip.doublings.value_or(dip.predicted.doublings);
 }
 
 // Returns the objective, lowered by the work that certain sheets are expected to need: the mean
@@ -88,25 +99,28 @@ bool isBetterToConfirm(const Entry& one, const Entry& other) {
     if (exceedsTank(one) != exceedsTank(other)) {
         return exceedsTank(other);
     }
+    if (isForbidden(one) != isForbidden(other)) {
+        return isForbidden(other);
+    }
     if (one.ranked.limitsMissed != other.ranked.limitsMissed) {
         return one.ranked.limitsMissed < other.ranked.limitsMissed;
     }
     const auto rating = [](const Entry& entry) {
-        Advice advice = Advice::Print;
-        for (const Judged& dip : entry.dips) {
-            advice = std::max(advice, dip->predicted.advice);
-        }
+        const Advice advice = std::max(predictedAdvice(entry), Advice::Print);
         return objectiveWithWork(entry) - lostPerAdvice * (int(advice) - int(Advice::Print));
     };
     return rating(one) > rating(other);
 }
 
-// A pose that the tank cannot carry out is never better than one that it can. Confirmed poses are
-// then compared by their verdicts: a pose whose sheet must not be printed is never better than one
-// whose sheet can be, and a sheet that needs more work counts less.
+// A pose that the tank cannot carry out is never better than one that it can. A pose whose sheet
+// must not be printed is never better than one whose sheet may be. Confirmed poses are then
+// compared by their verdicts, and a sheet that needs more work counts less.
 bool isBetter(const Entry& one, const Entry& other) {
     if (exceedsTank(one) != exceedsTank(other)) {
         return exceedsTank(other);
+    }
+    if (isForbidden(one) != isForbidden(other)) {
+        return isForbidden(other);
     }
     if (one.ranked.isConfirmed && other.ranked.isConfirmed &&
         one.ranked.advice() != other.ranked.advice()) {
@@ -785,10 +799,8 @@ private:
         const PoseDips dips(subject_, body_, module_, isConfirmed ? jobDetail : finerDetail,
                             progress_.silent());
         std::vector<Judged> judged = dipped(dips, resolution, immersions);
-        if (resolution == Finer) {
-            for (const auto& [coarse, place] : places) {
-                judged[place] = withPrediction(*coarse, *judged[place]);
-            }
+        for (const auto& [before, place] : places) {
+            judged[place] = withPrediction(*before, *judged[place], resolution);
         }
         if (own > 0) {
             current_ = entry({judged.begin(), judged.begin() + own}, isConfirmed);
@@ -804,9 +816,11 @@ private:
         return again;
     }
 
-    Judged withPrediction(const JudgedPose& coarse, JudgedPose finer) const {
-        finer.predicted = body_.predicted(coarse, finer);
-        return std::make_shared<const JudgedPose>(std::move(finer));
+    // Returns `dip` with the prediction by `before`, the dip of its pose with coarser film. The
+    // job's own film keeps the prediction that `before` has.
+    Judged withPrediction(const JudgedPose& before, JudgedPose dip, Resolution resolution) const {
+        dip.predicted = resolution == Finer ? body_.predicted(before, dip) : before.predicted;
+        return std::make_shared<const JudgedPose>(std::move(dip));
     }
 
     std::vector<Entry> first(int count) const {
@@ -848,6 +862,9 @@ private:
     // Pairs the finer dips anew and adds the pairs that are best to confirm, as many as are
     // confirmed at once.
     void addPairsToConfirm() {
+        if (settings_.immersions == 1 || settings_.confirmed == 0) {
+            return;
+        }
         std::vector<Judged> dips;
         for (const Entry& each : best_) {
             for (const Judged& dip : each.dips) {
@@ -856,7 +873,7 @@ private:
                 }
             }
         }
-        std::vector<Entry> pairs(settings_.immersions == 1 ? 0 : dips.size() * dips.size());
+        std::vector<Entry> pairs(dips.size() * dips.size());
         parallelFor(std::size_t(0), pairs.size(), [&](std::size_t index) {
             const Judged& first = dips[index / dips.size()];
             const Judged& second = dips[index % dips.size()];
@@ -903,11 +920,12 @@ private:
         }
     }
 
-    // Returns the ranking: entries that the tank can carry out first, then confirmed entries, each
+    // Returns the ranking: entries that the tank can carry out first; of these and of the others,
+    // entries that may be printed first; of these and of the others, confirmed entries first; each
     // group the best first.
     std::vector<Entry> ranked() const {
         return distinctFirst(best_, [](const Entry& one, const Entry& other) {
-            if (exceedsTank(one) == exceedsTank(other) &&
+            if (exceedsTank(one) == exceedsTank(other) && isForbidden(one) == isForbidden(other) &&
                 one.ranked.isConfirmed != other.ranked.isConfirmed) {
                 return one.ranked.isConfirmed;
             }

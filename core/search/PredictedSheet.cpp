@@ -1,7 +1,7 @@
 #include "search/PredictedSheet.h"
 
 #include "accuracy/tolerance/Zones.h"
-#include "accuracy/verdict/Verdict.h"
+#include "accuracy/verdict/FinerFilm.h"
 
 #include <algorithm>
 #include <array>
@@ -10,32 +10,32 @@
 namespace dipwright {
 namespace {
 
-constexpr double million = 1e6;
 // The cells of two films that are compared differ at least by this factor.
 constexpr double leastRatio = 1.25;
-// A prediction of more doublings means only that the cells are far from sufficient.
-constexpr double mostDoublings = 12;
 
-// Returns the value that at most the share `share` of the values exceed.
+// Returns the least value that at most the share `share` of the values exceed.
 double exceededBy(std::vector<float>& values, double share) {
-    const auto nth = values.begin() + std::ptrdiff_t((1 - share) * double(values.size() - 1));
+    const auto mayExceed = std::ptrdiff_t(share * double(values.size()));
+    const auto nth = values.end() - 1 - mayExceed;
     std::nth_element(values.begin(), nth, values.end());
     return double(*nth);
 }
 
-} // namespace
-
-double workOf(std::size_t points, double steps) {
-    return double(points) * steps / million;
+// Returns how often the work is doubled if the cells become smaller by the factor `ratio`: it grows
+// with the cube.
+double doublingsFor(double ratio) {
+    return std::clamp(3 * std::log2(std::max(ratio, 1.0)), 0.0, mostDoublings);
 }
 
-double predictedDoublings(const std::vector<PlaceMove>& moves, const ComparedFilms& films,
+} // namespace
+
+double predictedDoublings(const std::vector<PlaceMove>& moves, const ComparedCells& cells,
                           const ToleranceSettings& tolerance) {
-    if (!(films.job.cell > 0) || films.coarse.cell < leastRatio * films.finer.cell) {
+    if (!(cells.job > 0) || cells.coarse < leastRatio * cells.finer) {
         return 0;
     }
     // An error of first order is proportional to the cell.
-    const double perCell = 1 / (films.coarse.cell - films.finer.cell);
+    const double perCell = 1 / (cells.coarse - cells.finer);
     std::array<std::vector<float>, zoneCount> byZone;
     for (const PlaceMove& move : moves) {
         byZone[std::size_t(move.zone)].push_back(move.distance);
@@ -47,11 +47,25 @@ double predictedDoublings(const std::vector<PlaceMove>& moves, const ComparedFil
         }
         const double most = exceededBy(byZone[zone], 1 - zoneShareWithin) * perCell;
         const double far = exceededBy(byZone[zone], mostFarOffArea) * perCell;
-        excess = std::max({excess, films.job.cell * most / allowedError(Zone(zone), tolerance),
-                           films.job.cell * far / tolerance.limits[zone].value()});
+        excess = std::max({excess, cells.job * most / allowedError(Zone(zone), tolerance),
+                           cells.job * far / tolerance.limits[zone].value()});
     }
-    // The work grows with the cube of the ratio of the cells.
-    return std::clamp(3 * std::log2(std::max(excess, 1.0)), 0.0, mostDoublings);
+    return doublingsFor(excess);
+}
+
+double neededDoublings(const Verdict& verdict, const DippedFilm& film) {
+    using Kind = VerdictReason::Kind;
+    const double own = film.grid.leastSpacing();
+    double ratio = own / wantedCell(verdict, film).value_or(own);
+    for (const VerdictReason& reason : verdict.reasons) {
+        if (reason.kind == Kind::Refined) {
+            return doublingsFor(own / reason.value);
+        }
+        if (reason.kind == Kind::OffByMuch && reason.limit > 0) {
+            ratio = std::max(ratio, reason.value / reason.limit);
+        }
+    }
+    return doublingsFor(ratio);
 }
 
 } // namespace dipwright

@@ -2,20 +2,13 @@
 // printed (docs/pose-search.md, "Certain sheets"). Private to this folder.
 #pragma once
 
+#include "accuracy/verdict/Verdict.h"
+#include "film/DippedFilm.h"
 #include "settings/ToleranceSettings.h"
-#include "settings/VerdictSettings.h"
 
-#include <cstddef>
 #include <vector>
 
 namespace dipwright {
-
-// The cells of a film, and the work of a dip with it.
-struct FilmWork {
-    double cell = 0; // the smallest, mm; 0: not known
-    double work = 0; // film points × steps, in millions
-};
-double workOf(std::size_t points, double steps);
 
 // How far a place of the flat film moves between two dips, and the zone that it paints.
 struct PlaceMove {
@@ -23,9 +16,10 @@ struct PlaceMove {
     Zone zone;
 };
 
-// The films of two dips that are compared, and the film with which the job would begin.
-struct ComparedFilms {
-    FilmWork coarse, finer, job;
+// The smallest cells, in mm, of the films of two dips that are compared, and of the film with which
+// the job would begin; 0: not known.
+struct ComparedCells {
+    double coarse = 0, finer = 0, job = 0;
 };
 
 struct PredictedSheet {
@@ -36,10 +30,19 @@ struct PredictedSheet {
     double doublings = 0;
 };
 
+// More doublings mean only that the cells are far from sufficient; they count as this number.
+inline constexpr double mostDoublings = 12;
+
 // Returns PredictedSheet::doublings. `moves` are the moves from the coarse to the finer film at
 // evenly spread places that both paint. Returns 0 if the films tell nothing: if their cells are
 // nearly equal, or no place is painted.
-double predictedDoublings(const std::vector<PlaceMove>& moves, const ComparedFilms& films,
+double predictedDoublings(const std::vector<PlaceMove>& moves, const ComparedCells& cells,
                           const ToleranceSettings& tolerance);
+
+// Returns the same number by the verdict on the job's first dip, afterRefinement(). Without
+// Kind::Refined, it is the number for the cells that the verdict proposes; for an error too large
+// to propose any, the number for an error of first order. Returns 0 if the verdict finds no
+// numerical error that is too large.
+double neededDoublings(const Verdict& verdict, const DippedFilm& film);
 
 } // namespace dipwright

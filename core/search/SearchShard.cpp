@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QDataStream>
 #include <QIODevice>
+#include <bit>
 #include <cmath>
 
 namespace dipwright {
@@ -17,7 +18,7 @@ struct Text {
 };
 
 constexpr quint32 signature = 0x44505350; // "DPSP"
-constexpr qint32 partVersion = 2;
+constexpr qint32 partVersion = 3;
 constexpr int longestKey = 64, mostParts = 1000;
 constexpr qint32 mostPoses = 2000, mostSamples = 100'000;
 constexpr qsizetype mostBytes = 2'000'000'000;
@@ -35,12 +36,12 @@ void write(QDataStream& out, const JudgedPose& pose) {
     for (const Millimetres offset : pose.immersion.offset) {
         out << offset.value();
     }
-    out << pose.trappedAir << pose.filmUsed << pose.film.cell << pose.film.work
-        << qint32(pose.samples.size());
+    out << pose.trappedAir << pose.filmUsed << pose.cell << qint32(pose.samples.size());
     for (std::size_t index = 0; index < pose.samples.size(); ++index) {
         const PaintedSample& sample = pose.samples[index];
         out << quint16(sample.larger) << quint16(sample.smaller) << quint8(sample.marks)
-            << double(pose.rests[index].x()) << double(pose.rests[index].y());
+            << std::bit_cast<quint32>(pose.rests[index].x())
+            << std::bit_cast<quint32>(pose.rests[index].y());
     }
 }
 
@@ -54,6 +55,15 @@ std::shared_ptr<const JudgedPose> read(QDataStream& in, const QString& where) {
         }
         return value;
     };
+    const auto coordinate = [&] { // on the flat film, mm
+        quint32 bits = 0;
+        in >> bits;
+        const auto value = std::bit_cast<float>(bits);
+        if (!(std::abs(value) <= 1e6F)) {
+            throw damaged(where);
+        }
+        return value;
+    };
     for (Degrees& angle : pose.immersion.rotation) {
         angle = Degrees(number(360));
     }
@@ -62,7 +72,7 @@ std::shared_ptr<const JudgedPose> read(QDataStream& in, const QString& where) {
     }
     pose.trappedAir = number(2);
     pose.filmUsed = number(2);
-    pose.film = {number(1e6), number(1e12)};
+    pose.cell = number(1e6);
     qint32 count = 0;
     in >> count;
     if (in.status() != QDataStream::Ok || count < 0 || count > mostSamples) {
@@ -73,8 +83,8 @@ std::shared_ptr<const JudgedPose> read(QDataStream& in, const QString& where) {
         quint8 marks = 0;
         in >> larger >> smaller >> marks;
         pose.samples.push_back({larger, smaller, marks});
-        const double x = number(1e6);
-        pose.rests.emplace_back(float(x), float(number(1e6)));
+        const float x = coordinate();
+        pose.rests.emplace_back(x, coordinate());
     }
     return std::make_shared<const JudgedPose>(std::move(pose));
 }

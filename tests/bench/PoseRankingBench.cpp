@@ -10,10 +10,9 @@
 // - loss of objective if the best of the coarse film's first 1, 3, 6 or 12 poses is chosen
 // - mean difference of each measure
 // With `exact`, prints one line per pose instead, with commas: number; objective with cells of 1/20
-// and 1/40 of the body's length and with the job's film; cell of the second film, mm; predicted
-// work of the job's first dip, million points × steps; its cell and its work; predicted verdict and
-// doublings of the work; verdict on the job's first dip, its numerical error in mm, and its
-// reasons.
+// and 1/40 of the body's length and with the job's film; cell of the second and of the job's film,
+// mm; predicted verdict and doublings of the work; verdict on the job's first dip, its numerical
+// error in mm, and its reasons.
 #include "Bench.h"
 #include "pipeline/JobSearch.h"
 #include "project/Project.h"
@@ -111,15 +110,13 @@ public:
         for (std::size_t pose = 0; pose < immersions_.size(); ++pose) {
             const JudgedPose &ranked = *finer.poses[pose], &own = *own_.poses[pose];
             const PredictedSheet sheet = body_.predicted(*coarse.poses[pose], ranked);
-            out << QStringLiteral("  pose,%1,%2,%3,%4,%5,%6,%7,%8,%9,%10,%11,%12")
+            out << QStringLiteral("  pose,%1,%2,%3,%4,%5,%6,%7,%8,%9,%10")
                        .arg(pose)
                        .arg(coarse.objectives[pose], 0, 'f', 4)
                        .arg(finer.objectives[pose], 0, 'f', 4)
                        .arg(own_.objectives[pose], 0, 'f', 4)
-                       .arg(ranked.film.cell, 0, 'f', 4)
-                       .arg(ranked.jobFilm.work, 0, 'f', 3)
-                       .arg(own.film.cell, 0, 'f', 4)
-                       .arg(own.film.work, 0, 'f', 3)
+                       .arg(ranked.cell, 0, 'f', 4)
+                       .arg(own.cell, 0, 'f', 4)
                        .arg(adviceKey(sheet.advice))
                        .arg(sheet.doublings, 0, 'f', 2)
                        .arg(adviceKey(own.verdict.advice))

@@ -1,0 +1,84 @@
+// Tests which dips of a search remain when it ends early.
+#include "search/PoseDips.h"
+#include "SearchSubjects.h"
+#include "TestFolders.h"
+#include "base/Error.h"
+#include "solver/SolverRegistry.h"
+
+#include <QStandardPaths>
+#include <QtTest>
+
+#include <algorithm>
+
+using namespace dipwright;
+
+namespace {
+
+constexpr std::size_t batchSize = 32; // of small films
+
+// Returns poses turned about the vertical.
+std::vector<Immersion> turned(std::size_t count) {
+    std::vector<Immersion> immersions(count);
+    for (std::size_t index = 0; index < count; ++index) {
+        immersions[index].rotation[1] = Degrees(double(index));
+    }
+    return immersions;
+}
+
+std::size_t doneOf(const std::vector<std::shared_ptr<const JudgedPose>>& judged) {
+    return std::size_t(std::count_if(judged.begin(), judged.end(),
+                                     [](const auto& pose) { return pose != nullptr; }));
+}
+
+} // namespace
+
+class PoseDipsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        QStandardPaths::setTestModeEnabled(true);
+        registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
+    }
+
+    // When the second batch is told of, it is simulated, but not judged.
+    void dip_cancelledAfterABatch_keepsItsDips() {
+        Progress progress;
+        const std::vector<Immersion> immersions = turned(2 + 2 * batchSize);
+        std::vector<std::shared_ptr<const JudgedPose>> judged(immersions.size());
+        int batches = 0;
+        const auto cancelSecond = [&](std::size_t) {
+            if (++batches == 2) {
+                progress.cancelToken.cancel();
+            }
+        };
+        const PoseDips dips(subject_, body_, registry_->module("auto"), coarseDetail, progress);
+        QVERIFY_EXCEPTION_THROWN(dips.dip(immersions, judged, cancelSecond, 2), Cancelled);
+        QCOMPARE(batches, 2);
+        QCOMPARE(doneOf(judged), 2 + batchSize);
+    }
+
+    // The third batch cannot be set up while the second is simulated. With the paper's film, the
+    // order of the dips is that of the list.
+    void dip_batchThatCannotBeSetUp_keepsTheDipsBefore() {
+        SearchSubject subject = subject_;
+        subject.film.lattice = solver::Lattice::Structural;
+        subject.film.support = solver::Support::None;
+        std::vector<Immersion> immersions = turned(2 + 2 * batchSize);
+        immersions.back().path.kind = PathKind::Poses; // without any pose
+        std::vector<std::shared_ptr<const JudgedPose>> judged(immersions.size());
+        const PoseDips dips(subject, body_, registry_->module("auto"), coarseDetail, {});
+        QVERIFY_EXCEPTION_THROWN(dips.dip(
+                                     immersions, judged, [](std::size_t) {}, 2),
+                                 Error);
+        QCOMPARE(doneOf(judged), 2 + batchSize);
+    }
+
+private:
+    std::unique_ptr<SolverRegistry> registry_;
+    SearchSubject subject_ = subjectOf(boxMesh({6, 40, 40}));
+    JudgedBody body_{subject_, {1, 1, 1}};
+};
+
+QTEST_GUILESS_MAIN(PoseDipsTest)
+#include "PoseDipsTest.moc"
