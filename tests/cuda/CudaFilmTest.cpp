@@ -56,6 +56,16 @@ solver::DipSetup wholeDip(const Body& body, const QString& preset) {
     return dipSetup(body.posed, body.field, {}, project.film, project.process);
 }
 
+// Returns lines that are closest to each other in the middle of the film.
+std::vector<double> unevenPlaces(int count, double length) {
+    std::vector<double> places;
+    for (int line = 0; line < count; ++line) {
+        const double along = (2.0 * line - (count - 1)) / (count - 1); // −1 … 1
+        places.push_back(length / 2 * (along * (1 + along * along / 2) / 1.5));
+    }
+    return places;
+}
+
 // Returns a dip that is coarse enough for the reference solvers.
 solver::DipSetup coarseDip(const Body& body, const QString& preset, double depth) {
     Project project;
@@ -162,6 +172,8 @@ private slots:
     void initTestCase();
     void cudaFilm_dip_equalsTheCpus_data();
     void cudaFilm_dip_equalsTheCpus();
+    void cudaFilm_tiltedBody_equalsTheCpus();
+    void cudaFilm_unevenLines_equalsTheCpus();
     void cudaFilm_dip_agreesWithTheReference_data();
     void cudaFilm_dip_agreesWithTheReference();
     void cudaFilm_sameDipTwice_givesTheSameBits_data();
@@ -181,6 +193,9 @@ private slots:
 private:
     Ending dipOnGpu(const solver::DipSetup& setup) const {
         return dip(*registry_.module(QStringLiteral("pbd-cuda")).create(), setup);
+    }
+    Ending dipOnCpu(const solver::DipSetup& setup) const {
+        return dip(*registry_.module(QStringLiteral("pbd-cpu")).create(), setup);
     }
 
     SolverRegistry registry_;
@@ -220,8 +235,28 @@ void CudaFilmTest::cudaFilm_dip_equalsTheCpus() {
     const Body dipped = bodyNamed(body);
     solver::DipSetup setup = growing(wholeDip(dipped, preset), growth, held);
     setup.settings.relaxationTime = relaxation;
-    const auto onCpu = registry_.module(QStringLiteral("pbd-cpu")).create();
-    requireSameBits(dipOnGpu(setup), dip(*onCpu, setup));
+    requireSameBits(dipOnGpu(setup), dipOnCpu(setup));
+}
+
+void CudaFilmTest::cudaFilm_tiltedBody_equalsTheCpus() {
+    const Body cone = bodyNamed(QStringLiteral("cone"));
+    Project project;
+    applyPreset(project, production);
+    Immersion immersion;
+    immersion.path.kind = PathKind::Tilt;
+    immersion.path.angle = Degrees(20);
+    const auto setup = dipSetup(cone.posed, cone.field, immersion, project.film, project.process);
+    QVERIFY(!setup.path.isStraightDown());
+    requireSameBits(dipOnGpu(setup), dipOnCpu(setup));
+}
+
+void CudaFilmTest::cudaFilm_unevenLines_equalsTheCpus() {
+    const Body sphere = bodyNamed(QStringLiteral("sphere"));
+    solver::DipSetup setup = wholeDip(sphere, production);
+    solver::FilmGrid& film = setup.film;
+    film.columnPlaces = unevenPlaces(film.columns, film.width);
+    film.rowPlaces = unevenPlaces(film.rows, film.depth);
+    requireSameBits(dipOnGpu(setup), dipOnCpu(setup));
 }
 
 void CudaFilmTest::cudaFilm_dip_agreesWithTheReference_data() {
