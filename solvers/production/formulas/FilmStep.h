@@ -470,6 +470,7 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
         const Real drag = Real(pointDrag(model.spacingX, model.spacingZ, increment));
         detail::enter(detail::settle(film, drag), dip.equilibrium);
         hasLost = detail::holdTornOrFolded(film, false);
+        film.barrier(); // the corners' states were read; touch() changes them
         detail::relax(film, Real(keptStress(film.body().secondsOf(dip.descent, increment),
                                             model.relaxationTime)));
     }
