@@ -440,7 +440,7 @@ private slots:
         project.film.cell = Millimetres(1.5);
         const QString graded = facts.text(project, nullptr, LengthUnit::Millimetre);
         QVERIFY2(graded.startsWith("Immersion: cells of 1.4"), qPrintable(graded));
-        project.film.cell = Millimetres(0.05); // more points than a film may have
+        project.film.cell = Millimetres(0.02); // more points than a film may have
         QVERIFY2(facts.text(project, nullptr, LengthUnit::Millimetre).contains("larger cells"),
                  qPrintable(facts.text(project, nullptr, LengthUnit::Millimetre)));
     }
