@@ -105,15 +105,6 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
 
 } // namespace
 
-std::shared_ptr<const ZonedBody> markedZones(const Project& project) {
-    if (project.tolerance.marks.empty()) {
-        return nullptr;
-    }
-    auto zones = std::make_shared<ZonedBody>(project.model);
-    zones->setMarks(project.tolerance.marks);
-    return zones;
-}
-
 Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones,
                    const SurfaceMask* mask) {
     return verdict({*dip.laid, *dip.coverage, dip.numericalError.get(),

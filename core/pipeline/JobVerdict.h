@@ -5,9 +5,6 @@
 
 namespace dipwright {
 
-// Returns the zones marked in the project; null if there are none.
-std::shared_ptr<const ZonedBody> markedZones(const Project& project);
-
 // Returns the verdict on a dip. Its film must be laid and measured, and its sheet made. `zones` is
 // the result of markedZones(), `mask` that of surfaceMask().
 Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones,

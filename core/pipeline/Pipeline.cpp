@@ -771,7 +771,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
             options,
             previous,
             progress.cancelToken,
-            markedZones(project),
+            markedZones(project.model, project.tolerance.marks),
             surfaceMask(project.model, project.masks, previous ? previous->mask : nullptr)};
     run.isRefined.resize(project.immersions.size());
     JobResult result;

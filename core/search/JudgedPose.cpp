@@ -55,21 +55,12 @@ double percentile(std::vector<std::uint16_t>& values, double share) {
     return *nth / stretchUnits;
 }
 
-std::shared_ptr<const ZonedBody> zonedBody(const SearchSubject& subject) {
-    if (subject.tolerance.marks.empty()) {
-        return nullptr;
-    }
-    auto zoned = std::make_shared<ZonedBody>(subject.model);
-    zoned->setMarks(subject.tolerance.marks);
-    return zoned;
-}
-
 } // namespace
 
 JudgedBody::JudgedBody(const SearchSubject& subject,
                        const std::array<double, zoneCount>& zoneWeights)
-    : model_(subject.model), zoned_(zonedBody(subject)), tolerance_(subject.tolerance),
-      area_(surfaceArea(model_->mesh)), openArea_(area_) {
+    : model_(subject.model), zoned_(markedZones(subject.model, subject.tolerance.marks)),
+      tolerance_(subject.tolerance), area_(surfaceArea(model_->mesh)), openArea_(area_) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
     if (subject.mask) {
         const auto all = double(samples_.size());

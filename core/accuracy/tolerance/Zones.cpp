@@ -76,6 +76,16 @@ void ZonedBody::setMarks(const std::vector<ZoneMark>& marks) {
     marks_ = marks;
 }
 
+std::shared_ptr<const ZonedBody> markedZones(std::shared_ptr<const TexturedMesh> model,
+                                             const std::vector<ZoneMark>& marks) {
+    if (marks.empty()) {
+        return nullptr;
+    }
+    auto zones = std::make_shared<ZonedBody>(std::move(model));
+    zones->setMarks(marks);
+    return zones;
+}
+
 void ZonedBody::obey(const ZoneMark& mark) {
     if (mark.extent == MarkExtent::Stroke) {
         set(trianglesOf(fine_.mesh(), StrokeArea(mark.path, mark.radius)), mark.zone);

@@ -32,6 +32,10 @@ private:
     std::vector<Zone> zones_;
 };
 
+// Returns the body with these marks; null if there are none.
+std::shared_ptr<const ZonedBody> markedZones(std::shared_ptr<const TexturedMesh> model,
+                                             const std::vector<ZoneMark>& marks);
+
 // A zone keeps its limit if at least this share of its painted area is within the limit.
 inline constexpr double zoneShareWithin = 0.95;
 

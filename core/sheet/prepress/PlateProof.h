@@ -41,8 +41,8 @@ struct InkFigures {
 // `film` is the size of the film in mm.
 InkFigures inkFigures(const Plates& plates, const PrinterColour& colour, QSizeF film,
                       const std::optional<double>& limit);
-// Returns the figures as a table for the terminal, and as the content of plates.json. They are
-// those of one of the sheet's `passes`.
+// Returns the figures as a table for the terminal, and as the content of plates.json. A sheet that
+// is printed in several `passes` has these figures in each pass.
 QString figuresTable(const InkFigures& figures, int passes = 1);
 QJsonObject figuresJson(const InkFigures& figures);
 

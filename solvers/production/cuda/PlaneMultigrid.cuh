@@ -368,8 +368,8 @@ __device__ inline void ascend(const ProductionModel& model, const ProductionDip&
 }
 
 // Solves the levels from `wholeLevel` on in this block's shared memory. Returns the patch with the
-// solution on `wholeLevel`; it lies at the beginning of `tileMemory`. One function, because both
-// halves of the cycle use the same layout of this memory.
+// solution on `wholeLevel`. This patch begins at tileMemory[0]. Both halves of the cycle are in one
+// function, because they use the same layout of this memory.
 __device__ inline PlanePatch solveWhole(const ProductionModel& model, const ProductionDip& dip,
                                         ScaledVector firstRight) {
     const int first = model.wholeLevel, last = model.levelCount - 1;

@@ -1,4 +1,4 @@
-// Compares the functions that all devices share with those of the C++ library.
+// Compares Functions.h with the C++ library.
 
 #include "common/Functions.h"
 
