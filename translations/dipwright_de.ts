@@ -4055,6 +4055,18 @@
         <source>A tone curve lightens the darkest colours of the texture to this density and keeps them apart, so that the ink suffices on stretched film. Usual: 0.8 to 1.8. At 10 the texture stays as it is. The amounts of ink of CMYK pictures do not change.</source>
         <translation>Eine Gradationskurve hellt die dunkelsten Farben der Textur bis zu dieser Dichte auf und hält sie auseinander, damit die Tinte auf gedehntem Film reicht. Üblich: 0,8 bis 1,8. Bei 10 bleibt die Textur, wie sie ist. Die Tintenmengen von CMYK-Bildern ändern sich nicht.</translation>
     </message>
+    <message>
+        <source>Wanted error</source>
+        <translation>Gewünschter Fehler</translation>
+    </message>
+    <message>
+        <source>The dip is repeated with smaller cells until the numerical error is at most this on 95 % of the painted area, or until the work limit is reached. “Printable”: only until the sheet can be printed.</source>
+        <translation>Der Tauchvorgang wird mit kleineren Zellen wiederholt, bis der numerische Fehler auf 95 % der bemalten Fläche höchstens so groß ist oder die Grenze für den Aufwand erreicht ist. „Druckbar“: nur, bis das Blatt gedruckt werden kann.</translation>
+    </message>
+    <message>
+        <source>Printable</source>
+        <translation>Druckbar</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>

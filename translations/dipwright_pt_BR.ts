@@ -4055,6 +4055,18 @@
         <source>A tone curve lightens the darkest colours of the texture to this density and keeps them apart, so that the ink suffices on stretched film. Usual: 0.8 to 1.8. At 10 the texture stays as it is. The amounts of ink of CMYK pictures do not change.</source>
         <translation>Uma curva tonal clareia as cores mais escuras da textura até esta densidade e as mantém distintas, para que a tinta baste na película esticada. Usual: 0,8 a 1,8. Em 10 a textura fica como está. As quantidades de tinta de imagens CMYK não mudam.</translation>
     </message>
+    <message>
+        <source>Wanted error</source>
+        <translation>Erro desejado</translation>
+    </message>
+    <message>
+        <source>The dip is repeated with smaller cells until the numerical error is at most this on 95 % of the painted area, or until the work limit is reached. “Printable”: only until the sheet can be printed.</source>
+        <translation>A imersão é repetida com células menores até que o erro numérico seja no máximo este em 95 % da área pintada, ou até o limite de trabalho. “Imprimível”: só até que a folha possa ser impressa.</translation>
+    </message>
+    <message>
+        <source>Printable</source>
+        <translation>Imprimível</translation>
+    </message>
 </context>
 <context>
     <name>ReportPanel</name>

@@ -20,6 +20,21 @@ QString millimetresText(double length) {
     return QLocale().toString(length, 'f', 2);
 }
 
+// Returns the cell that is needed to print the sheet or, if it can be printed, to reach the wanted
+// error, in mm; none if the film's own cell is small enough. The error is assumed to be of first
+// order.
+std::optional<double> neededCell(const ImmersionResult& dip, const Verdict& verdict,
+                                 const FilmSettings& settings) {
+    const DippedFilm& film = dip.laid->film();
+    if (const std::optional<double> printable = wantedCell(verdict, film)) {
+        return printable;
+    }
+    const double offBy = dip.numericalError->offBy.percentile95;
+    return settings.wantedError && offBy > settings.wantedError->value()
+               ? std::optional(film.grid.leastSpacing() * settings.wantedError->value() / offBy)
+               : std::nullopt;
+}
+
 } // namespace
 
 std::optional<double> nextRefinement(const ImmersionResult& dip, const Verdict& verdict,
@@ -28,7 +43,8 @@ std::optional<double> nextRefinement(const ImmersionResult& dip, const Verdict& 
         return std::nullopt;
     }
     const DippedFilm& film = dip.laid->film();
-    const std::optional<double> cell = finerCell(verdict, film, settings);
+    const std::optional<double> needed = neededCell(dip, verdict, settings);
+    const std::optional<double> cell = needed ? finerCell(*needed, film, settings) : std::nullopt;
     return cell ? std::optional(dip.refinement * film.grid.leastSpacing() / *cell) : std::nullopt;
 }
 

@@ -12,9 +12,10 @@
 namespace dipwright {
 
 // Returns the refinement (FilmSettings::refinement) with which the dip is to be repeated. It
-// follows from finerCell(). None if the sheet can be printed as it is, if smaller cells do not
-// help, if the limits do not allow them, or if a dip with smaller cells failed. `verdict` is the
-// verdict on the dip, or the part of it that is about the numerical error (numericalVerdict()).
+// follows from finerCell(). None if the sheet can be printed as it is and has the wanted error
+// (FilmSettings::wantedError), if smaller cells do not help, if the limits do not allow them, or if
+// a dip with smaller cells failed. `verdict` is the verdict on the dip, or the part of it that is
+// about the numerical error (numericalVerdict()).
 std::optional<double> nextRefinement(const ImmersionResult& dip, const Verdict& verdict,
                                      const FilmSettings& settings);
 

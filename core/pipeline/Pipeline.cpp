@@ -366,7 +366,8 @@ ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Ru
     next.refinement = refinement;
     dipping.comparison.isWanted = true;
     dipAndCompare(next, false, run, number, &field, dipping, progress);
-    judge(next, run, dipping.comparison, FilmBefore{*now.laid, refinement / now.refinement});
+    judge(next, run, dipping.comparison,
+          FilmBefore{*now.laid, refinement / now.refinement, *now.numericalError});
     if (!next.numericalError->failure.isEmpty()) {
         throw Error(next.numericalError->failure, next.immersion.name);
     }

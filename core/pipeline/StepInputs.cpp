@@ -53,6 +53,7 @@ DipInputs dipInputs(const Project& project, std::size_t number, const QString& s
 bool beginAlike(DipInputs first, const DipInputs& second) {
     first.refinement = second.refinement;
     first.film.work = second.film.work;
+    first.film.wantedError = second.film.wantedError;
     return first == second;
 }
 

@@ -14,6 +14,8 @@ Project newProject(const QString& path) {
     project.date = QDate::currentDate().toString(Qt::ISODate);
     project.film.resolution = FilmResolution::Automatic;
     project.film.work = newProjectFilmWork;
+    project.film.wantedError = newProjectWantedError;
+    project.process.contactTravel = newProjectContactTravel;
     return project;
 }
 

@@ -1,6 +1,8 @@
 // Begins a project and gives it its model.
 #pragma once
 
+#include "base/Units.h"
+
 #include <QString>
 
 namespace dipwright {
@@ -10,11 +12,15 @@ struct ImportOptions;
 struct Project;
 
 // Returns a project without a model. It has the name of the file `path`, the date of today, a film
-// with automatic cells and the work limit newProjectFilmWork, and one dip.
+// with automatic cells, the work limit newProjectFilmWork and the wanted error
+// newProjectWantedError, and one dip with steps of newProjectContactTravel.
 Project newProject(const QString& path);
 // Million points × steps; about 20 s on two cores. A file that does not have the field keeps
 // defaultFilmWork, so the sheets of older projects stay the same.
 inline constexpr double newProjectFilmWork = 100;
+// With half the cell, a sheet with this numerical error is expected to move by
+// mostHalfSpacingChange (SheetChange.h).
+inline constexpr Millimetres newProjectWantedError{0.3};
 
 // Gives the project an imported model, and records the file and the options that it came from.
 void setModel(Project& project, const ImportedModel& imported, const QString& source,

@@ -280,6 +280,7 @@ void applyPreset(Project& project, const QString& preset) {
     if (preset == QLatin1String("production")) {
         project.film.lattice = solver::Lattice::Isotropic;
         project.film.support = solver::Support::Water;
+        project.process.contactTravel = newProjectContactTravel;
     } else if (preset == QLatin1String("paper-2020")) {
         project.film.lattice = solver::Lattice::Structural;
         project.film.support = solver::Support::None;
@@ -295,7 +296,6 @@ void applyPreset(Project& project, const QString& preset) {
     project.process.iterations = standard.iterations;
     project.process.relaxation = standard.relaxation;
     project.process.selfContact = standard.selfContact;
-    project.process.contactTravel = standard.contactTravel;
 }
 
 namespace {

@@ -118,6 +118,8 @@ void addFilmFields(std::vector<Field<Project>>& fields) {
         [](auto& p) -> auto& { return p.film.resolution; })));
     fields.push_back(omittedIfDefault(notHashedIfDefault(number(
         "film.work_million", 0, mostFilmWork, [](auto& p) -> auto& { return p.film.work; }))));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(numberOrNone(
+        "film.wanted_error_mm", 0.001, 100, [](auto& p) -> auto& { return p.film.wantedError; }))));
     fields.push_back(choice(
         "film.lattice", {QStringLiteral("structural"), QStringLiteral("isotropic")},
         [](auto& p) -> auto& { return p.film.lattice; }));

@@ -7,6 +7,7 @@
 
 #include <QString>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace dipwright {
@@ -65,6 +66,9 @@ struct FilmSettings : FilmBehaviour {
     // For FilmResolution::Automatic: the dip is repeated with smaller cells until its sheet can be
     // printed, but never with more than this work: million points × steps. 0: never repeated.
     double work = defaultFilmWork;
+    // The dip is also repeated until 95 % of the painted area is off by at most this, within the
+    // same limit. None: only until the sheet can be printed.
+    std::optional<Millimetres> wantedError;
     double refinement = 1; // multiplies the number of cells along both edges; not set by the user
     solver::Lattice lattice = solver::Lattice::Isotropic;
     solver::Support support = solver::Support::Water;

@@ -48,7 +48,7 @@ inline solver::DipSetup productionDip(const Body& body, int columns, int rows,
         test::paperDip(body.sampled, body.lowest, columns, rows, body.height + 2.5);
     setup.settings.lattice = solver::Lattice::Isotropic;
     setup.settings.support = solver::Support::Water;
-    setup.settings.contactTravel = 0.25;
+    setup.settings.contactTravel = 0.5; // as in new projects
     setup.settings.relaxationTime = relaxationTime;
     return setup;
 }

@@ -1,5 +1,8 @@
 #include "workbench/project/PropertySpecs.h"
 
+#include "dip/FilmUnderBody.h"
+#include "project/NewProject.h"
+
 #include <QCoreApplication>
 
 namespace dipwright {
@@ -93,6 +96,18 @@ PropertySection printedFilmProperties() {
              [](const Project& project) {
                  return isProduction(project) &&
                         project.film.resolution == FilmResolution::Automatic;
+             }},
+        {.path = QStringLiteral("film.wanted_error_mm"),
+         .label = Text::tr("Wanted error"),
+         .help = Text::tr("The dip is repeated with smaller cells until the numerical error is at "
+                          "most this on 95 % of the painted area, or until the work limit is "
+                          "reached. “Printable”: only until the sheet can be printed."),
+         .unit = Unit::Length,
+         .absent = Text::tr("Printable"),
+         .whenPresent = newProjectWantedError.value(),
+         .relevant =
+             [](const Project& project) {
+                 return isProduction(project) && isRefinable(project.film);
              }},
         {.path = QStringLiteral("film.points"),
          .label = Text::tr("Points"),

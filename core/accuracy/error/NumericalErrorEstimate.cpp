@@ -58,6 +58,22 @@ std::vector<float> largest(std::vector<float> spacing, const std::vector<float>&
     return spacing;
 }
 
+// Returns the error that the move from the film before leaves at each place, or what sheetMoves()
+// returns for places that are not painted by both.
+std::vector<float> errorsLeft(const LaidFilm& own, const FilmBefore& before,
+                              const std::vector<SurfacePoint>& places) {
+    std::vector<float> left = sheetMoves(own, before.laid, places);
+    const std::vector<float> known = numericalErrorAt(before.error, before.laid, places);
+    const auto factor = float(std::clamp(1 / (before.ratio - 1), 1.0, mostLeft));
+    for (std::size_t place = 0; place < left.size(); ++place) {
+        if (left[place] > 0) {
+            const float most = known[place] > 0 ? known[place] : std::numeric_limits<float>::max();
+            left[place] = std::min(factor * left[place], most);
+        }
+    }
+    return left;
+}
+
 SheetChange scaled(SheetChange change, double share) {
     Distribution& distance = change.distance;
     for (double* value :
@@ -151,12 +167,7 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
         if (!before) {
             return errors;
         }
-        std::vector<float> moves = sheetMoves(own, before->laid, places);
-        const auto left = float(std::clamp(1 / (before->ratio - 1), 1.0, mostLeft));
-        for (float& move : moves) {
-            move = move < 0 ? move : left * move;
-        }
-        return largest(std::move(errors), moves);
+        return largest(std::move(errors), errorsLeft(own, *before, places));
     };
     const std::vector<SurfacePoint> places = comparedPlaces(own.body().mesh);
     const std::vector<float> spacing = spacingMoves(places), step = stepMoves(places);
@@ -179,6 +190,9 @@ std::vector<float> numericalErrorAt(const NumericalErrorEstimate& estimate, cons
                                     const std::vector<SurfacePoint>& places) {
     std::vector<float> offBy(places.size(), 0);
     parallelFor(std::size_t(0), estimate.pointErrors.empty() ? 0 : places.size(), [&](auto i) {
+        if (!places[i].isValid()) {
+            return;
+        }
         if (const std::optional<FilmPlace> place = own.place(places[i])) {
             for (const std::uint32_t corner : own.triangles()[place->triangle]) {
                 offBy[i] = std::fmax(offBy[i], estimate.pointErrors[corner]); // fmax ignores NaN

@@ -64,24 +64,23 @@ double smallestCell(const DippedFilm& film, const FilmSettings& settings) {
     return film.grid.leastSpacing() * std::max(byWork, byPoints);
 }
 
-std::optional<double> finerCell(const Verdict& verdict, const DippedFilm& film,
+std::optional<double> finerCell(double wanted, const DippedFilm& film,
                                 const FilmSettings& settings) {
-    const std::optional<double> wanted =
-        isRefinable(settings) ? wantedCell(verdict, film) : std::nullopt;
-    if (!wanted) {
+    if (!isRefinable(settings)) {
         return std::nullopt;
     }
     const double own = film.grid.leastSpacing();
     const auto doublings = [own](double cell) { return 3 * std::log2(own / cell); };
     const double taken =
-        std::min(std::max(1.0, std::ceil(doublings(*wanted) - almostWhole)),
+        std::min(std::max(1.0, std::ceil(doublings(wanted) - almostWhole)),
                  std::floor(doublings(smallestCell(film, settings)) + almostWhole));
     return taken < 1 ? std::nullopt : std::optional(own * std::exp2(-taken / 3));
 }
 
 Verdict afterRefinement(Verdict verdict, const DippedFilm& film, const FilmSettings& settings) {
-    const std::optional<double> cell = finerCell(verdict, film, settings);
-    if (!cell || *cell > (1 + almostWhole) * *wantedCell(verdict, film)) {
+    const std::optional<double> wanted = wantedCell(verdict, film);
+    const std::optional<double> cell = wanted ? finerCell(*wanted, film, settings) : std::nullopt;
+    if (!cell || *cell > (1 + almostWhole) * *wanted) {
         return verdict;
     }
     ReasonList expected;

@@ -18,10 +18,10 @@ std::optional<double> wantedCell(const Verdict& verdict, const DippedFilm& film)
 double smallestCell(const DippedFilm& film, const FilmSettings& settings);
 
 // Returns the cell with which the dip is to be repeated, in mm; none if the film keeps its cell.
-// The cell is at most wantedCell(). With it, the work doubles a whole number of times, so that
-// small differences between solvers rarely change the cell. If the limits do not allow this cell,
-// returns the smallest one that they allow and for which the work doubles a whole number of times.
-std::optional<double> finerCell(const Verdict& verdict, const DippedFilm& film,
+// The cell is at most `wanted`. With it, the work doubles a whole number of times. If the limits do
+// not allow this cell, returns the smallest one that they allow and for which the work doubles a
+// whole number of times.
+std::optional<double> finerCell(double wanted, const DippedFilm& film,
                                 const FilmSettings& settings);
 
 // Returns the verdict to be expected after the job has refined the film. If the settings allow

@@ -5,6 +5,7 @@
 #include "base/Error.h"
 #include "import/trusted/ImportModel.h"
 #include "project/FilmSizes.h"
+#include "project/NewProject.h"
 #include "project/Project.h"
 #include "project/ProjectStore.h"
 #include "settings/Immersion.h"
@@ -24,8 +25,9 @@ struct Sample {
     TexturedMesh (*model)();
     std::vector<Immersion> immersions;
     QSizeF film; // mm
-    ProcessSettings process;
     VerdictSettings verdict;
+    std::optional<Millimetres> depth;
+    Degrees overhang = ProcessSettings().overhang;
 };
 
 Immersion immersion(const QString& name, double x, double y, double z) {
@@ -33,13 +35,9 @@ Immersion immersion(const QString& name, double x, double y, double z) {
 }
 
 std::vector<Sample> allSamples() {
-    ProcessSettings shallow; // sharp edges and steep faces would need a much finer film
-    shallow.depth = Millimetres(2);
     VerdictSettings twoFaces; // each dip paints one of four faces; the dips need no overlap
     twoFaces.unreached = 0.5;
     twoFaces.narrow = 1;
-    ProcessSettings clinging; // settings with which the two dips meet around the flippers
-    clinging.overhang = Degrees(25);
     return {
         {QStringLiteral("sphere"),
          samples::sphere,
@@ -52,15 +50,16 @@ std::vector<Sample> allSamples() {
          {immersion(QStringLiteral("Face F"), 0, 180, 0),
           immersion(QStringLiteral("Face P"), -109.5, 0, 0)},
          {110, 110},
-         shallow,
-         twoFaces},
+         twoFaces,
+         Millimetres(2)}, // sharp edges and steep faces would need a much finer film
         {QStringLiteral("turtle"),
          samples::turtle,
          {immersion(QStringLiteral("Belly"), 0, 0, 0),
           immersion(QStringLiteral("Shell"), 0, 0, 180)},
          filmSize(QStringLiteral("A5")),
-         clinging,
-         {}},
+         {},
+         {},
+         Degrees(25)}, // with this, the two dips meet around the flippers
     };
 }
 
@@ -73,15 +72,14 @@ void write(const Sample& sample, const QDir& folder) {
 
     // The project imports the model like any other: from its file.
     const QString source = QStringLiteral("models/%1.obj").arg(sample.name);
-    Project project;
+    Project project = newProject(source);
     project.name = sample.name.left(1).toUpper() + sample.name.mid(1);
     // A fixed date, so that the file is always the same.
     project.date = QStringLiteral("2026-01-01");
-    applyPreset(project, QStringLiteral("production"));
     resizeFilm(project.film, Millimetres(sample.film.width()), Millimetres(sample.film.height()));
-    project.film.resolution = FilmResolution::Automatic;
     project.immersions = sample.immersions;
-    project.process = sample.process;
+    project.process.depth = sample.depth;
+    project.process.overhang = sample.overhang;
     project.verdict = sample.verdict;
     project.model =
         std::make_shared<const TexturedMesh>(importModel(folder.filePath(source), {}, {}).model);

@@ -127,6 +127,19 @@ private slots:
         QVERIFY(!nextRefinement(dip, dip.verdict, fixed.film));
     }
 
+    void nextRefinement_wantedError_refinesSheetsThatCanBePrinted() {
+        const ImmersionResult& dip = refined_->immersions[0];
+        const double offBy = dip.numericalError->offBy.percentile95;
+        const auto next = [&](std::optional<Millimetres> wanted) {
+            FilmSettings film = turtle_.film;
+            film.wantedError = wanted;
+            return nextRefinement(dip, dip.verdict, film);
+        };
+        QVERIFY(!next({}) && !next(Millimetres(1.01 * offBy)));
+        const std::optional<double> refinement = next(Millimetres(0.9 * offBy));
+        QVERIFY(refinement && *refinement > 1.2 * dip.refinement);
+    }
+
 private:
     SolverRegistry registry_;
     Project turtle_;

@@ -390,13 +390,18 @@ private slots:
         }
     }
 
-    void newProject_workLimit_isInTheFileAndOlderFilesKeepTheirs() {
+    void newProject_accuracy_isInTheFileAndOlderFilesKeepTheirs() {
         QJsonObject file = toJson(newProject(QStringLiteral("part.obj")));
         QJsonObject film = file["film"].toObject();
         QCOMPARE(film["work_million"].toDouble(), newProjectFilmWork);
+        QCOMPARE(film["wanted_error_mm"].toDouble(), newProjectWantedError.value());
+        QCOMPARE(file["process"]["contact_travel_cells"].toDouble(), newProjectContactTravel);
         film.remove("work_million");
+        film.remove("wanted_error_mm");
         file["film"] = film;
-        QCOMPARE(fromJson(file, "x").film.work, 60.0);
+        const Project older = fromJson(file, "x");
+        QCOMPARE(older.film.work, 60.0);
+        QVERIFY(!older.film.wantedError);
     }
 
     void setByPath_pointsOrCell_lastOneCounts() {
@@ -536,6 +541,8 @@ private slots:
         QCOMPARE(project.process.timeStep.value(), 1.0 / 60);
         QCOMPARE(project.process.dipSpeed.value(), 5.0);
         applyPreset(project, "production");
+        QCOMPARE(project.process.contactTravel, newProjectContactTravel);
+        project.process.contactTravel = Project().process.contactTravel;
         QVERIFY(project == Project());
         QVERIFY_EXCEPTION_THROWN(applyPreset(project, "paper-2021"), Error);
     }

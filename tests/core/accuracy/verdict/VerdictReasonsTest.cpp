@@ -125,6 +125,25 @@ private slots:
         QCOMPARE(judged(*laid, &estimate).reasons.front().kind, VerdictReason::Kind::Step);
     }
 
+    // The film before lies 0.4 mm to the side; its cells are 1.5 times as large, so its move counts
+    // twice.
+    void estimate_filmBefore_countsAtMostWithItsOwnError() {
+        const auto laid = filmWith({});
+        DippedFilm moved = laid->film();
+        for (Eigen::Vector3f& place : moved.positions) {
+            place.x() += 0.4f;
+        }
+        const auto before = test::laid(laid->body().mesh, moved);
+        const auto same = test::laid(laid->body().mesh, laid->film());
+        const auto offBy = [&](double ownError) {
+            const NumericalErrorEstimate own = movedBy(*before, ownError);
+            return estimateNumericalError(*laid, {same, same, {}}, FilmBefore{*before, 1.5, own})
+                .offBy.percentile95;
+        };
+        QVERIFY(std::abs(offBy(5) - 0.8) < 0.01);
+        QVERIFY(std::abs(offBy(0.5) - 0.5) < 0.01);
+    }
+
     void afterRefinement_affordableCells_replaceTheNumericalReasons() {
         const auto laid = filmWith({}, true);
         const NumericalErrorEstimate estimate = movedBy(*laid, 0.75);
