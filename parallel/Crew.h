@@ -50,7 +50,6 @@ private:
 
     const int members_;
     const std::unique_ptr<Share[]> shares_;
-    const ForkAndJoin whole_{};
     Crew* const outer_; // the crew that this thread had before
     tbb::task_group helpers_;
     std::atomic<bool> isOver_ = false;

@@ -167,6 +167,34 @@ bool PlaneFilm::mayBeTornOrFolded(int row, const PlaneVector& displacement, floa
     return numerics::mayBeTornOrFolded(range.largestSquares, range.leastArea, limit);
 }
 
+void PlaneFilm::relaxFloating(const PlaneVector& displacement, float keep) {
+    const std::size_t width = std::size_t(columns_), cells = width - 1;
+    forRowBands(rows_ - 1, columns_, [&](int begin, int end) {
+        std::vector<float> relaxed(4 * cells);
+        for (int row = begin; row < end; ++row) {
+            const auto [next, last] = crossingInRow(row);
+            std::vector<Matrix2<float>> onLine;
+            for (std::size_t k = next; k < last; ++k) {
+                onLine.push_back(inverseShape(crossing_[k].cell, crossing_[k].second));
+            }
+            for (const bool second : {false, true}) {
+                relaxRow(cells, unsigned(row) & 1u, second, rowOfPoints(displacement, width, row),
+                         shapesOf(row), keep, {relaxed.data(), cells});
+                TriangleArrays& to = inverseShape_[second];
+                const float* from = relaxed.data();
+                for (std::vector<float>* array : {&to.a, &to.b, &to.c, &to.d}) {
+                    std::copy_n(from, cells, array->begin() + std::ptrdiff_t(cells) * row);
+                    from += cells;
+                }
+            }
+            for (std::size_t k = next; k < last; ++k) {
+                setInverseShape(crossing_[k].cell, crossing_[k].second, onLine[k - next]);
+            }
+            crept_[std::size_t(row)] = 1;
+        }
+    });
+}
+
 void PlaneFilm::setCrossing(std::vector<Crossing> triangles) {
     crossing_ = std::move(triangles);
     anchors_.resize(crossing_.size());

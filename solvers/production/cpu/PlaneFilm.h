@@ -75,6 +75,8 @@ public:
     }
     template <typename OnLine, typename Floating>
     void forTriangles(const OnLine& onLine, const Floating& floating);
+    // Relaxes the triangles that do not cross the contact line; see relaxedInverseShape().
+    void relaxFloating(const PlaneVector& displacement, float keep);
     template <typename OnLine, typename Floating>
     void forStretched(const PlaneVector& displacement, float limit, const OnLine& onLine,
                       const Floating& floating);
