@@ -20,10 +20,10 @@ namespace {
 // The forces on the edges of one row of cells: on the lower (first) and upper (second) horizontal
 // edges, and each cell's contribution to its left and right vertical edges.
 struct EdgeForces {
-    explicit EdgeForces(std::size_t count) : storage(8 * count), cells(count) {}
-    float* array(int which) { return storage.data() + std::size_t(which) * cells; }
-    std::vector<float> storage;
-    std::size_t cells;
+    explicit EdgeForces(std::size_t cells) : pitch((cells / 16 + 1) * 16), storage(8 * pitch) {}
+    float* array(int which) { return storage.data() + std::size_t(which) * pitch; }
+    std::size_t pitch;
+    AlignedVector<float> storage;
 };
 enum { firstX, firstZ, secondX, secondZ, leftX, leftZ, rightX, rightZ };
 
@@ -182,7 +182,7 @@ void PlaneFilm::relaxFloating(const PlaneVector& displacement, float keep) {
                          shapesOf(row), keep, {relaxed.data(), cells});
                 TriangleArrays& to = inverseShape_[second];
                 const float* from = relaxed.data();
-                for (std::vector<float>* array : {&to.a, &to.b, &to.c, &to.d}) {
+                for (AlignedVector<float>* array : {&to.a, &to.b, &to.c, &to.d}) {
                     std::copy_n(from, cells, array->begin() + std::ptrdiff_t(cells) * row);
                     from += cells;
                 }
@@ -245,7 +245,7 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result,
         if (!owned) {
             spare.resize(8 * cells);
         }
-        const auto keep = [&](std::vector<float>& array, std::size_t which) {
+        const auto keep = [&](AlignedVector<float>& array, std::size_t which) {
             return owned ? array.data() + first : spare.data() + which * cells;
         };
         RowOfStates<float*> states;

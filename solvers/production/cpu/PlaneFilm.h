@@ -88,10 +88,10 @@ private:
     // Four numbers per triangle, each in a separate array. The first and the second triangles of
     // the cells are stored separately.
     struct TriangleArrays {
-        std::vector<float> a, b, c, d;
+        AlignedVector<float> a, b, c, d;
     };
     struct States {
-        std::vector<float> cosine, sine, turn, resists;
+        AlignedVector<float> cosine, sine, turn, resists;
     };
 
     template <typename Floating>

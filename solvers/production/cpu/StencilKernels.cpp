@@ -47,53 +47,45 @@ HWY_INLINE void putBlock(const StencilLines<float>& stencil, std::size_t line, s
     stencil[line + 3][i] = block.d;
 }
 
-// Computes the blocks of a row of points with the row below it (−1), with itself (0) or with the
-// row above it (1). `there` is the entry of `free` for that row.
-template <int toRow>
-HWY_NOINLINE void assembleBlocks(std::size_t begin, std::size_t end, unsigned parity,
-                                 RowOfTriangles below, RowOfTriangles above, const float* here,
-                                 const float* there, float drag, const float* area,
-                                 StencilLines<float> stencil) {
+HWY_NOINLINE void assemblePoints(std::size_t begin, std::size_t end, unsigned parity,
+                                 RowOfTriangles below, RowOfTriangles above, RowsOfFree free,
+                                 float drag, const float* area, StencilLines<float> stencil) {
     using numerics::cellRow;
     using numerics::detail::plus;
-    constexpr std::size_t firstLine = 12 * std::size_t(toRow + 1);
     DIPWRIGHT_INDEPENDENT_LOOP
     for (std::size_t i = begin; i < end; ++i) {
         const bool even = ((unsigned(i) + parity) & 1u) == 0;
+        // Each of the four cells around the point adds its part, in this order.
+        const auto belowRight = cellRow<CellPoint::UpperLeft>(
+            triangleAt(below.first, i + 1), triangleAt(below.second, i + 1), !even);
+        const auto belowLeft = cellRow<CellPoint::UpperRight>(triangleAt(below.first, i),
+                                                              triangleAt(below.second, i), even);
+        const auto aboveRight = cellRow<CellPoint::LowerLeft>(
+            triangleAt(above.first, i + 1), triangleAt(above.second, i + 1), even);
+        const auto aboveLeft = cellRow<CellPoint::LowerRight>(triangleAt(above.first, i),
+                                                              triangleAt(above.second, i), !even);
         const Matrix2<float> zero{};
-        Matrix2<float> before = zero, own = zero, after = zero; // the columns i − 1, i, i + 1
-        if constexpr (toRow <= 0) {
-            const auto right = cellRow<CellPoint::UpperLeft>(
-                triangleAt(below.first, i + 1), triangleAt(below.second, i + 1), !even);
-            const auto left = cellRow<CellPoint::UpperRight>(triangleAt(below.first, i),
-                                                             triangleAt(below.second, i), even);
-            before = plus(before, toRow < 0 ? left.toLowerLeft : left.toUpperLeft);
-            own = plus(own, toRow < 0 ? right.toLowerLeft : right.toUpperLeft);
-            own = plus(own, toRow < 0 ? left.toLowerRight : left.toUpperRight);
-            after = plus(after, toRow < 0 ? right.toLowerRight : right.toUpperRight);
-        }
-        if constexpr (toRow >= 0) {
-            const auto right = cellRow<CellPoint::LowerLeft>(triangleAt(above.first, i + 1),
-                                                             triangleAt(above.second, i + 1), even);
-            const auto left = cellRow<CellPoint::LowerRight>(triangleAt(above.first, i),
-                                                             triangleAt(above.second, i), !even);
-            before = plus(before, toRow > 0 ? left.toUpperLeft : left.toLowerLeft);
-            own = plus(own, toRow > 0 ? right.toUpperLeft : right.toLowerLeft);
-            own = plus(own, toRow > 0 ? left.toUpperRight : left.toLowerRight);
-            after = plus(after, toRow > 0 ? right.toUpperRight : right.toLowerRight);
-        }
-        const float isFree = here[i + 1];
-        before = scaled(before, isFree * there[i]);
-        own = scaled(own, isFree * there[i + 1]);
-        after = scaled(after, isFree * there[i + 2]);
-        if constexpr (toRow == 0) {
-            const float resistance = drag * area[i] * isFree;
-            own.a += resistance;
-            own.d += resistance;
-        }
-        putBlock(stencil, firstLine, i, before);
-        putBlock(stencil, firstLine + 4, i, own);
-        putBlock(stencil, firstLine + 8, i, after);
+        const float isFree = free.here[i + 1];
+        const auto put = [&](std::size_t line, float isThereFree, const Matrix2<float>& block) {
+            putBlock(stencil, line, i, scaled(plus(zero, block), isFree * isThereFree));
+        };
+        put(0, free.below[i], belowLeft.toLowerLeft);
+        put(4, free.below[i + 1], plus(belowRight.toLowerLeft, belowLeft.toLowerRight));
+        put(8, free.below[i + 2], belowRight.toLowerRight);
+        put(12, free.here[i], plus(belowLeft.toUpperLeft, aboveLeft.toLowerLeft));
+        Matrix2<float> own =
+            scaled(plus(zero, plus(plus(plus(belowRight.toUpperLeft, belowLeft.toUpperRight),
+                                        aboveRight.toLowerLeft),
+                                   aboveLeft.toLowerRight)),
+                   isFree * isFree);
+        const float resistance = drag * area[i] * isFree;
+        own.a += resistance;
+        own.d += resistance;
+        putBlock(stencil, middleLine, i, own);
+        put(20, free.here[i + 2], plus(belowRight.toUpperRight, aboveRight.toLowerRight));
+        put(24, free.above[i], aboveLeft.toUpperLeft);
+        put(28, free.above[i + 1], plus(aboveRight.toUpperLeft, aboveLeft.toUpperRight));
+        put(32, free.above[i + 2], aboveRight.toUpperRight);
     }
 }
 
@@ -101,10 +93,7 @@ void assembleStencils(std::size_t columns, unsigned parity, const RowOfTriangles
                       const RowOfTriangles& above, const RowsOfFree& free, float drag,
                       const float* area, const StencilLines<float>& stencil) {
     inWholeVectors(columns, [&](std::size_t begin, std::size_t end) {
-        const float* here = free.here;
-        assembleBlocks<-1>(begin, end, parity, below, above, here, free.below, drag, area, stencil);
-        assembleBlocks<0>(begin, end, parity, below, above, here, here, drag, area, stencil);
-        assembleBlocks<1>(begin, end, parity, below, above, here, free.above, drag, area, stencil);
+        assemblePoints(begin, end, parity, below, above, free, drag, area, stencil);
     });
 }
 

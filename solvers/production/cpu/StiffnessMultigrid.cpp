@@ -77,7 +77,8 @@ Lines<const float> constant(const Lines<float>& lines) {
 class TriangleRow {
 public:
     explicit TriangleRow(std::size_t columns)
-        : pitch_(columns + 1), numbers_(2 * triangleLines * pitch_) {}
+        : pitch_((columns / widestVector + 1) * widestVector),
+          numbers_(2 * triangleLines * pitch_) {}
     // The cells' part of the lines of the first (0) or second (1) triangles.
     Lines<float> cells(std::size_t second) {
         return {numbers_.data() + second * triangleLines * pitch_ + 1, pitch_};
@@ -89,7 +90,7 @@ public:
 
 private:
     std::size_t pitch_;
-    std::vector<float> numbers_;
+    AlignedVector<float> numbers_;
 };
 
 // The early lines (StencilLines) of the last rows, which only the coarser grid needs.
@@ -103,7 +104,7 @@ public:
 private:
     static constexpr std::size_t kept = 3; // a coarse row uses so many
     std::size_t pitch_;
-    std::vector<float> numbers_;
+    AlignedVector<float> numbers_;
 };
 
 } // namespace
@@ -121,7 +122,7 @@ StiffnessMultigrid::StiffnessMultigrid(const solver::FilmGrid& grid)
 
 template <typename StencilOf>
 void StiffnessMultigrid::coarsenRow(Level& fine, const StencilOf& stencil, Level& coarse, int row,
-                                    std::vector<float>& scratch) {
+                                    AlignedVector<float>& scratch) {
     const std::vector<float> zeros(fine.pitch);
     const auto fineRow = [&](int j) -> StencilLines<const float> {
         if (j < 0 || j >= fine.rows) {
@@ -160,7 +161,7 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
             const Lines<float> all = level.stencil(row);
             return {isAtOtherBand || level.readsAll(row) ? all : early.of(row), all};
         };
-        std::vector<float> scratch(stencilLines * level.pitch);
+        AlignedVector<float> scratch(stencilLines * level.pitch);
         int nextCoarse = begin > 0 ? begin / 2 + 1 : 0;
         for (int row = begin; row < end; ++row) {
             compute(row, above);
@@ -177,7 +178,7 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
     });
     if (coarseRows > 0) {
         forBandStarts(level.rows, level.columns, [&](int row) {
-            std::vector<float> scratch(stencilLines * level.pitch);
+            AlignedVector<float> scratch(stencilLines * level.pitch);
             coarsenRow(level, allLines(level), levels_[1], row / 2, scratch);
         });
     }
@@ -216,7 +217,7 @@ void StiffnessMultigrid::findKinds(const PlaneFilm& film, const std::vector<floa
 
 void StiffnessMultigrid::coarsen(Level& fine, Level& coarse) {
     forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
-        std::vector<float> scratch(stencilLines * fine.pitch);
+        AlignedVector<float> scratch(stencilLines * fine.pitch);
         for (int row = begin; row < end; ++row) {
             coarsenRow(fine, allLines(fine), coarse, row, scratch);
         }
@@ -284,7 +285,7 @@ void StiffnessMultigrid::smoothFromZero(Level& level, const Take& take) {
 // Sets the right side of a coarse row to the fine grid's residual, which is in its `next`.
 void StiffnessMultigrid::Restriction::operator()(int row) const {
     std::vector<float> sum(std::size_t(fine->columns) + 3);
-    const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to) {
+    const auto restricted = [&](const AlignedVector<float>& from, AlignedVector<float>& to) {
         restrictRow(std::size_t(fine->columns), std::size_t(coarse->columns), fine->pitch,
                     from.data() + fine->at(2 * row), sum.data(), to.data() + coarse->at(row));
     };

@@ -2,6 +2,7 @@
 // stiffness of the film (GalerkinCycle.h).
 #pragma once
 
+#include "common/cpu/AlignedVector.h"
 #include "production/cpu/PlaneFilm.h"
 #include "production/cpu/StencilKernels.h"
 #include "production/formulas/GalerkinCycle.h"
@@ -28,10 +29,10 @@ private:
     struct Level {
         int columns, rows;
         std::size_t pitch;
-        std::vector<float> stencils, inverses; // stencilLines and inverseLines lines per row
-        std::vector<StencilKind> kinds;        // StencilRow::kinds of all rows, or empty
+        AlignedVector<float> stencils, inverses; // stencilLines and inverseLines lines per row
+        std::vector<StencilKind> kinds;          // StencilRow::kinds of all rows, or empty
         struct Vectors {
-            std::vector<float> x, z;
+            AlignedVector<float> x, z;
         };
         Vectors right, now, next, direction;
 
@@ -62,7 +63,7 @@ private:
     // grid's pitch.
     template <typename StencilOf>
     static void coarsenRow(Level& fine, const StencilOf& stencil, Level& coarse, int row,
-                           std::vector<float>& scratch);
+                           AlignedVector<float>& scratch);
     static auto allLines(Level& level) {
         return [&level](int row) -> StencilLines<float> {
             return {level.stencil(row), level.stencil(row)};
