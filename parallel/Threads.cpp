@@ -1,5 +1,6 @@
 #include "parallel/Threads.h"
 
+#include "parallel/Crew.h"
 #include "parallel/ForkAndJoin.h"
 
 #include <tbb/global_control.h>
@@ -43,6 +44,7 @@ void ThreadTeam::run(const std::function<void()>& work) {
     const parallel::ForkAndJoin forkAndJoin{};
     arena_->arena.execute([&] {
         const parallel::ForkAndJoin::Piece piece(forkAndJoin);
+        const parallel::Crew crew(loopThreads());
         work();
     });
 }

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -33,6 +34,10 @@ private Q_SLOTS:
     void threadLimit_inScope_limitsTheThreads();
     void threadTeam_run_finishesBeforeItReturns();
     void threadTeam_exception_reachesTheCaller();
+    void threadTeam_manyShortLoops_seeEachOthersResults();
+    void threadTeam_loopsOfAllLengths_visitEveryIndexOnce();
+    void threadTeam_nestedLoop_computesAll();
+    void threadTeam_exceptionInALoop_reachesTheCaller();
 };
 
 void ParallelTest::parallelFor_visitsEveryIndexOnce() {
@@ -239,6 +244,74 @@ void ParallelTest::threadTeam_exception_reachesTheCaller() {
     ThreadTeam team(1);
     QVERIFY_EXCEPTION_THROWN(team.run([] { throw std::runtime_error("work"); }),
                              std::runtime_error);
+}
+
+// Each loop reads what the other threads wrote in the loop before.
+void ParallelTest::threadTeam_manyShortLoops_seeEachOthersResults() {
+    constexpr std::size_t places = 8;
+    constexpr int loops = 5000;
+    std::vector<int> now(places, 0), next(places, 0);
+    ThreadTeam team(4);
+    team.run([&] {
+        for (int loop = 0; loop < loops; ++loop) {
+            parallelForEvenly(std::size_t(0), places, [&](std::size_t place) {
+                next[place] = now[(place + places / 2 + 1) % places] + 1;
+            });
+            now.swap(next);
+            if (loop % 1000 == 0) { // long enough for helpers to leave
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            }
+        }
+    });
+    QCOMPARE(now, std::vector<int>(places, loops));
+}
+
+void ParallelTest::threadTeam_loopsOfAllLengths_visitEveryIndexOnce() {
+    ThreadTeam team(3);
+    team.run([&] {
+        for (const int length : {1, 2, 3, 4, 7, 255, 256, 257, 1000}) {
+            std::vector<int> visits(static_cast<std::size_t>(length));
+            const auto visit = [&](int index) { ++visits[std::size_t(index - 5)]; };
+            parallelForEvenly(5, 5 + length, visit);
+            parallelFor(5, 5 + length, visit);
+            parallelForPieces(5, 5 + length, 16, [&](int first, int last) {
+                for (int index = first; index < last; ++index) {
+                    visit(index);
+                }
+            });
+            QCOMPARE(visits, std::vector<int>(visits.size(), 3));
+        }
+    });
+}
+
+void ParallelTest::threadTeam_nestedLoop_computesAll() {
+    std::atomic<int> calls = 0;
+    ThreadTeam team(2);
+    team.run([&] {
+        parallelForEvenly(0, 20, [&](int) {
+            parallelFor(0, 100, [&](int) { ++calls; });
+            ThreadTeam(2).run([&] { parallelForEvenly(0, 10, [&](int) { ++calls; }); });
+        });
+    });
+    QCOMPARE(int(calls), 20 * 110);
+}
+
+void ParallelTest::threadTeam_exceptionInALoop_reachesTheCaller() {
+    ThreadTeam team(2);
+    std::atomic<int> calls = 0;
+    team.run([&] {
+        for (int loop = 0; loop < 100; ++loop) {
+            QVERIFY_EXCEPTION_THROWN(parallelForEvenly(0, 2,
+                                                       [&](int index) {
+                                                           if (index == loop % 2) {
+                                                               throw std::runtime_error("loop");
+                                                           }
+                                                       }),
+                                     std::runtime_error);
+            parallelForEvenly(0, 2, [&](int) { ++calls; });
+        }
+    });
+    QCOMPARE(int(calls), 200);
 }
 
 QTEST_APPLESS_MAIN(ParallelTest)

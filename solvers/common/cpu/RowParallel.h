@@ -12,7 +12,7 @@
 namespace dipwright::cpu {
 
 // A band with less is not worth a thread.
-inline constexpr int leastPointsPerBand = 1024, leastRowsPerBand = 8;
+inline constexpr int leastPointsPerBand = 512, leastRowsPerBand = 8;
 
 // Returns the number of bands of a grid: one for each thread of the team, or fewer.
 inline int bandCount(int rows, int columns) {
@@ -47,6 +47,21 @@ void forRows(int rows, int columns, const Work& work) {
     });
 }
 
+// Calls work(row) for the first row of each band but the first.
+template <typename Work>
+void forBandStarts(int rows, int columns, const Work& work) {
+    const int bands = bandCount(rows, columns);
+    const auto start = [&](int band) {
+        const FlushDenormals flush;
+        work(firstRowOfBand(rows, bands, band));
+    };
+    if (bands == 2) { // a few rows are not worth another meeting of the threads
+        start(1);
+    } else {
+        parallelForEvenly(1, bands, start);
+    }
+}
+
 // Calls work(stage, row) for each stage of each row. A stage of a row may use the stage before of
 // the row and of its two neighbours. It may overwrite what only stages before the last one used. So
 // a band's rows pass through all stages while they are in the cache. Rows at the ends of a band
@@ -66,21 +81,13 @@ void forRowStages(int rows, int columns, const Work& work) {
             }
         }
     });
-    const int bands = bandCount(rows, columns);
-    const auto joinToBandBefore = [&](int band) {
-        const FlushDenormals flush;
-        const int begin = firstRowOfBand(rows, bands, band);
+    forBandStarts(rows, columns, [&](int begin) {
         for (int stage = 1; stage < stages; ++stage) {
             for (int row = begin - stage; row < begin + stage; ++row) {
                 work(stage, row);
             }
         }
-    };
-    if (bands == 2) { // a few rows are not worth another meeting of the threads
-        joinToBandBefore(1);
-    } else {
-        parallelForEvenly(1, bands, joinToBandBefore);
-    }
+    });
 }
 
 // Returns the sum of all sums. A Sum begins at zero and has a member add(other).

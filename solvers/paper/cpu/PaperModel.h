@@ -3,7 +3,7 @@
 
 #include "common/BodyFrame.h"
 #include "common/FieldSampling.h"
-#include "paper/cpu/AlignedVector.h"
+#include "common/cpu/AlignedVector.h"
 #include "paper/cpu/PaperKernels.h"
 
 #include <dipwright/FilmSolver.h>

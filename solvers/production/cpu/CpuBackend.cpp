@@ -71,8 +71,8 @@ std::pair<bool, bool> CpuBackend::heldInRow(int row) const {
 
 numerics::FilmForce CpuBackend::force(float drag) {
     const std::size_t width = std::size_t(film_.columns());
-    const auto addDrag = [&](int row, const std::vector<float>& now,
-                             const std::vector<float>& before, std::vector<float>& forces) {
+    const auto addDrag = [&](int row, const AlignedVector<float>& now,
+                             const AlignedVector<float>& before, AlignedVector<float>& forces) {
         const std::size_t first = std::size_t(row) * width;
         addDifference(width, drag, areas_.data() + first, now.data() + first, before.data() + first,
                       forces.data() + first);
@@ -133,7 +133,7 @@ void CpuBackend::startBasis(float factor) {
 
 void CpuBackend::addDrag(int row, float drag, const PlaneVector& v, PlaneVector& product) const {
     const std::size_t width = std::size_t(film_.columns()), first = std::size_t(row) * width;
-    const auto finish = [&](const std::vector<float>& from, std::vector<float>& out) {
+    const auto finish = [&](const AlignedVector<float>& from, AlignedVector<float>& out) {
         addWeighted(width, drag, areas_.data() + first, from.data() + first, out.data() + first);
         multiplyBy(width, masked_.data() + first, out.data() + first);
     };

@@ -47,6 +47,11 @@ public:
     void forTriangles(const OnLine& onLine, const Floating& floating) {
         film_.forTriangles(onLine, floating);
     }
+    template <typename OnLine>
+    void relaxTriangles(const OnLine& onLine, float keep) {
+        film_.forCrossing(onLine);
+        film_.relaxFloating(displacement_, keep);
+    }
     template <typename OnLine, typename Floating>
     void forStretched(float limit, const OnLine& onLine, const Floating& floating) {
         film_.forStretched(displacement_, limit, onLine, floating);

@@ -2,6 +2,10 @@
 // can be vectorised.
 #pragma once
 
+#include "common/HostDevice.h"
+
+#include <cstddef>
+
 #if defined(__clang__)
 #pragma clang diagnostic ignored "-Wpass-failed" // sanitizer builds do not vectorise
 #define DIPWRIGHT_INDEPENDENT_LOOP _Pragma("clang loop vectorize(assume_safety)")
@@ -12,3 +16,20 @@
 #else
 #define DIPWRIGHT_INDEPENDENT_LOOP
 #endif
+
+namespace dipwright::cpu {
+
+// Calls work(first, last) for ranges that cover [0, count), each of a multiple of 16 indices if
+// there are so many. Then no part of a vectorised loop runs one index at a time, which takes as
+// long as whole vectors. Some indices come twice, so `work` may not change what it reads.
+template <typename Work>
+DIPWRIGHT_IN_LOOP void inWholeVectors(std::size_t count, const Work& work) {
+    constexpr std::size_t widest = 16;
+    const std::size_t whole = count < widest ? count : count / widest * widest;
+    work(std::size_t(0), whole);
+    if (whole < count) {
+        work(count - widest, count);
+    }
+}
+
+} // namespace dipwright::cpu

@@ -20,10 +20,10 @@ namespace {
 // The forces on the edges of one row of cells: on the lower (first) and upper (second) horizontal
 // edges, and each cell's contribution to its left and right vertical edges.
 struct EdgeForces {
-    explicit EdgeForces(std::size_t count) : storage(8 * count), cells(count) {}
-    float* array(int which) { return storage.data() + std::size_t(which) * cells; }
-    std::vector<float> storage;
-    std::size_t cells;
+    explicit EdgeForces(std::size_t cells) : pitch((cells / 16 + 1) * 16), storage(8 * pitch) {}
+    float* array(int which) { return storage.data() + std::size_t(which) * pitch; }
+    std::size_t pitch;
+    AlignedVector<float> storage;
 };
 enum { firstX, firstZ, secondX, secondZ, leftX, leftZ, rightX, rightZ };
 
@@ -167,6 +167,34 @@ bool PlaneFilm::mayBeTornOrFolded(int row, const PlaneVector& displacement, floa
     return numerics::mayBeTornOrFolded(range.largestSquares, range.leastArea, limit);
 }
 
+void PlaneFilm::relaxFloating(const PlaneVector& displacement, float keep) {
+    const std::size_t width = std::size_t(columns_), cells = width - 1;
+    forRowBands(rows_ - 1, columns_, [&](int begin, int end) {
+        std::vector<float> relaxed(4 * cells);
+        for (int row = begin; row < end; ++row) {
+            const auto [next, last] = crossingInRow(row);
+            std::vector<Matrix2<float>> onLine;
+            for (std::size_t k = next; k < last; ++k) {
+                onLine.push_back(inverseShape(crossing_[k].cell, crossing_[k].second));
+            }
+            for (const bool second : {false, true}) {
+                relaxRow(cells, unsigned(row) & 1u, second, rowOfPoints(displacement, width, row),
+                         shapesOf(row), keep, {relaxed.data(), cells});
+                TriangleArrays& to = inverseShape_[second];
+                const float* from = relaxed.data();
+                for (AlignedVector<float>* array : {&to.a, &to.b, &to.c, &to.d}) {
+                    std::copy_n(from, cells, array->begin() + std::ptrdiff_t(cells) * row);
+                    from += cells;
+                }
+            }
+            for (std::size_t k = next; k < last; ++k) {
+                setInverseShape(crossing_[k].cell, crossing_[k].second, onLine[k - next]);
+            }
+            crept_[std::size_t(row)] = 1;
+        }
+    });
+}
+
 void PlaneFilm::setCrossing(std::vector<Crossing> triangles) {
     crossing_ = std::move(triangles);
     anchors_.resize(crossing_.size());
@@ -217,7 +245,7 @@ double PlaneFilm::gradient(const PlaneVector& displacement, PlaneVector& result,
         if (!owned) {
             spare.resize(8 * cells);
         }
-        const auto keep = [&](std::vector<float>& array, std::size_t which) {
+        const auto keep = [&](AlignedVector<float>& array, std::size_t which) {
             return owned ? array.data() + first : spare.data() + which * cells;
         };
         RowOfStates<float*> states;

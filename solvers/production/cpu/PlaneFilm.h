@@ -75,6 +75,8 @@ public:
     }
     template <typename OnLine, typename Floating>
     void forTriangles(const OnLine& onLine, const Floating& floating);
+    // Relaxes the triangles that do not cross the contact line; see relaxedInverseShape().
+    void relaxFloating(const PlaneVector& displacement, float keep);
     template <typename OnLine, typename Floating>
     void forStretched(const PlaneVector& displacement, float limit, const OnLine& onLine,
                       const Floating& floating);
@@ -86,10 +88,10 @@ private:
     // Four numbers per triangle, each in a separate array. The first and the second triangles of
     // the cells are stored separately.
     struct TriangleArrays {
-        std::vector<float> a, b, c, d;
+        AlignedVector<float> a, b, c, d;
     };
     struct States {
-        std::vector<float> cosine, sine, turn, resists;
+        AlignedVector<float> cosine, sine, turn, resists;
     };
 
     template <typename Floating>

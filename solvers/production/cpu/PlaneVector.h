@@ -1,14 +1,15 @@
 // Two numbers per film point, x and z, in separate arrays for vector arithmetic.
 #pragma once
 
+#include "common/cpu/AlignedVector.h"
+
 #include <cstddef>
-#include <vector>
 
 namespace dipwright::cpu {
 
 struct PlaneVector {
     using Real = float;
-    std::vector<Real> x, z;
+    AlignedVector<Real> x, z;
 
     PlaneVector() = default;
     explicit PlaneVector(std::size_t points) : x(points), z(points) {}

@@ -231,12 +231,12 @@ HWY_INLINE numerics::Matrix2<float> shapeAt(const RowOfShapes& shapes, bool seco
 // The parameters are passed by value. So the compiler knows that the loop does not overwrite its
 // own pointers.
 template <bool crept>
-HWY_INLINE void gradientCells(std::size_t cells, unsigned parity, RowOfPoints p, RowOfShapes shapes,
-                              float gatheredResistance, RowOfStates<float*> states,
-                              RowOfForces out) {
+HWY_NOINLINE void gradientCells(std::size_t begin, std::size_t end, unsigned parity, RowOfPoints p,
+                                RowOfShapes shapes, float gatheredResistance,
+                                RowOfStates<float*> states, RowOfForces out) {
     const auto [first, second] = states.states;
     DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < cells; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
         const bool even = ((unsigned(i) + parity) & 1u) == 0;
         numerics::StressState<float> state0, state1;
         const numerics::Matrix2<float> shape0 = shapeAt<crept>(shapes, false, i);
@@ -269,12 +269,12 @@ HWY_INLINE numerics::StressState<float> stateAt(const RowOfStates<const float*>:
 }
 
 template <bool crept>
-HWY_INLINE void hessianCells(std::size_t cells, unsigned parity, RowOfPoints p, RowOfShapes shapes,
-                             RowOfStates<const float*> states, numerics::Tangent tangent,
-                             RowOfForces out) {
+HWY_NOINLINE void hessianCells(std::size_t begin, std::size_t end, unsigned parity, RowOfPoints p,
+                               RowOfShapes shapes, RowOfStates<const float*> states,
+                               numerics::Tangent tangent, RowOfForces out) {
     const auto [first, second] = states.states;
     DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < cells; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
         const bool even = ((unsigned(i) + parity) & 1u) == 0;
         const numerics::Matrix2<float> shape0 = shapeAt<crept>(shapes, false, i);
         const numerics::Matrix2<float> shape1 = shapeAt<crept>(shapes, true, i);
@@ -294,21 +294,19 @@ HWY_INLINE void hessianCells(std::size_t cells, unsigned parity, RowOfPoints p, 
 void gradientRow(std::size_t cells, unsigned parity, const RowOfPoints& points,
                  const RowOfShapes& shapes, float gatheredResistance,
                  const RowOfStates<float*>& states, const RowOfForces& forces) {
-    if (shapes.isCrept) {
-        gradientCells<true>(cells, parity, points, shapes, gatheredResistance, states, forces);
-    } else {
-        gradientCells<false>(cells, parity, points, shapes, gatheredResistance, states, forces);
-    }
+    inWholeVectors(cells, [&](std::size_t begin, std::size_t end) {
+        const auto work = shapes.isCrept ? gradientCells<true> : gradientCells<false>;
+        work(begin, end, parity, points, shapes, gatheredResistance, states, forces);
+    });
 }
 
 void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction,
                 const RowOfShapes& shapes, const RowOfStates<const float*>& states,
                 numerics::Tangent tangent, const RowOfForces& forces) {
-    if (shapes.isCrept) {
-        hessianCells<true>(cells, parity, direction, shapes, states, tangent, forces);
-    } else {
-        hessianCells<false>(cells, parity, direction, shapes, states, tangent, forces);
-    }
+    inWholeVectors(cells, [&](std::size_t begin, std::size_t end) {
+        const auto work = shapes.isCrept ? hessianCells<true> : hessianCells<false>;
+        work(begin, end, parity, direction, shapes, states, tangent, forces);
+    });
 }
 
 HWY_INLINE void putBlock(const Lines<float>& lines, std::size_t block, std::size_t i,
@@ -320,10 +318,11 @@ HWY_INLINE void putBlock(const Lines<float>& lines, std::size_t block, std::size
 }
 
 template <bool crept>
-HWY_INLINE void stiffnessCells(std::size_t cells, RowOfShapes shapes, bool second,
-                               RowOfStates<const float*>::Pointers states, Lines<float> out) {
+HWY_NOINLINE void stiffnessCells(std::size_t begin, std::size_t end, RowOfShapes shapes,
+                                 bool second, RowOfStates<const float*>::Pointers states,
+                                 Lines<float> out) {
     DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < cells; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
         const numerics::EdgeStiffness<float> stiffness =
             edgeStiffness(shapeAt<crept>(shapes, second, i), stateAt(states, i), areaAt(shapes, i));
         putBlock(out, 0, i, stiffness.hh);
@@ -336,50 +335,89 @@ HWY_INLINE void stiffnessCells(std::size_t cells, RowOfShapes shapes, bool secon
 void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
                   const RowOfStates<const float*>& states, const Lines<float>& first,
                   const Lines<float>& second) {
-    if (shapes.isCrept) {
-        stiffnessCells<true>(cells, shapes, false, states.states[0], first);
-        stiffnessCells<true>(cells, shapes, true, states.states[1], second);
-    } else {
-        stiffnessCells<false>(cells, shapes, false, states.states[0], first);
-        stiffnessCells<false>(cells, shapes, true, states.states[1], second);
+    inWholeVectors(cells, [&](std::size_t begin, std::size_t end) {
+        const auto work = shapes.isCrept ? stiffnessCells<true> : stiffnessCells<false>;
+        work(begin, end, shapes, false, states.states[0], first);
+        work(begin, end, shapes, true, states.states[1], second);
+    });
+}
+
+template <bool crept, bool second>
+HWY_NOINLINE void relaxCells(std::size_t begin, std::size_t end, unsigned parity, RowOfPoints p,
+                             RowOfShapes shapes, float keep, Lines<float> relaxed) {
+    float *a = relaxed[0], *b = relaxed[1], *c = relaxed[2], *d = relaxed[3];
+    DIPWRIGHT_INDEPENDENT_LOOP
+    for (std::size_t i = begin; i < end; ++i) {
+        const bool even = ((unsigned(i) + parity) & 1u) == 0;
+        const numerics::Matrix2<float> shape = shapeAt<crept>(shapes, second, i);
+        const numerics::EdgePair<float> edges =
+            cellEdges(p, i, second, even != second, shapes.sizes.edgesX[i], shapes.sizes.edgeZ);
+        const numerics::Matrix2<float> result =
+            relaxedInverseShape(shape, gradientOf(edges, shape), keep);
+        a[i] = result.a;
+        b[i] = result.b;
+        c[i] = result.c;
+        d[i] = result.d;
     }
 }
 
-// One maximum and one minimum per lane, because compilers do not vectorise a single one.
+void relaxRow(std::size_t cells, unsigned parity, bool second, const RowOfPoints& points,
+              const RowOfShapes& shapes, float keep, const Lines<float>& relaxed) {
+    inWholeVectors(cells, [&](std::size_t begin, std::size_t end) {
+        const auto work = shapes.isCrept
+                              ? (second ? relaxCells<true, true> : relaxCells<true, false>)
+                              : (second ? relaxCells<false, true> : relaxCells<false, false>);
+        work(begin, end, parity, points, shapes, keep, relaxed);
+    });
+}
+
+// The largest squares and the smallest area of one lane, because compilers do not vectorise a
+// single maximum.
+struct LaneRanges {
+    static constexpr std::size_t count = 16;
+    float largest[count], least[count];
+};
+
+template <bool second>
+HWY_INLINE void takeStretch(const RowOfPoints& p, const RowOfSizes& sizes, const float* moving,
+                            std::size_t i, bool even, std::size_t lane, LaneRanges& ranges) {
+    const float inverseX = sizes.inversesX[i], inverseZ = sizes.inverseZ;
+    const numerics::EdgePair<float> e =
+        cellEdges(p, i, second, even != second, sizes.edgesX[i], sizes.edgeZ);
+    const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
+                          (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
+    const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
+    const bool moves = moving[i] > 0;
+    const float ownSquares = moves ? squares : 0, ownArea = moves ? area : 1;
+    const float largest = ranges.largest[lane], least = ranges.least[lane];
+    ranges.largest[lane] = largest > ownSquares ? largest : ownSquares;
+    ranges.least[lane] = least < ownArea ? least : ownArea;
+}
+
 StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& p,
                           const std::array<const float*, 2>& moving, const RowOfSizes& sizes) {
-    constexpr std::size_t lanesOfRange = 16;
-    std::array<float, lanesOfRange> largest{}, least;
-    least.fill(1);
-    const auto take = [&](std::size_t i, std::size_t lane) {
-        const bool even = ((unsigned(i) + parity) & 1u) == 0;
-        const float inverseX = sizes.inversesX[i], inverseZ = sizes.inverseZ;
-        for (const bool second : {false, true}) {
-            const numerics::EdgePair<float> e =
-                cellEdges(p, i, second, even != second, sizes.edgesX[i], sizes.edgeZ);
-            const float squares = (e.hx * e.hx + e.hz * e.hz) * inverseX * inverseX +
-                                  (e.vx * e.vx + e.vz * e.vz) * inverseZ * inverseZ;
-            const float area = (e.hx * e.vz - e.vx * e.hz) * inverseX * inverseZ;
-            const bool moves = moving[second][i] > 0;
-            const float ownSquares = moves ? squares : 0, ownArea = moves ? area : 1;
-            largest[lane] = largest[lane] > ownSquares ? largest[lane] : ownSquares;
-            least[lane] = least[lane] < ownArea ? least[lane] : ownArea;
-        }
-    };
-    std::size_t i = 0;
-    for (; i + lanesOfRange <= cells; i += lanesOfRange) {
-        for (std::size_t lane = 0; lane < lanesOfRange; ++lane) {
-            take(i + lane, lane);
-        }
+    LaneRanges ranges;
+    for (std::size_t lane = 0; lane < LaneRanges::count; ++lane) {
+        ranges.largest[lane] = 0;
+        ranges.least[lane] = 1;
     }
-    for (; i < cells; ++i) {
-        take(i, 0);
-    }
+    inWholeVectors(cells, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; i += LaneRanges::count) {
+            const std::size_t count = end - i < LaneRanges::count ? end - i : LaneRanges::count;
+            DIPWRIGHT_INDEPENDENT_LOOP
+            for (std::size_t lane = 0; lane < count; ++lane) {
+                const bool even = ((unsigned(i + lane) + parity) & 1u) == 0;
+                takeStretch<false>(p, sizes, moving[0], i + lane, even, lane, ranges);
+                takeStretch<true>(p, sizes, moving[1], i + lane, even, lane, ranges);
+            }
+        }
+    });
     StretchRange range{0, 1};
-    for (std::size_t lane = 0; lane < lanesOfRange; ++lane) {
-        range.largestSquares =
-            range.largestSquares > largest[lane] ? range.largestSquares : largest[lane];
-        range.leastArea = range.leastArea < least[lane] ? range.leastArea : least[lane];
+    for (std::size_t lane = 0; lane < LaneRanges::count; ++lane) {
+        range.largestSquares = range.largestSquares > ranges.largest[lane] ? range.largestSquares
+                                                                           : ranges.largest[lane];
+        range.leastArea =
+            range.leastArea < ranges.least[lane] ? range.leastArea : ranges.least[lane];
     }
     return range;
 }
@@ -423,6 +461,7 @@ HWY_EXPORT(multiplyBy);
 HWY_EXPORT(gradientRow);
 HWY_EXPORT(hessianRow);
 HWY_EXPORT(stiffnessRow);
+HWY_EXPORT(relaxRow);
 HWY_EXPORT(stretchRange);
 HWY_EXPORT(addForces);
 
@@ -473,6 +512,10 @@ void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
                   const RowOfStates<const float*>& states, const Lines<float>& first,
                   const Lines<float>& second) {
     HWY_DYNAMIC_DISPATCH(stiffnessRow)(cells, shapes, states, first, second);
+}
+void relaxRow(std::size_t cells, unsigned parity, bool second, const RowOfPoints& points,
+              const RowOfShapes& shapes, float keep, const Lines<float>& relaxed) {
+    HWY_DYNAMIC_DISPATCH(relaxRow)(cells, parity, second, points, shapes, keep, relaxed);
 }
 StretchRange stretchRange(std::size_t cells, unsigned parity, const RowOfPoints& points,
                           const std::array<const float*, 2>& moving, const RowOfSizes& sizes) {

@@ -110,6 +110,11 @@ void hessianRow(std::size_t cells, unsigned parity, const RowOfPoints& direction
 void stiffnessRow(std::size_t cells, const RowOfShapes& shapes,
                   const RowOfStates<const float*>& states, const Lines<float>& first,
                   const Lines<float>& second);
+// Computes the inverse rest shapes of the first or second triangles in a row of cells after they
+// have relaxed (relaxedInverseShape()): the four lines a, b, c and d. `parity` and `points` are as
+// in gradientRow().
+void relaxRow(std::size_t cells, unsigned parity, bool second, const RowOfPoints& points,
+              const RowOfShapes& shapes, float keep, const Lines<float>& relaxed);
 // The range of stretch of the moving triangles in a row of cells, relative to the undeformed film:
 // the largest λ1² + λ2² and the smallest λ1 λ2.
 struct StretchRange {

@@ -39,82 +39,81 @@ HWY_INLINE Matrix2<float> blockAt(const Lines<const float>& lines, std::size_t b
 HWY_INLINE EdgeStiffness<float> triangleAt(const Lines<const float>& lines, std::size_t i) {
     return {blockAt(lines, 0, i), blockAt(lines, 1, i), blockAt(lines, 2, i), blockAt(lines, 3, i)};
 }
-HWY_INLINE void addBlock(const Lines<float>& stencil, int row, int column, std::size_t i,
+HWY_INLINE void putBlock(const StencilLines<float>& stencil, std::size_t line, std::size_t i,
                          const Matrix2<float>& block) {
-    const std::size_t line = 4 * std::size_t(3 * (row + 1) + column + 1);
-    stencil[line][i] += block.a;
-    stencil[line + 1][i] += block.b;
-    stencil[line + 2][i] += block.c;
-    stencil[line + 3][i] += block.d;
+    stencil[line][i] = block.a;
+    stencil[line + 1][i] = block.b;
+    stencil[line + 2][i] = block.c;
+    stencil[line + 3][i] = block.d;
 }
 
-template <CellPoint point>
-HWY_INLINE void addCellPoint(std::size_t cells, unsigned parity, RowOfTriangles triangles,
-                             Lines<float> stencil) {
-    constexpr bool isLower = point == CellPoint::LowerLeft || point == CellPoint::LowerRight;
-    constexpr bool isLeft = point == CellPoint::LowerLeft || point == CellPoint::UpperLeft;
-    constexpr int below = isLower ? 0 : -1, left = isLeft ? 0 : -1;
+HWY_NOINLINE void assemblePoints(std::size_t begin, std::size_t end, unsigned parity,
+                                 RowOfTriangles below, RowOfTriangles above, RowsOfFree free,
+                                 float drag, const float* area, StencilLines<float> stencil) {
+    using numerics::cellRow;
+    using numerics::detail::plus;
     DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < cells; ++i) {
+    for (std::size_t i = begin; i < end; ++i) {
         const bool even = ((unsigned(i) + parity) & 1u) == 0;
-        const auto row = numerics::cellRow<point>(triangleAt(triangles.first, i),
-                                                  triangleAt(triangles.second, i), even);
-        const std::size_t at = i + (isLeft ? 0 : 1);
-        addBlock(stencil, below, left, at, row.toLowerLeft);
-        addBlock(stencil, below, left + 1, at, row.toLowerRight);
-        addBlock(stencil, below + 1, left, at, row.toUpperLeft);
-        addBlock(stencil, below + 1, left + 1, at, row.toUpperRight);
+        // Each of the four cells around the point adds its part, in this order.
+        const auto belowRight = cellRow<CellPoint::UpperLeft>(
+            triangleAt(below.first, i + 1), triangleAt(below.second, i + 1), !even);
+        const auto belowLeft = cellRow<CellPoint::UpperRight>(triangleAt(below.first, i),
+                                                              triangleAt(below.second, i), even);
+        const auto aboveRight = cellRow<CellPoint::LowerLeft>(
+            triangleAt(above.first, i + 1), triangleAt(above.second, i + 1), even);
+        const auto aboveLeft = cellRow<CellPoint::LowerRight>(triangleAt(above.first, i),
+                                                              triangleAt(above.second, i), !even);
+        const Matrix2<float> zero{};
+        const float isFree = free.here[i + 1];
+        const auto put = [&](std::size_t line, float isThereFree, const Matrix2<float>& block) {
+            putBlock(stencil, line, i, scaled(plus(zero, block), isFree * isThereFree));
+        };
+        put(0, free.below[i], belowLeft.toLowerLeft);
+        put(4, free.below[i + 1], plus(belowRight.toLowerLeft, belowLeft.toLowerRight));
+        put(8, free.below[i + 2], belowRight.toLowerRight);
+        put(12, free.here[i], plus(belowLeft.toUpperLeft, aboveLeft.toLowerLeft));
+        Matrix2<float> own =
+            scaled(plus(zero, plus(plus(plus(belowRight.toUpperLeft, belowLeft.toUpperRight),
+                                        aboveRight.toLowerLeft),
+                                   aboveLeft.toLowerRight)),
+                   isFree * isFree);
+        const float resistance = drag * area[i] * isFree;
+        own.a += resistance;
+        own.d += resistance;
+        putBlock(stencil, middleLine, i, own);
+        put(20, free.here[i + 2], plus(belowRight.toUpperRight, aboveRight.toLowerRight));
+        put(24, free.above[i], aboveLeft.toUpperLeft);
+        put(28, free.above[i + 1], plus(aboveRight.toUpperLeft, aboveLeft.toUpperRight));
+        put(32, free.above[i + 2], aboveRight.toUpperRight);
     }
 }
 
-void addToStencils(std::size_t cells, unsigned parity, const RowOfTriangles& triangles,
-                   const Lines<float>& lower, const Lines<float>& upper) {
-    if (lower.first != nullptr) {
-        addCellPoint<CellPoint::LowerLeft>(cells, parity, triangles, lower);
-        addCellPoint<CellPoint::LowerRight>(cells, parity, triangles, lower);
-    }
-    if (upper.first != nullptr) {
-        addCellPoint<CellPoint::UpperLeft>(cells, parity, triangles, upper);
-        addCellPoint<CellPoint::UpperRight>(cells, parity, triangles, upper);
-    }
-}
-
-void holdPoints(std::size_t columns, const RowsOfFree& free, float drag, const float* area,
-                const Lines<float>& stencil) {
-    for (std::size_t neighbour = 0; neighbour < 9; ++neighbour) {
-        const float* ofRow = neighbour < 3 ? free.below : neighbour < 6 ? free.here : free.above;
-        const float* there = ofRow + neighbour % 3;
-        const float* here = free.here + 1;
-        for (std::size_t line = 4 * neighbour; line < 4 * neighbour + 4; ++line) {
-            float* out = stencil[line];
-            DIPWRIGHT_INDEPENDENT_LOOP
-            for (std::size_t i = 0; i < columns; ++i) {
-                out[i] *= here[i] * there[i];
-            }
-        }
-    }
-    float *xx = stencil[middleLine], *zz = stencil[middleLine + 3];
-    DIPWRIGHT_INDEPENDENT_LOOP
-    for (std::size_t i = 0; i < columns; ++i) {
-        const float own = drag * area[i] * free.here[i + 1];
-        xx[i] += own;
-        zz[i] += own;
-    }
+void assembleStencils(std::size_t columns, unsigned parity, const RowOfTriangles& below,
+                      const RowOfTriangles& above, const RowsOfFree& free, float drag,
+                      const float* area, const StencilLines<float>& stencil) {
+    inWholeVectors(columns, [&](std::size_t begin, std::size_t end) {
+        assemblePoints(begin, end, parity, below, above, free, drag, area, stencil);
+    });
 }
 
 void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse) {
+    float *xx = inverse[0], *xz = inverse[1], *zz = inverse[2];
+    DIPWRIGHT_INDEPENDENT_LOOP
     for (std::size_t i = 0; i < columns; ++i) {
         const Matrix2<float> own = blockAt(stencil, middleLine / 4, i);
         const float mixed = (own.b + own.c) / 2, trace = own.a + own.d;
         const float determinant = own.a * own.d - mixed * mixed;
+        const bool isStiff = trace > 0;
         const bool isRegular =
-            trace > 0 && determinant > numerics::galerkin::leastDeterminant * trace * trace;
-        const float scale = isRegular ? 1 / determinant : 0;
-        const float common = !isRegular && trace > 0 ? 1 / trace : 0;
-        inverse[0][i] = own.d * scale + common;
-        inverse[1][i] = -mixed * scale;
-        inverse[2][i] = own.a * scale + common;
+            isStiff && determinant > numerics::galerkin::leastDeterminant * trace * trace;
+        // One division for all cases, because compilers do not vectorise a conditional one.
+        const float quotient = 1 / (isRegular ? determinant : isStiff ? trace : 1);
+        const float scale = isRegular ? quotient : 0, common = isRegular || !isStiff ? 0 : quotient;
+        xx[i] = own.d * scale + common;
+        xz[i] = -mixed * scale;
+        zz[i] = own.a * scale + common;
     }
 }
 
@@ -340,8 +339,7 @@ namespace dipwright::cpu {
 
 namespace {
 
-HWY_EXPORT(addToStencils);
-HWY_EXPORT(holdPoints);
+HWY_EXPORT(assembleStencils);
 HWY_EXPORT(invertMiddle);
 HWY_EXPORT(coarsenAcross);
 HWY_EXPORT(coarsenAlong);
@@ -353,13 +351,11 @@ HWY_EXPORT(interpolateRow);
 
 } // namespace
 
-void addToStencils(std::size_t cells, unsigned parity, const RowOfTriangles& triangles,
-                   const Lines<float>& lower, const Lines<float>& upper) {
-    HWY_DYNAMIC_DISPATCH(addToStencils)(cells, parity, triangles, lower, upper);
-}
-void holdPoints(std::size_t columns, const RowsOfFree& free, float drag, const float* area,
-                const Lines<float>& stencil) {
-    HWY_DYNAMIC_DISPATCH(holdPoints)(columns, free, drag, area, stencil);
+void assembleStencils(std::size_t columns, unsigned parity, const RowOfTriangles& below,
+                      const RowOfTriangles& above, const RowsOfFree& free, float drag,
+                      const float* area, const StencilLines<float>& stencil) {
+    HWY_DYNAMIC_DISPATCH(assembleStencils)
+    (columns, parity, below, above, free, drag, area, stencil);
 }
 void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
                   const Lines<float>& inverse) {

@@ -18,6 +18,15 @@ inline constexpr std::size_t stencilLines = 36;
 inline constexpr std::size_t middleLine = 16;  // first line of the point's block with itself
 inline constexpr std::size_t inverseLines = 3; // xx, xz, zz of a symmetric 2 × 2 block per point
 
+// The lines of a row of stencils. Those before `middleLine` may lie elsewhere.
+template <typename Number>
+struct StencilLines {
+    Lines<Number> early, others; // both are indexed from line 0
+    Number* operator[](std::size_t line) const {
+        return line < middleLine ? early[line] : others[line];
+    }
+};
+
 // The x and z values of one row of points. The adjacent rows are `pitch` numbers away. Zeros
 // surround the grid.
 template <typename Number>
@@ -26,24 +35,23 @@ struct RowOfVectors {
 };
 
 // Number of lines with the stiffness of the first (or second) triangles in a row of cells
-// (EdgeStiffness.h: hh, hv, vh, vv).
+// (EdgeStiffness.h: hh, hv, vh, vv). Cell `i` has the number i + 1 in its line; before and after
+// the cells, a line has a zero.
 inline constexpr std::size_t triangleLines = 16;
 struct RowOfTriangles {
     Lines<const float> first, second;
 };
-
-// Adds the stiffness of a row of cells to the rows of points below and above it. `parity` is as in
-// gradientRow() (RowKernels.h).
-void addToStencils(std::size_t cells, unsigned parity, const RowOfTriangles& triangles,
-                   const Lines<float>& lower, const Lines<float>& upper);
-// Clears the rows and columns of held points (`free` is 0) and adds the drag of each free point.
-// RowsOfFree holds `free` for the rows below, here and above, each with one extra number at both
-// ends.
+// `free` of the rows below, here and above, each with one extra number at both ends.
 struct RowsOfFree {
     const float *below, *here, *above;
 };
-void holdPoints(std::size_t columns, const RowsOfFree& free, float drag, const float* area,
-                const Lines<float>& stencil);
+// Computes the stencils of a row of points from the stiffness of the rows of cells below and above
+// it; beyond the grid's ends all lines are zero. `parity` is that of the row above, as in
+// gradientRow() (RowKernels.h). The rows and columns of held points are zero (`free` is 0). A free
+// point has a drag of `drag` times its entry in `area`.
+void assembleStencils(std::size_t columns, unsigned parity, const RowOfTriangles& below,
+                      const RowOfTriangles& above, const RowsOfFree& free, float drag,
+                      const float* area, const StencilLines<float>& stencil);
 // Inverts the symmetric part of each point's own block. A nearly singular block is replaced by the
 // inverse of its trace, and a zero block by zero.
 void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
@@ -52,7 +60,7 @@ void invertMiddle(std::size_t columns, const Lines<const float>& stencil,
 // The stencils of three fine rows: the one that a coarse row lies on, and those before and after
 // it. Beyond the grid's ends they are 0.
 struct FineRows {
-    Lines<const float> before, here, after;
+    StencilLines<const float> before, here, after;
 };
 // Computes the coarse operator by Galerkin interpolation, one axis after the other. The coarse grid
 // has every second point. This function works across rows, for one coarse row.

@@ -73,6 +73,40 @@ Lines<const float> constant(const Lines<float>& lines) {
     return {lines.first, lines.pitch};
 }
 
+// The stiffness of the triangles in a row of cells (RowOfTriangles).
+class TriangleRow {
+public:
+    explicit TriangleRow(std::size_t columns)
+        : pitch_((columns / widestVector + 1) * widestVector),
+          numbers_(2 * triangleLines * pitch_) {}
+    // The cells' part of the lines of the first (0) or second (1) triangles.
+    Lines<float> cells(std::size_t second) {
+        return {numbers_.data() + second * triangleLines * pitch_ + 1, pitch_};
+    }
+    RowOfTriangles lines() const {
+        return {{numbers_.data(), pitch_}, {numbers_.data() + triangleLines * pitch_, pitch_}};
+    }
+    void clear() { std::ranges::fill(numbers_, 0.f); }
+
+private:
+    std::size_t pitch_;
+    AlignedVector<float> numbers_;
+};
+
+// The early lines (StencilLines) of the last rows, which only the coarser grid needs.
+class EarlyLines {
+public:
+    explicit EarlyLines(std::size_t pitch) : pitch_(pitch), numbers_(kept * middleLine * pitch) {}
+    Lines<float> of(int row) {
+        return {numbers_.data() + std::size_t(row) % kept * middleLine * pitch_, pitch_};
+    }
+
+private:
+    static constexpr std::size_t kept = 3; // a coarse row uses so many
+    std::size_t pitch_;
+    AlignedVector<float> numbers_;
+};
+
 } // namespace
 
 StiffnessMultigrid::StiffnessMultigrid(const solver::FilmGrid& grid)
@@ -86,45 +120,75 @@ StiffnessMultigrid::StiffnessMultigrid(const solver::FilmGrid& grid)
     }
 }
 
-void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float>& free,
-                                  const std::vector<float>& area, float drag) {
+template <typename StencilOf>
+void StiffnessMultigrid::coarsenRow(Level& fine, const StencilOf& stencil, Level& coarse, int row,
+                                    AlignedVector<float>& scratch) {
+    const std::vector<float> zeros(fine.pitch);
+    const auto fineRow = [&](int j) -> StencilLines<const float> {
+        if (j < 0 || j >= fine.rows) {
+            return {{zeros.data(), 0}, {zeros.data(), 0}};
+        }
+        const StencilLines<float> lines = stencil(j);
+        return {constant(lines.early), constant(lines.others)};
+    };
+    const std::size_t columns = std::size_t(fine.columns);
+    const Lines<float> across{scratch.data(), fine.pitch};
+    coarsenAcross(columns, {fineRow(2 * row - 1), fineRow(2 * row), fineRow(2 * row + 1)}, across);
+    coarsenAlong(columns, constant(across), coarse.stencil(row));
+    invert(coarse, row);
+}
+
+void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float>& area,
+                                  float drag) {
     Level& level = levels_.front();
+    const int coarseRows = levels_.size() > 1 ? levels_[1].rows : 0;
     const std::size_t width = std::size_t(level.columns), padded = width + 2;
     const auto freeRow = [&](int row) { return free_.data() + std::size_t(row + 1) * padded; };
-    forRows(level.rows, level.columns, [&](int row) {
-        std::copy_n(free.data() + std::size_t(row) * width, width, freeRow(row) + 1);
-    });
-    const auto clear = [&](int row) {
-        std::fill_n(level.stencil(row).first, stencilLines * level.pitch, 0.f);
-    };
-    const auto finish = [&](int row) {
-        holdPoints(width, {freeRow(row - 1), freeRow(row), freeRow(row + 1)}, drag,
-                   area.data() + std::size_t(row) * width, level.stencil(row));
-        invert(level, row);
-    };
     forRowBands(level.rows, level.columns, [&](int begin, int end) {
-        std::vector<float> lines(2 * triangleLines * width);
-        const Lines<float> first{lines.data(), width},
-            second{lines.data() + triangleLines * width, width};
-        clear(begin);
-        // Both bands compute the row of cells between them.
-        for (int j = std::max(begin - 1, 0); j < std::min(end, level.rows - 1); ++j) {
-            const bool hasLower = j >= begin, hasUpper = j + 1 < end;
-            if (hasLower && hasUpper) {
-                clear(j + 1);
+        TriangleRow below(width), above(width);
+        const auto compute = [&](int row, TriangleRow& triangles) {
+            if (row >= 0 && row < level.rows - 1) {
+                film.stiffness(row, triangles.cells(0), triangles.cells(1));
+            } else {
+                triangles.clear();
             }
-            film.stiffness(j, first, second);
-            addToStencils(width - 1, unsigned(j) & 1u, {constant(first), constant(second)},
-                          hasLower ? level.stencil(j) : Lines<float>{},
-                          hasUpper ? level.stencil(j + 1) : Lines<float>{});
-            if (hasLower) {
-                finish(j);
+        };
+        compute(begin - 1, below); // both bands compute the row of cells between them
+        EarlyLines early(level.pitch);
+        const auto stencil = [&](int row) -> StencilLines<float> {
+            const bool isAtOtherBand =
+                (begin > 0 && row < begin + 2) || (end < level.rows && row >= end - 2);
+            const Lines<float> all = level.stencil(row);
+            return {isAtOtherBand || level.readsAll(row) ? all : early.of(row), all};
+        };
+        AlignedVector<float> scratch(stencilLines * level.pitch);
+        int nextCoarse = begin > 0 ? begin / 2 + 1 : 0;
+        for (int row = begin; row < end; ++row) {
+            compute(row, above);
+            assembleStencils(width, unsigned(row) & 1u, below.lines(), above.lines(),
+                             {freeRow(row - 1), freeRow(row), freeRow(row + 1)}, drag,
+                             area.data() + std::size_t(row) * width, stencil(row));
+            invert(level, row);
+            std::swap(below, above);
+            // A coarse row is computed as soon as its fine rows are there, in the cache.
+            while (nextCoarse < coarseRows && std::min(2 * nextCoarse + 1, level.rows - 1) <= row) {
+                coarsenRow(level, stencil, levels_[1], nextCoarse++, scratch);
             }
-        }
-        if (end == level.rows) {
-            finish(end - 1);
         }
     });
+    if (coarseRows > 0) {
+        forBandStarts(level.rows, level.columns, [&](int row) {
+            AlignedVector<float> scratch(stencilLines * level.pitch);
+            coarsenRow(level, allLines(level), levels_[1], row / 2, scratch);
+        });
+    }
+}
+
+bool StiffnessMultigrid::Level::readsAll(int row) const {
+    const std::size_t inRow = kindsPerRow(columns);
+    const auto first = kinds.begin() + std::ptrdiff_t(inRow) * row;
+    return row == 0 || std::find(first, first + std::ptrdiff_t(inRow), StencilKind::Any) !=
+                           first + std::ptrdiff_t(inRow);
 }
 
 void StiffnessMultigrid::findKinds(const PlaneFilm& film, const std::vector<float>& free) {
@@ -140,6 +204,7 @@ void StiffnessMultigrid::findKinds(const PlaneFilm& film, const std::vector<floa
     });
     forRows(level.rows, level.columns, [&](int row) {
         const float* ofRow = free.data() + std::size_t(row) * width;
+        std::copy_n(ofRow, width, free_.data() + std::size_t(row + 1) * (width + 2) + 1);
         for (std::size_t kind = 0; kind < kinds; ++kind) {
             const std::size_t end = std::min(width, (kind + 1) * pointsPerKind);
             if (std::all_of(ofRow + kind * pointsPerKind, ofRow + end,
@@ -151,19 +216,10 @@ void StiffnessMultigrid::findKinds(const PlaneFilm& film, const std::vector<floa
 }
 
 void StiffnessMultigrid::coarsen(Level& fine, Level& coarse) {
-    const std::vector<float> zeros(fine.pitch);
-    const auto fineRow = [&](int row) {
-        return row >= 0 && row < fine.rows ? constant(fine.stencil(row))
-                                           : Lines<const float>{zeros.data(), 0};
-    };
     forRowBands(coarse.rows, coarse.columns, [&](int begin, int end) {
-        std::vector<float> across(stencilLines * fine.pitch);
-        const Lines<float> lines{across.data(), fine.pitch};
+        AlignedVector<float> scratch(stencilLines * fine.pitch);
         for (int row = begin; row < end; ++row) {
-            coarsenAcross(std::size_t(fine.columns),
-                          {fineRow(2 * row - 1), fineRow(2 * row), fineRow(2 * row + 1)}, lines);
-            coarsenAlong(std::size_t(fine.columns), constant(lines), coarse.stencil(row));
-            invert(coarse, row);
+            coarsenRow(fine, allLines(fine), coarse, row, scratch);
         }
     });
 }
@@ -174,9 +230,9 @@ void StiffnessMultigrid::invert(Level& level, int row) {
 
 void StiffnessMultigrid::prepare(const PlaneFilm& film, const std::vector<float>& free,
                                  const std::vector<float>& area, float drag) {
-    assemble(film, free, area, drag);
     findKinds(film, free);
-    for (std::size_t index = 1; index < levels_.size(); ++index) {
+    assemble(film, area, drag);
+    for (std::size_t index = 2; index < levels_.size(); ++index) {
         coarsen(levels_[index - 1], levels_[index]);
     }
 }
@@ -229,7 +285,7 @@ void StiffnessMultigrid::smoothFromZero(Level& level, const Take& take) {
 // Sets the right side of a coarse row to the fine grid's residual, which is in its `next`.
 void StiffnessMultigrid::Restriction::operator()(int row) const {
     std::vector<float> sum(std::size_t(fine->columns) + 3);
-    const auto restricted = [&](const std::vector<float>& from, std::vector<float>& to) {
+    const auto restricted = [&](const AlignedVector<float>& from, AlignedVector<float>& to) {
         restrictRow(std::size_t(fine->columns), std::size_t(coarse->columns), fine->pitch,
                     from.data() + fine->at(2 * row), sum.data(), to.data() + coarse->at(row));
     };

@@ -2,6 +2,7 @@
 // stiffness of the film (GalerkinCycle.h).
 #pragma once
 
+#include "common/cpu/AlignedVector.h"
 #include "production/cpu/PlaneFilm.h"
 #include "production/cpu/StencilKernels.h"
 #include "production/formulas/GalerkinCycle.h"
@@ -28,16 +29,18 @@ private:
     struct Level {
         int columns, rows;
         std::size_t pitch;
-        std::vector<float> stencils, inverses; // stencilLines and inverseLines lines per row
-        std::vector<StencilKind> kinds;        // StencilRow::kinds of all rows, or empty
+        AlignedVector<float> stencils, inverses; // stencilLines and inverseLines lines per row
+        std::vector<StencilKind> kinds;          // StencilRow::kinds of all rows, or empty
         struct Vectors {
-            std::vector<float> x, z;
+            AlignedVector<float> x, z;
         };
         Vectors right, now, next, direction;
 
         Level(int columns, int rows);
         std::size_t at(int row) const;
         Lines<float> stencil(int row);
+        // Whether smoothing reads all of a row's lines, not only those from middleLine on.
+        bool readsAll(int row) const;
         // A row's stencils, with what is known about them.
         StencilRow stencilRow(int row);
         Lines<float> inverse(int row);
@@ -51,11 +54,21 @@ private:
         void operator()(int row) const;
     };
 
-    void assemble(const PlaneFilm& film, const std::vector<float>& free,
-                  const std::vector<float>& area, float drag);
-    // Finds the kinds of the finest grid's stencils. Triangles on the contact line make them
-    // unsymmetric.
+    // Computes the stencils of the finest and of the next coarser grid.
+    void assemble(const PlaneFilm& film, const std::vector<float>& area, float drag);
+    // Sets free_, and finds the kinds of the finest grid's stencils. Triangles on the contact line
+    // make them unsymmetric.
     void findKinds(const PlaneFilm& film, const std::vector<float>& free);
+    // `stencil(row)` returns the lines of a fine row. `scratch` has stencilLines lines of the fine
+    // grid's pitch.
+    template <typename StencilOf>
+    static void coarsenRow(Level& fine, const StencilOf& stencil, Level& coarse, int row,
+                           AlignedVector<float>& scratch);
+    static auto allLines(Level& level) {
+        return [&level](int row) -> StencilLines<float> {
+            return {level.stencil(row), level.stencil(row)};
+        };
+    }
     static void coarsen(Level& fine, Level& coarse);
     static void invert(Level& level, int row);
     static void smoothRowOf(Level& level, int row, const numerics::galerkin::ChebyshevStep& step,

@@ -146,6 +146,8 @@ concept FilmTeam = requires(Film& film, Real value, bool flag, detail::PointWork
     // Calls onLine(triangle, crossing, anchor) for the crossing triangles and floating(triangle)
     // for all others. Helper threads may call both functions.
     film.forTriangles(forCrossing, forTriangle);
+    // A device may also have relaxTriangles(onLine, keep): the same, where floating() gives a
+    // triangle its relaxedInverseShape().
     // Does the same for all triangles that may be stretched to more than `value` times their length
     // or area, and possibly for other triangles. Each thread gets its triangles in ascending order,
     // as in forCrossing.

@@ -295,6 +295,10 @@ DIPWRIGHT_TEAM inline void relax(Film& film, typename Film::Real keep) {
         film.forCrossing(onLine);
         return;
     }
+    if constexpr (requires { film.relaxTriangles(onLine, keep); }) {
+        film.relaxTriangles(onLine, keep);
+        return;
+    }
     film.forTriangles(onLine, [&](int triangle) {
         const auto shape = film.shape(triangle);
         film.setShape(triangle,

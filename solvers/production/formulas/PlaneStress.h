@@ -136,20 +136,20 @@ DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> inverse(const Matrix2<Real>& m) {
 // is exp(−Δt/τ); 0 means viscous, 1 elastic. With edges E = F·D and rest shape D, the new rest
 // shape is U'⁻¹·U·D.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Matrix2<Real> relaxedInverseShape(const Matrix2<Real>& inverseShape,
-                                                               const Matrix2<Real>& F, Real keep) {
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP Matrix2<Real>
+relaxedInverseShape(const Matrix2<Real>& inverseShape, const Matrix2<Real>& F, Real keep) {
     const Real sum = F.a + F.d, skew = F.c - F.b;
     const Real s = std::sqrt(sum * sum + skew * skew) + Real(1e-12);
     const Real cosine = sum / s, sine = skew / s;
     const Matrix2<Real> U{cosine * F.a + sine * F.c, cosine * F.b + sine * F.d,
                           cosine * F.c - sine * F.a, cosine * F.d - sine * F.b};
-    const Real determinant = U.a * U.d - U.b * U.c;
-    if (!(determinant > Real(1e-6))) {
-        return inverseShape; // inside out or flat: let it recover elastically
-    }
+    // Inside out or flat: let it recover elastically.
+    const bool isSound = U.a * U.d - U.b * U.c > Real(1e-6);
     const Matrix2<Real> kept{Real(1) + (U.a - Real(1)) * keep, U.b * keep, U.c * keep,
                              Real(1) + (U.d - Real(1)) * keep};
-    return inverseShape * (inverse(U) * kept);
+    const Matrix2<Real> relaxed = inverseShape * (inverse(U) * kept);
+    return {isSound ? relaxed.a : inverseShape.a, isSound ? relaxed.b : inverseShape.b,
+            isSound ? relaxed.c : inverseShape.c, isSound ? relaxed.d : inverseShape.d};
 }
 
 } // namespace dipwright::numerics

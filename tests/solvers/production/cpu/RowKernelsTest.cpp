@@ -134,6 +134,7 @@ private Q_SLOTS:
     void gradientAndHessianRow_everyLength_equalScalarBits();
     void stiffnessRow_everyLength_equalsScalarBits();
     void addForces_everyLength_equalsScalarBits();
+    void relaxRow_everyLength_equalsScalarBits();
     void stretchRange_everyLength_equalsScalarBits();
 };
 
@@ -280,6 +281,38 @@ void RowKernelsTest::addForces_everyLength_equalsScalarBits() {
             }
             expected[cells] += edge[cells - 1] + sign * right[cells - 1];
             QVERIFY(haveSameBits(out, expected));
+        }
+    }
+}
+
+// In every third cell, the lower row's first triangle is turned inside out.
+void RowKernelsTest::relaxRow_everyLength_equalsScalarBits() {
+    for (std::size_t count = 1; count <= longest; ++count) {
+        Cells film(count);
+        for (std::size_t i = 0; i < count; i += 3) {
+            film.x0[i + 1] = film.x0[i] - 2;
+        }
+        for (const bool isCrept : {false, true}) {
+            for (const unsigned parity : {0u, 1u}) {
+                for (const bool second : {false, true}) {
+                    for (const float keep : {0.f, 0.7f}) {
+                        Row lines(4 * count);
+                        relaxRow(count, parity, second, film.points(), film.rowOfShapes(isCrept),
+                                 keep, {lines.data(), count});
+                        for (std::size_t i = 0; i < count; ++i) {
+                            const bool right = ((i + parity) % 2 == 0) != second;
+                            const auto shape = film.shape(isCrept, second, i);
+                            const auto F = gradientOf(cellEdges(film.points(), i, second, right,
+                                                                film.edgesX[i], Cells::edgeZ),
+                                                      shape);
+                            const auto relaxed = numerics::relaxedInverseShape(shape, F, keep);
+                            QVERIFY(haveSameBits({lines[i], lines[count + i], lines[2 * count + i],
+                                                  lines[3 * count + i]},
+                                                 {relaxed.a, relaxed.b, relaxed.c, relaxed.d}));
+                        }
+                    }
+                }
+            }
         }
     }
 }

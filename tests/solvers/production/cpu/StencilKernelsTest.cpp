@@ -131,8 +131,11 @@ Grid coarsened(const Grid& fine) {
             return from >= 0 && from < fine.rows ? fine.constRow(from)
                                                  : Lines<const float>{outside.data(), fine.pitch};
         };
+        const auto linesAt = [&](int from) -> StencilLines<const float> {
+            return {rowAt(from), rowAt(from)};
+        };
         coarsenAcross(std::size_t(fine.columns),
-                      {rowAt(2 * row - 1), rowAt(2 * row), rowAt(2 * row + 1)},
+                      {linesAt(2 * row - 1), linesAt(2 * row), linesAt(2 * row + 1)},
                       {across.data(), fine.pitch});
         coarsenAlong(std::size_t(fine.columns), {across.data(), fine.pitch}, coarse.row(row));
     }
@@ -220,13 +223,62 @@ void addTriangle(Grid& grid, int row, int column, bool isUpper, bool onRight,
     }
 }
 
+// The stiffness of the triangles in rows of cells (RowOfTriangles), and rows of zeros around them.
+struct TriangleRows {
+    TriangleRows(std::size_t cellCount, std::size_t rows)
+        : cells(cellCount), numbers((rows + 2) * 2 * triangleLines * pitch()) {}
+    std::size_t pitch() const { return cells + 2; }
+    // The cells' part of the lines of the first (0) or second (1) triangles.
+    Lines<float> at(int row, std::size_t second) {
+        return {numbers.data() + (2 * std::size_t(row + 1) + second) * triangleLines * pitch() + 1,
+                pitch()};
+    }
+    RowOfTriangles row(int row) {
+        const Lines<float> first = at(row, 0), second = at(row, 1);
+        return {{first.first - 1, pitch()}, {second.first - 1, pitch()}};
+    }
+
+    std::size_t cells;
+    Row numbers;
+};
+
+// Assembles all rows of a grid; `free` is surrounded by zeros. The early lines are assembled
+// elsewhere if `apart`.
+Row assembledGrid(TriangleRows& triangles, int rows, const Row& free, float drag, const Row& area,
+                  bool apart = false) {
+    const std::size_t width = triangles.cells + 1;
+    Grid grid(int(width), rows), early(int(width), rows);
+    for (int row = 0; row < rows; ++row) {
+        const float* below = free.data() + std::size_t(row) * (width + 2);
+        assembleStencils(width, unsigned(row) % 2, triangles.row(row - 1), triangles.row(row),
+                         {below, below + width + 2, below + 2 * (width + 2)}, drag,
+                         area.data() + std::size_t(row) * width,
+                         {(apart ? early : grid).row(row), grid.row(row)});
+    }
+    std::ranges::transform(grid.stencils, early.stencils, grid.stencils.begin(),
+                           [](float a, float b) { return a != 0 ? a : b; });
+    return grid.stencils;
+}
+
+// 1 for free points, 0 for held ones and around the grid.
+Row someFree(std::size_t width, int rows) {
+    Row free(std::size_t(rows + 2) * (width + 2));
+    const Row random = randomRow(width * std::size_t(rows), 4, -0.2f, 1);
+    for (int row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < width; ++column) {
+            free[std::size_t(row + 1) * (width + 2) + column + 1] =
+                random[std::size_t(row) * width + column] > 0 ? 1.f : 0.f;
+        }
+    }
+    return free;
+}
+
 } // namespace
 
 class StencilKernelsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void addToStencils_assemblesTheTriangles();
-    void holdPoints_removesHeldPoints();
+    void assembleStencils_assemblesTheTrianglesOfFreePoints();
     void invertMiddle_invertsTheDiagonalBlocks();
     void coarsen_givesTheGalerkinOperator();
     void smoothFirst_withoutStiffness_equalsScalarBits();
@@ -238,64 +290,44 @@ private Q_SLOTS:
     void interpolateRow_linearValues_isExact();
 };
 
-void StencilKernelsTest::addToStencils_assemblesTheTriangles() {
-    for (const std::size_t cells : {std::size_t(1), std::size_t(2), std::size_t(7), longest}) {
-        const Row first = randomRow(triangleLines * cells, 1),
-                  second = randomRow(triangleLines * cells, 2);
-        for (const unsigned parity : {0u, 1u}) {
-            const auto assembled = [&] {
-                Grid grid(int(cells) + 1, 2);
-                addToStencils(cells, parity, {{first.data(), cells}, {second.data(), cells}},
-                              grid.row(0), grid.row(1));
-                return grid.stencils;
-            };
-            Grid expected(int(cells) + 1, 2);
-            for (int column = 0; column < int(cells); ++column) {
-                const bool even = (unsigned(column) + parity) % 2 == 0;
-                addTriangle(expected, 0, column, false, even, {first.data(), cells});
-                addTriangle(expected, 0, column, true, !even, {second.data(), cells});
+void StencilKernelsTest::assembleStencils_assemblesTheTrianglesOfFreePoints() {
+    constexpr int rows = 4;
+    for (const std::size_t cells : {std::size_t(1), std::size_t(2), std::size_t(7), std::size_t(15),
+                                    std::size_t(16), longest}) {
+        const std::size_t width = cells + 1;
+        TriangleRows triangles(cells, rows - 1);
+        Grid expected(int(width), rows);
+        for (int row = 0; row + 1 < rows; ++row) {
+            for (std::size_t second = 0; second < 2; ++second) {
+                const Lines<float> lines = triangles.at(row, second);
+                for (std::size_t line = 0; line < triangleLines; ++line) {
+                    std::ranges::copy(randomRow(cells, unsigned(100 * row + 2 * line + second)),
+                                      lines[line]);
+                }
+                for (int column = 0; column < int(cells); ++column) {
+                    const bool even = (column + row) % 2 == 0;
+                    addTriangle(expected, row, column, second != 0, even != (second != 0),
+                                {lines.first, lines.pitch});
+                }
             }
-            QVERIFY(largestDifference(assembled(), expected.stencils) < 1e-5);
-            QVERIFY(isSameOnAll(assembled));
-            // Adds one row alone, as at the end of a band of rows.
-            Grid upper(int(cells) + 1, 2);
-            addToStencils(cells, parity, {{first.data(), cells}, {second.data(), cells}}, {},
-                          upper.row(1));
-            const Row both = assembled();
-            QVERIFY(std::equal(both.begin() + long(both.size() / 2), both.end(),
-                               upper.stencils.begin() + long(both.size() / 2)));
         }
-    }
-}
-
-void StencilKernelsTest::holdPoints_removesHeldPoints() {
-    const int columns = 21;
-    const Grid film(columns, 3, 4);
-    Row free[3], area = randomRow(std::size_t(columns), 9, 0.5f, 2);
-    for (unsigned row = 0; row < 3; ++row) {
-        free[row] = randomRow(std::size_t(columns) + 2, 20 + row);
-        std::ranges::transform(free[row], free[row].begin(),
-                               [](float v) { return v > 0 ? 1.f : 0.f; });
-        free[row].front() = free[row].back() = 0;
-    }
-    const auto held = [&] {
-        Grid grid = film;
-        holdPoints(std::size_t(columns), {free[0].data(), free[1].data(), free[2].data()}, 0.25f,
-                   area.data(), grid.row(1));
-        return grid.stencils;
-    };
-    Grid expected = film;
-    film.forEntries([&](int row, int column, int dr, int dc, int k) {
-        if (row == 1) {
-            const float own = free[1][std::size_t(column) + 1];
+        const Row free = someFree(width, rows), area = randomRow(width * rows, 9, 0.5f, 2);
+        const auto isFree = [&](int row, int column) {
+            return free[std::size_t(row + 1) * (width + 2) + std::size_t(column + 1)];
+        };
+        expected.forEntries([&](int row, int column, int dr, int dc, int k) {
+            const float own = isFree(row, column);
             const bool isDiagonal = dr == 0 && dc == 0 && (k == 0 || k == 3);
             float& value = expected.at(row, column, dr, dc, k);
-            value = value * own * free[dr + 1][std::size_t(column + dc) + 1] +
-                    (isDiagonal ? 0.25f * area[std::size_t(column)] * own : 0);
-        }
-    });
-    QVERIFY(largestDifference(held(), expected.stencils) == 0);
-    QVERIFY(isSameOnAll(held));
+            value = value * own * isFree(row + dr, column + dc) +
+                    (isDiagonal ? 0.25f * area[std::size_t(row) * width + std::size_t(column)] * own
+                                : 0);
+        });
+        const auto assembled = [&] { return assembledGrid(triangles, rows, free, 0.25f, area); };
+        QVERIFY(largestDifference(assembled(), expected.stencils) < 1e-5);
+        QVERIFY(isSameOnAll(assembled));
+        QVERIFY(assembledGrid(triangles, rows, free, 0.25f, area, true) == assembled());
+    }
 }
 
 void StencilKernelsTest::invertMiddle_invertsTheDiagonalBlocks() {
@@ -473,19 +505,18 @@ void StencilKernelsTest::assembledFilm_isSymmetricToTheLastBit() {
     const auto assembled = [&] {
         const Row x = randomRow(width * rows, 1, -0.2f, 0.2f),
                   z = randomRow(width * rows, 2, -0.2f, 0.2f),
-                  edgesX = randomRow(cells, 3, 0.8f, 1.2f), area(width, 1.0f);
+                  edgesX = randomRow(cells, 3, 0.8f, 1.2f), area(width * rows, 1.0f);
         Row inverses(cells);
         std::ranges::transform(edgesX, inverses.begin(), [](float edge) { return 1 / edge; });
         const RowOfShapes shapes{false, {}, {edgesX.data(), inverses.data(), 0.97f, 1 / 0.97f}};
-        Grid grid(columns, rows);
+        TriangleRows triangles(cells, rows - 1);
         for (int row = 0; row + 1 < rows; ++row) {
             const float *lowerX = x.data() + std::size_t(row) * width,
                         *lowerZ = z.data() + std::size_t(row) * width;
             const unsigned parity = unsigned(row) % 2;
-            Row states[8], forces[8], stiffness[2];
+            Row states[8], forces[8];
             for (std::size_t i = 0; i < 8; ++i) {
                 states[i] = forces[i] = Row(cells);
-                stiffness[i % 2] = Row(triangleLines * cells);
             }
             RowOfStates<float*> written;
             RowOfStates<const float*> read;
@@ -499,26 +530,9 @@ void StencilKernelsTest::assembledFilm_isSymmetricToTheLastBit() {
                         -1.5f, written,
                         {forces[0].data(), forces[1].data(), forces[2].data(), forces[3].data(),
                          forces[4].data(), forces[5].data(), forces[6].data(), forces[7].data()});
-            stiffnessRow(cells, shapes, read, {stiffness[0].data(), cells},
-                         {stiffness[1].data(), cells});
-            addToStencils(cells, parity,
-                          {{stiffness[0].data(), cells}, {stiffness[1].data(), cells}},
-                          grid.row(row), grid.row(row + 1));
+            stiffnessRow(cells, shapes, read, triangles.at(row, 0), triangles.at(row, 1));
         }
-        Row free(std::size_t(rows + 2) * (width + 2)); // surrounded by zeros
-        const Row random = randomRow(width * rows, 4, -0.2f, 1);
-        for (int row = 0; row < rows; ++row) {
-            for (std::size_t column = 0; column < width; ++column) {
-                free[std::size_t(row + 1) * (width + 2) + column + 1] =
-                    random[std::size_t(row) * width + column] > 0 ? 1.f : 0.f;
-            }
-        }
-        for (int row = 0; row < rows; ++row) {
-            const float* below = free.data() + std::size_t(row) * (width + 2);
-            holdPoints(width, {below, below + width + 2, below + 2 * (width + 2)}, 0.25f,
-                       area.data(), grid.row(row));
-        }
-        return grid.stencils;
+        return assembledGrid(triangles, rows, someFree(width, rows), 0.25f, area);
     };
     Grid grid(columns, rows);
     grid.stencils = assembled();
