@@ -248,6 +248,7 @@ void applyRefinement(Project& project, const QCommandLineParser& parser) {
                                         "are refined; add --set film.resolution=automatic"),
                          QStringLiteral("--until"));
     }
+    project.film.wantedError.reset();
 }
 
 // Makes the outputs that --outputs names, in this folder. Throws Error if one of them fails.
@@ -328,9 +329,10 @@ public:
                         QStringLiteral("any"));
         syntax.addOption(
             {untilOption,
-             QStringLiteral("Repeats the dips with smaller film cells until the numerical error is "
-                            "small enough to print the sheets. Films with automatic cells do this "
-                            "without the option. With the option, other films are refused."),
+             QStringLiteral("Repeats the dips with smaller film cells only until the numerical "
+                            "error is small enough to print the sheets. Without the option, films "
+                            "with automatic cells also reach for the project's wanted error "
+                            "(film.wanted_error_mm). With the option, other films are refused."),
              QStringLiteral("print")});
         syntax.addOption({workOption,
                           QStringLiteral("The limit for smaller cells: film points times steps of "

@@ -253,7 +253,7 @@ void bindJob(py::module_& module) {
            "progress: called as progress(share, text) with 0 to 1 on the calling thread; if it\n"
            "returns False, the run ends with Cancelled. solver: id of a plugin instead of the\n"
            "project's. certainty: estimates the numerical error, and refines films until their\n"
-           "sheets can be printed. laws, tolerances: as `--laws` and `--tolerances`, many more\n"
+           "sheets can be printed and have the wanted error. laws, tolerances: as `--laws` and `--tolerances`, many more\n"
            "dips. cradles: also makes cradles. film_image: a picture's path or \"chessboard\", to\n"
            "print instead of the texture. threads: at most so many; 0: all cores. The GIL is\n"
            "released. Raises Error or Cancelled.")

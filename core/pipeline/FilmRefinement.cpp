@@ -69,18 +69,23 @@ QStringList refinementNotes(const JobResult& result) {
                              .arg(dip.immersion.name, dip.refinementFailure));
             continue;
         }
-        const auto cell = dip.numericalError ? wantedCell(dip.verdict, film) : std::nullopt;
+        const auto cell =
+            dip.numericalError ? neededCell(dip, dip.verdict, settings) : std::nullopt;
         if (!cell || !isRefinable(settings) || dip.finer) {
             continue;
         }
         const double work =
             double(film.grid.pointCount()) * double(film.steps) / 1e6 * std::pow(own / *cell, 3);
         if (work > settings.work) {
+            const bool isPrintable = !wantedCell(dip.verdict, film);
             notes.append(
-                Text::tr("%1: cells of %2 mm might be small enough to print the sheet, but "
-                         "would need about %3 million points × steps; the project allows "
-                         "%4 million. Raise this limit (Film > Work limit), or turn the "
-                         "part.")
+                (isPrintable
+                     ? Text::tr("%1: cells of %2 mm might reach the wanted error, but would need "
+                                "about %3 million points × steps; the project allows %4 million.")
+                     : Text::tr("%1: cells of %2 mm might be small enough to print the sheet, but "
+                                "would need about %3 million points × steps; the project allows "
+                                "%4 million. Raise this limit (Film > Work limit), or turn the "
+                                "part."))
                     .arg(dip.immersion.name, millimetresText(*cell),
                          QLocale().toString(work, 'f', 0),
                          QLocale().toString(settings.work, 'f', 0)));

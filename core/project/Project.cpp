@@ -280,7 +280,6 @@ void applyPreset(Project& project, const QString& preset) {
     if (preset == QLatin1String("production")) {
         project.film.lattice = solver::Lattice::Isotropic;
         project.film.support = solver::Support::Water;
-        project.process.contactTravel = newProjectContactTravel;
     } else if (preset == QLatin1String("paper-2020")) {
         project.film.lattice = solver::Lattice::Structural;
         project.film.support = solver::Support::None;

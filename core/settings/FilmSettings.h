@@ -64,7 +64,8 @@ struct FilmSettings : FilmBehaviour {
     int rows = 170;      // see `columns`
     Millimetres cell{1}; // for FilmResolution::Cell: cell size of the floating film over the body
     // For FilmResolution::Automatic: the dip is repeated with smaller cells until its sheet can be
-    // printed, but never with more than this work: million points × steps. 0: never repeated.
+    // printed, but never with more than this expected work: million points × steps. 0: never
+    // repeated.
     double work = defaultFilmWork;
     // The dip is also repeated until 95 % of the painted area is off by at most this, within the
     // same limit. None: only until the sheet can be printed.

@@ -10,9 +10,9 @@
 
 namespace dipwright {
 
-// ProcessSettings::contactTravel of new projects and of the preset "production". For equal work,
-// the sheet is more exact with these steps and smaller cells than with the steps of older projects
-// (docs/film-validation.md, "Balance of step and cell").
+// ProcessSettings::contactTravel of new projects. For equal work, the sheet is more exact with
+// these steps and smaller cells than with the steps of older projects (docs/film-validation.md,
+// "Balance of step and cell").
 inline constexpr double newProjectContactTravel = 0.5;
 
 // The defaults of every dip. dipSetup() (Dip.h) passes every value to the solver. Some defaults of

@@ -90,6 +90,7 @@ std::vector<DippedFilm> dips(const BenchSolver& solver, const BenchBodies::Body&
 Project projectOf(const QString& preset, int columns, int rows) {
     Project project;
     applyPreset(project, preset);
+    project.process.contactTravel = newProjectContactTravel;
     project.film.columns = columns;
     project.film.rows = rows;
     return project;

@@ -183,9 +183,9 @@ void DipController::showFreshness() {
         showBanner(draftText(shown));
     } else if (isCoarse) {
         showBanner(session_.isRefining()
-                       ? tr("Refining until the sheet can be printed. Cancel keeps this result.")
-                       : tr("The numerical error is too large. Run the dip again to refine the "
-                            "film."));
+                       ? tr("Refining to reduce the numerical error. Cancel keeps this result.")
+                       : tr("The numerical error is larger than wanted. Run the dip again to "
+                            "refine the film."));
     }
 }
 

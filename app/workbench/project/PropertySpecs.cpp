@@ -232,8 +232,8 @@ std::vector<PropertySection> processProperties() {
     accuracy.specs = {
         {.path = QStringLiteral("process.contact_travel_cells"),
          .label = Text::tr("Step"),
-         .help = Text::tr("How far the contact line moves in one step, in cells of the film. "
-                          "Smaller steps are more accurate and slower."),
+         .help = Text::tr("How far the contact line moves in one step, in cells of the film. For "
+                          "a more exact sheet, smaller cells are better than steps below 0.5."),
          .unit = Unit::Cells,
          .relevant = isProduction},
         {.path = QStringLiteral("process.time_step_s"),

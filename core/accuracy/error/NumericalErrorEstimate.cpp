@@ -58,17 +58,32 @@ std::vector<float> largest(std::vector<float> spacing, const std::vector<float>&
     return spacing;
 }
 
+// Returns the error of the film `before` at a place that it paints, in mm. Infinite where it is not
+// known at all corners.
+float errorBefore(const FilmBefore& before, const SurfacePoint& place) {
+    const std::optional<FilmPlace> found = before.laid.place(place);
+    constexpr float unknown = std::numeric_limits<float>::infinity();
+    if (!found || before.error.pointErrors.empty()) {
+        return unknown;
+    }
+    float error = 0;
+    for (const std::uint32_t corner : before.laid.triangles()[found->triangle]) {
+        const float own = before.error.pointErrors[corner];
+        error = std::isnan(own) ? unknown : std::max(error, own);
+    }
+    return error;
+}
+
 // Returns the error that the move from the film before leaves at each place, or what sheetMoves()
 // returns for places that are not painted by both.
 std::vector<float> errorsLeft(const LaidFilm& own, const FilmBefore& before,
                               const std::vector<SurfacePoint>& places) {
     std::vector<float> left = sheetMoves(own, before.laid, places);
-    const std::vector<float> known = numericalErrorAt(before.error, before.laid, places);
     const auto factor = float(std::clamp(1 / (before.ratio - 1), 1.0, mostLeft));
     for (std::size_t place = 0; place < left.size(); ++place) {
-        if (left[place] > 0) {
-            const float most = known[place] > 0 ? known[place] : std::numeric_limits<float>::max();
-            left[place] = std::min(factor * left[place], most);
+        float& move = left[place];
+        if (move > 0) {
+            move = std::min(factor * move, std::max(move, errorBefore(before, places[place])));
         }
     }
     return left;
@@ -190,9 +205,6 @@ std::vector<float> numericalErrorAt(const NumericalErrorEstimate& estimate, cons
                                     const std::vector<SurfacePoint>& places) {
     std::vector<float> offBy(places.size(), 0);
     parallelFor(std::size_t(0), estimate.pointErrors.empty() ? 0 : places.size(), [&](auto i) {
-        if (!places[i].isValid()) {
-            return;
-        }
         if (const std::optional<FilmPlace> place = own.place(places[i])) {
             for (const std::uint32_t corner : own.triangles()[place->triangle]) {
                 offBy[i] = std::fmax(offBy[i], estimate.pointErrors[corner]); // fmax ignores NaN

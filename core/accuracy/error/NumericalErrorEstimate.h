@@ -71,14 +71,14 @@ struct FilmBefore {
 // Estimates the numerical error of the film `own`. A film that was repeated until its error seemed
 // small enough is also compared with the previous film: otherwise a chance agreement with the
 // coarser dips would end the repetition. For an error of first order, the move from that film times
-// 1 / (ratio − 1) is the error that is left; the factor used is 1 to 2. At each place, this counts
-// at most as much as the error of the previous film, because smaller cells are not assumed to be
-// worse. Uses all cores; deterministic.
+// 1 / (ratio − 1) is the error that is left; the factor used is 1 to 2. It does not raise a
+// place's error above that of the previous film, because smaller cells are not assumed to be worse;
+// but the move itself counts in any case. Uses all cores; deterministic.
 NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser,
                                               const std::optional<FilmBefore>& before = {});
 
-// Returns the numerical error at each of `places` on the body, in mm. It is 0 at invalid places,
-// and where `own` does not paint or the error is unknown. Uses all cores.
+// Returns the numerical error at each of `places` on the body, in mm. It is 0 where `own` does not
+// paint or the error is unknown. Uses all cores.
 std::vector<float> numericalErrorAt(const NumericalErrorEstimate& estimate, const LaidFilm& own,
                                     const std::vector<SurfacePoint>& places);
 

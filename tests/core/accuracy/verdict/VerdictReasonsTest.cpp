@@ -125,9 +125,9 @@ private slots:
         QCOMPARE(judged(*laid, &estimate).reasons.front().kind, VerdictReason::Kind::Step);
     }
 
-    // The film before lies 0.4 mm to the side; its cells are 1.5 times as large, so its move counts
-    // twice.
-    void estimate_filmBefore_countsAtMostWithItsOwnError() {
+    // The film before lies 0.4 mm to the side. Its cells are 1.5 times as large, so its move counts
+    // twice, but not more than its own error.
+    void estimate_filmBefore_countsWithItsMoveAndAtMostItsOwnError() {
         const auto laid = filmWith({});
         DippedFilm moved = laid->film();
         for (Eigen::Vector3f& place : moved.positions) {
@@ -142,6 +142,7 @@ private slots:
         };
         QVERIFY(std::abs(offBy(5) - 0.8) < 0.01);
         QVERIFY(std::abs(offBy(0.5) - 0.5) < 0.01);
+        QVERIFY(std::abs(offBy(0.1) - 0.4) < 0.01); // the move itself
     }
 
     void afterRefinement_affordableCells_replaceTheNumericalReasons() {
