@@ -172,7 +172,7 @@ DIPWRIGHT_TEAM DIPWRIGHT_CALLED typename Film::Real findContactLine(Film& film, 
         LaidCorners<Real> laid = film.laid(triangle);
         UnfoldedTriangle<Real> unfolded =
             unfoldedTriangle(film.body(), frame, cell, points, corners, moved, laid);
-        Lanes::wait(); // all have read it
+        Lanes::wait(); // all lanes have read it; all write the same
         film.laid(triangle) = laid;
         unfolded.crossing.cell = std::uint32_t(triangle / 2);
         if (isOnPath) {
