@@ -55,6 +55,16 @@ DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP CellPlace<Real> cellPlace(Real coordinat
     return {cell, clamped - Real(cell), coordinate - clamped};
 }
 
+// Returns a number in global memory that does not change while a kernel runs. A GPU then loads it
+// faster.
+DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP float constant(const float& number) {
+#if defined(__CUDA_ARCH__)
+    return __ldg(&number);
+#else
+    return number;
+#endif
+}
+
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Real mix(Real a, Real b, Real t) {
     return a + t * (b - a);
@@ -68,7 +78,7 @@ DIPWRIGHT_HOST_DEVICE Real mix(Real a, Real b, Real t) {
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP FieldSample<Real> sampleField(const FieldGrid<Real>& field,
                                                                       Vector3<Real> position) {
-    using detail::mix;
+    using detail::constant, detail::mix;
     const Vector3<Real> grid = (position - field.origin) * field.inverseSpacing;
     const auto x = detail::cellPlace(grid.x, field.nx);
     const auto y = detail::cellPlace(grid.y, field.ny);
@@ -78,10 +88,11 @@ DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP FieldSample<Real> sampleField(const Fiel
     const std::size_t layerStride = rowStride * std::size_t(field.ny);
     const float* corner = field.distance + std::size_t(z.cell) * layerStride +
                           std::size_t(y.cell) * rowStride + std::size_t(x.cell);
-    const Real c000 = corner[0], c100 = corner[1];
-    const Real c010 = corner[rowStride], c110 = corner[rowStride + 1];
-    const Real c001 = corner[layerStride], c101 = corner[layerStride + 1];
-    const Real c011 = corner[layerStride + rowStride], c111 = corner[layerStride + rowStride + 1];
+    const Real c000 = constant(corner[0]), c100 = constant(corner[1]);
+    const Real c010 = constant(corner[rowStride]), c110 = constant(corner[rowStride + 1]);
+    const Real c001 = constant(corner[layerStride]), c101 = constant(corner[layerStride + 1]);
+    const Real c011 = constant(corner[layerStride + rowStride]),
+               c111 = constant(corner[layerStride + rowStride + 1]);
 
     const Real c00 = mix(c000, c100, x.fraction), c10 = mix(c010, c110, x.fraction);
     const Real c01 = mix(c001, c101, x.fraction), c11 = mix(c011, c111, x.fraction);
@@ -97,19 +108,26 @@ DIPWRIGHT_HOST_DEVICE DIPWRIGHT_IN_LOOP FieldSample<Real> sampleField(const Fiel
     return {mix(c0, c1, z.fraction) + outside, gradient * field.inverseSpacing, outside};
 }
 
-// Returns ∇φ at `position` from central differences over one cell on each side. The result changes
-// continuously from cell to cell; the gradient of the trilinear interpolant does not.
+// Returns the derivative of φ along an axis (0 is X) at `position`, from the central difference
+// over one cell on each side.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE Real smoothSlope(const FieldGrid<Real>& field, Vector3<Real> position,
+                                       int axis) {
+    const Vector3<Real> way{axis == 0 ? field.spacing : Real(0),
+                            axis == 1 ? field.spacing : Real(0),
+                            axis == 2 ? field.spacing : Real(0)};
+    return (sampleField(field, position + way).distance -
+            sampleField(field, position - way).distance) *
+           (Real(0.5) * field.inverseSpacing);
+}
+
+// Returns ∇φ at `position` from central differences. The result changes continuously from cell to
+// cell; the gradient of the trilinear interpolant does not.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE Vector3<Real> smoothGradient(const FieldGrid<Real>& field,
                                                    Vector3<Real> position) {
-    const Real reach = field.spacing;
-    const auto difference = [&](const Vector3<Real>& way) {
-        return (sampleField(field, position + way).distance -
-                sampleField(field, position - way).distance) *
-               (Real(0.5) * field.inverseSpacing);
-    };
-    return {difference({reach, Real(0), Real(0)}), difference({Real(0), reach, Real(0)}),
-            difference({Real(0), Real(0), reach})};
+    return {smoothSlope(field, position, 0), smoothSlope(field, position, 1),
+            smoothSlope(field, position, 2)};
 }
 
 // Returns a lower bound of the distance to the body; interpolation may make it slightly too large.

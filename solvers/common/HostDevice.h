@@ -25,6 +25,13 @@
 #define DIPWRIGHT_CALLED inline
 #endif
 
+// Stands before a loop that a GPU shall not unroll, for the same reason.
+#if defined(__CUDA_ARCH__)
+#define DIPWRIGHT_ROLLED _Pragma("unroll 1")
+#else
+#define DIPWRIGHT_ROLLED
+#endif
+
 // Marks a function, in place of `inline`, that a loop over many cells calls. GCC does not inline
 // larger functions otherwise, and vectorises no loop that calls a function.
 #if defined(__CUDACC__)

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -198,8 +199,12 @@ numerics::LineState<float> CpuBackend::findCrossing(const Crosses& crosses, cons
                 steepness[i] = unfolded.steepness;
             }
         });
+    numerics::LineState<float> line;
+    line.driven = !triangles.empty();
+    for (const PlaneFilm::Crossing& triangle : crossing) {
+        line.upwards = std::fmax(line.upwards, triangle.upwards);
+    }
     film_.setCrossing(std::move(crossing));
-    numerics::LineState<float> line{1, !triangles.empty()};
     for (const float least : steepness) {
         line.steepness = std::min(line.steepness, least);
     }

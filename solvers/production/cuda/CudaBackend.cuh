@@ -105,13 +105,14 @@ public:
     template <typename Crosses, typename Unfold>
     __device__ numerics::LineState<float> findCrossing(const Crosses& crosses,
                                                        const Unfold& unfold) const {
-        float steepness = 1;
-        bool driven = false;
+        numerics::LineState<float> line;
         const auto cross = [&](int triangle) {
             const numerics::UnfoldedTriangle<float> unfolded = unfold(triangle, corners(triangle));
-            thisBlock.block.dip.crossing[triangle] = unfolded.crossing;
-            steepness = fminf(steepness, unfolded.steepness);
-            driven = true;
+            if (numerics::Lanes::index() == 0 && numerics::Lanes::side() == 0) {
+                thisBlock.block.dip.crossing[triangle] = unfolded.crossing;
+            }
+            line = {fminf(line.steepness, unfolded.steepness), true,
+                    fmaxf(line.upwards, unfolded.crossing.upwards)};
         };
         forListed(
             [&](int triangle) {
@@ -120,9 +121,9 @@ public:
                 return onLine;
             },
             cross);
-        double found[2] = {-double(steepness), driven ? 1.0 : 0.0};
+        double found[3] = {-double(line.steepness), line.driven ? 1.0 : 0.0, double(line.upwards)};
         thisBlock.block.team.largest(found);
-        return {float(-found[0]), found[1] > 0};
+        return {float(-found[0]), found[1] > 0, float(found[2])};
     }
     template <typename Work>
     __device__ void forCrossing(const Work& work) const {
@@ -320,38 +321,34 @@ private:
             work(triangle);
         }
     }
-    // Calls work(triangle) for all triangles for which isMeant(triangle). The warps of a block
-    // share these evenly, because threads of a warp that take different branches wait for one
-    // another.
+    // Calls work(triangle) for all triangles for which isMeant(triangle), each by the lanes of a
+    // triangle. The warps of a block share these triangles evenly.
     template <typename IsMeant, typename Work>
     __device__ void forListed(const IsMeant& isMeant, const Work& work) const {
-        constexpr int most = 4096; // fits into the memory for tiles
+        constexpr int lanes = numerics::Lanes::count * numerics::Lanes::sides;
+        constexpr int groups = Team::threads / lanes;
+        constexpr int rounds = 8; // a list of 8 triangles per thread fits into the memory for tiles
+        const int group = int(threadIdx.x) % 32 / lanes * Team::warps + int(threadIdx.x) / 32;
+        const int all = numerics::triangleCount(thisBlock.block.model);
+        const int threads = thisBlock.block.team.threadCount();
         int* list = reinterpret_cast<int*>(tileMemory);
-        if (threadIdx.x == 0) {
-            thisBlock.block.listed = 0;
-        }
-        __syncthreads();
-        forAllTriangles([&](int triangle) {
-            if (isMeant(triangle)) {
-                const int place = atomicAdd(&thisBlock.block.listed, 1);
-                if (place < most) {
-                    list[place] = triangle;
+        for (int begin = 0; begin < all; begin += rounds * threads) {
+            if (threadIdx.x == 0) {
+                thisBlock.block.listed = 0;
+            }
+            __syncthreads();
+#pragma unroll 1
+            for (int round = 0; round < rounds; ++round) {
+                const int triangle = begin + round * threads + thisBlock.block.team.thread();
+                if (triangle < all && isMeant(triangle)) {
+                    list[atomicAdd(&thisBlock.block.listed, 1)] = triangle;
                 }
             }
-        });
-        __syncthreads();
-        const int count = thisBlock.block.listed;
-        if (count > most) {
-            forAllTriangles([&](int triangle) {
-                if (isMeant(triangle)) {
-                    work(triangle);
-                }
-            });
-            return;
-        }
-        const int place = int(threadIdx.x) % 32 * Team::warps + int(threadIdx.x) / 32;
-        for (int i = place; i < count; i += Team::threads) {
-            work(list[i]);
+            __syncthreads();
+            for (int i = group; i < thisBlock.block.listed; i += groups) {
+                work(list[i]);
+            }
+            __syncthreads();
         }
     }
     __device__ void copy(const float2* from, float2* to) const {

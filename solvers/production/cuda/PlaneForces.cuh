@@ -15,22 +15,6 @@ struct CellForces {
     float2 first, second, left, right;
 };
 
-struct FilmTile {
-    PlaneRange points;  // the tile's own points
-    PlaneRange corners; // the corners of all triangles that touch these points
-    PlaneRange cells;
-
-    __device__ FilmTile(const ProductionModel& model, int index) {
-        const int across = index % model.tiles.across, down = index / model.tiles.across;
-        points = {tileStart(model.columns, model.tiles.across, across),
-                  tileStart(model.columns, model.tiles.across, across + 1),
-                  tileStart(model.rows, model.tiles.down, down),
-                  tileStart(model.rows, model.tiles.down, down + 1)};
-        corners = grown(points, 1, model.columns, model.rows);
-        cells = {corners.x0, corners.x1 - 1, corners.z0, corners.z1 - 1};
-    }
-};
-
 // Returns the edges of a triangle between displaced points. restX, restZ: lengths of the undeformed
 // edges; 0 if at() returns changes of displacements.
 template <typename At>

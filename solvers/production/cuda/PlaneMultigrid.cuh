@@ -46,6 +46,23 @@ __device__ inline void forRange(const PlaneRange& range, const Work& work,
     }
 }
 
+// A tile of the film, and what surrounds it.
+struct FilmTile {
+    PlaneRange points;  // the tile's own points
+    PlaneRange corners; // the corners of all triangles that touch these points
+    PlaneRange cells;
+
+    __device__ FilmTile(const ProductionModel& model, int index) {
+        const int across = index % model.tiles.across, down = index / model.tiles.across;
+        points = {tileStart(model.columns, model.tiles.across, across),
+                  tileStart(model.columns, model.tiles.across, across + 1),
+                  tileStart(model.rows, model.tiles.down, down),
+                  tileStart(model.rows, model.tiles.down, down + 1)};
+        corners = grown(points, 1, model.columns, model.rows);
+        cells = {corners.x0, corners.x1 - 1, corners.z0, corners.z1 - 1};
+    }
+};
+
 // The stiffness of a level. Each point has nine blocks, row by row: one for itself and one for each
 // of its eight neighbours. Each block has the order xx, xz, zx, zz.
 struct PlaneStencils {
@@ -57,6 +74,10 @@ struct PlaneStencils {
     }
 };
 inline constexpr int neighbours = 9, middle = 4;
+
+// The largest number of cells whose stiffness a block keeps in shared memory at once. At least two
+// rows of the cells of any tile fit.
+inline constexpr int mostAssembledCells = 768;
 
 __device__ inline PlaneStencils stencilsOf(const ProductionDip& dip, const PlaneLevel& level) {
     return {dip.stencils + std::size_t(neighbours) * level.offset, level.columns * level.rows};
@@ -464,8 +485,10 @@ __device__ inline void multigridCycle(const ProductionModel& model, const Produc
     }
 }
 
+namespace detail {
+
 // Returns the projected stiffness of a triangle at the last force computation.
-__device__ __noinline__ numerics::EdgeStiffness<float>
+__device__ inline numerics::EdgeStiffness<float>
 stiffnessOf(const ProductionModel& model, const ProductionDip& dip, int triangle) {
     const float4 shape = dip.inverseShape[triangle], stress = dip.stress[triangle];
     const numerics::Matrix2<float> inverse{shape.x, shape.y, shape.z, shape.w};
@@ -477,23 +500,56 @@ stiffnessOf(const ProductionModel& model, const ProductionDip& dip, int triangle
                : numerics::edgeStiffness(inverse, state, area);
 }
 
-namespace detail {
+// The stiffness of both triangles of some cells, in shared memory: a block of all cells, then the
+// next block of all cells, so that neighbouring threads read neighbouring places.
+struct CellStiffness {
+    static constexpr int blocks =
+        8; // per cell: hh, hv, vh, vv of the first triangle and the second
+
+    float4* values;
+    PlaneRange cells;
+
+    __device__ void set(int x, int z, int second, const numerics::EdgeStiffness<float>& s) const {
+        float4* first = at(x, z, second);
+        const int count = cells.count();
+        const auto packed = [](const numerics::Matrix2<float>& m) {
+            return float4{m.a, m.b, m.c, m.d};
+        };
+        first[0] = packed(s.hh);
+        first[count] = packed(s.hv);
+        first[2 * count] = packed(s.vh);
+        first[3 * count] = packed(s.vv);
+    }
+    __device__ numerics::EdgeStiffness<float> get(int x, int z, int second) const {
+        const float4* first = at(x, z, second);
+        const auto block = [&](int i) {
+            const float4 m = first[i * cells.count()];
+            return numerics::Matrix2<float>{m.x, m.y, m.z, m.w};
+        };
+        return {block(0), block(1), block(2), block(3)};
+    }
+
+private:
+    __device__ float4* at(int x, int z, int second) const {
+        return values + (second * (blocks / 2) * cells.count() + (z - cells.z0) * cells.width() +
+                         x - cells.x0);
+    }
+};
 
 // Adds the stiffness of one cell to the stencil of its point `point`.
 template <numerics::CellPoint point>
-__device__ inline void addCell(const ProductionModel& model, const ProductionDip& dip, int x, int z,
+__device__ inline void addCell(const CellStiffness& stiffness, int x, int z,
                                float4 (&stencil)[neighbours]) {
     using numerics::CellPoint;
     constexpr bool isLower = point == CellPoint::LowerLeft || point == CellPoint::LowerRight;
     constexpr bool isLeft = point == CellPoint::LowerLeft || point == CellPoint::UpperLeft;
     const int cellX = isLeft ? x : x - 1, cellZ = isLower ? z : z - 1;
-    if (cellX < 0 || cellZ < 0 || cellX >= model.columns - 1 || cellZ >= model.rows - 1) {
-        return;
+    const PlaneRange& cells = stiffness.cells;
+    if (cellX < cells.x0 || cellZ < cells.z0 || cellX >= cells.x1 || cellZ >= cells.z1) {
+        return; // past an edge of the film
     }
-    const int triangle = 2 * (cellZ * (model.columns - 1) + cellX);
-    const auto row =
-        numerics::cellRow<point>(stiffnessOf(model, dip, triangle),
-                                 stiffnessOf(model, dip, triangle + 1), (cellX + cellZ) % 2 == 0);
+    const auto row = numerics::cellRow<point>(
+        stiffness.get(cellX, cellZ, 0), stiffness.get(cellX, cellZ, 1), (cellX + cellZ) % 2 == 0);
     constexpr int first = middle - (isLeft ? 0 : 1) - (isLower ? 0 : 3);
     const auto add = [&](int neighbour, const numerics::Matrix2<float>& block) {
         stencil[neighbour] = stencil[neighbour] + float4{block.a, block.b, block.c, block.d};
@@ -504,35 +560,61 @@ __device__ inline void addCell(const ProductionModel& model, const ProductionDip
     add(first + 4, row.toUpperRight);
 }
 
-// Assembles the finest level's stencils from free points only. Ends with a barrier.
+// Computes the finest level's stencil of a point that moves, from the cells around it.
+__device__ inline void stencilOf(const ProductionModel& model, const CellStiffness& stiffness,
+                                 float drag, int x, int z, float4 (&stencil)[neighbours]) {
+    using numerics::CellPoint;
+    addCell<CellPoint::UpperLeft>(stiffness, x, z, stencil);
+    addCell<CellPoint::UpperRight>(stiffness, x, z, stencil);
+    addCell<CellPoint::LowerLeft>(stiffness, x, z, stencil);
+    addCell<CellPoint::LowerRight>(stiffness, x, z, stencil);
+    const float own = drag * pointArea(model, x, z);
+    stencil[middle] = stencil[middle] + float4{own, 0, 0, own};
+}
+
+// Assembles the finest level's stencils from free points only. A block first computes the stiffness
+// of each triangle in some rows of its tile. Ends with a barrier.
 __device__ inline void assemble(const ProductionModel& model, const ProductionDip& dip, float drag,
                                 Team& team) {
-    using numerics::CellPoint;
-    const PlaneLevel& level = model.levels[0];
-    const PlaneStencils stencils = stencilsOf(dip, level);
-    forRange(
-        {0, level.columns, 0, level.rows},
-        [&](int x, int z) {
-            float4 stencil[neighbours] = {};
-            const int point = z * level.columns + x;
-            const bool moves = dip.masked[point] > 0;
-            if (moves) {
-                addCell<CellPoint::UpperLeft>(model, dip, x, z, stencil);
-                addCell<CellPoint::UpperRight>(model, dip, x, z, stencil);
-                addCell<CellPoint::LowerLeft>(model, dip, x, z, stencil);
-                addCell<CellPoint::LowerRight>(model, dip, x, z, stencil);
-                const float own = drag * pointArea(model, x, z);
-                stencil[middle] = stencil[middle] + float4{own, 0, 0, own};
-            }
+    const PlaneStencils stencils = stencilsOf(dip, model.levels[0]);
+#pragma unroll 1
+    for (int t = team.block(); t < model.tiles.count(); t += team.blocks()) {
+        const FilmTile tile(model, t);
+        const int most = mostAssembledCells / tile.cells.width() - 1; // rows
+#pragma unroll 1
+        for (int z0 = tile.points.z0; z0 < tile.points.z1; z0 += most) {
+            PlaneRange points = tile.points, cells = tile.cells;
+            points.z0 = z0;
+            points.z1 = min(z0 + most, points.z1);
+            cells.z0 = max(points.z0 - 1, 0);
+            cells.z1 = min(points.z1, model.rows - 1);
+            const CellStiffness stiffness{reinterpret_cast<float4*>(tileMemory), cells};
+            const int second = int(threadIdx.x) % 2;
+            forRange(
+                cells,
+                [&](int x, int z) {
+                    const int triangle = 2 * (z * (model.columns - 1) + x) + second;
+                    stiffness.set(x, z, second, stiffnessOf(model, dip, triangle));
+                },
+                int(threadIdx.x) / 2, Team::threads / 2);
+            __syncthreads();
+            forRange(points, [&](int x, int z) {
+                float4 stencil[neighbours] = {};
+                const int point = z * model.columns + x;
+                if (dip.masked[point] > 0) {
+                    stencilOf(model, stiffness, drag, x, z, stencil);
+                }
 #pragma unroll
-            for (int n = 0; n < neighbours; ++n) {
-                const int i = x + n % 3 - 1, j = z + n / 3 - 1;
-                const bool isIn = i >= 0 && j >= 0 && i < level.columns && j < level.rows;
-                const float free = isIn ? dip.masked[j * level.columns + i] : 0;
-                stencils.at(n, point) = stencil[n] * free;
-            }
-        },
-        team.thread(), team.threadCount());
+                for (int n = 0; n < neighbours; ++n) {
+                    const int i = x + n % 3 - 1, j = z + n / 3 - 1;
+                    const bool isIn = i >= 0 && j >= 0 && i < model.columns && j < model.rows;
+                    const float free = isIn ? dip.masked[j * model.columns + i] : 0;
+                    stencils.at(n, point) = stencil[n] * free;
+                }
+            });
+            __syncthreads();
+        }
+    }
     team.barrier();
 }
 
@@ -573,19 +655,22 @@ __device__ inline void coarsen(const ProductionModel& model, const ProductionDip
 #pragma unroll
             for (int ox = -1; ox <= 1; ++ox) {
                 float line[neighbours] = {};
+                float own[3][neighbours]; // all loads are under way before the first is used
 #pragma unroll
                 for (int oz = -1; oz <= 1; ++oz) {
                     const int i = 2 * x + ox, j = 2 * z + oz, point = j * fine.columns + i;
                     const bool isIn = i >= 0 && j >= 0 && i < fine.columns && j < fine.rows;
-                    float own[neighbours];
 #pragma unroll
                     for (int n = 0; n < neighbours; ++n) {
-                        own[n] = isIn ? number(from, n, point) : 0.0f;
+                        own[oz + 1][n] = isIn ? number(from, n, point) : 0.0f;
                     }
+                }
+#pragma unroll
+                for (int oz = -1; oz <= 1; ++oz) {
 #pragma unroll
                     for (int c = 0; c < 3; ++c) {
-                        addCoarse(oz, own[c], own[c + 3], own[c + 6], line[c], line[c + 3],
-                                  line[c + 6]);
+                        addCoarse(oz, own[oz + 1][c], own[oz + 1][c + 3], own[oz + 1][c + 6],
+                                  line[c], line[c + 3], line[c + 6]);
                     }
                 }
 #pragma unroll

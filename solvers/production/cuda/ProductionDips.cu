@@ -66,8 +66,9 @@ PlaneTiles coarseTiles(const PlaneLevel& level, int blocks) {
 // Shared memory for the largest possible tile. Among patches with the same number of points, long
 // and narrow patches need the most surrounding zeros.
 constexpr std::size_t tileBytes =
-    std::max(2 * std::size_t(PlanePatch::values(1, ManyPoints::mostInPatch)) * sizeof(float2),
-             std::size_t(mostTilePoints) * (sizeof(float2) + sizeof(CellForces)));
+    std::max({2 * std::size_t(PlanePatch::values(1, ManyPoints::mostInPatch)) * sizeof(float2),
+              std::size_t(mostTilePoints) * (sizeof(float2) + sizeof(CellForces)),
+              std::size_t(mostAssembledCells* detail::CellStiffness::blocks) * sizeof(float4)});
 
 // The multigrid levels of one film.
 class Levels {

@@ -225,6 +225,29 @@ DIPWRIGHT_HOST_DEVICE inline Vector3<Real> middleOfHeld(const CrossingCorner<Rea
     return sum * (Real(1) / Real(3 - freeCount(corners)));
 }
 
+// Sets values[k] to work(k) for the chosen corners, at most two of them. On a GPU, each of two
+// sides of the triangle's lanes computes one of them.
+template <typename Value, typename Work>
+DIPWRIGHT_HOST_DEVICE inline void forCorners(const bool (&chosen)[3], Value (&values)[3],
+                                             const Work& work) {
+    if constexpr (Lanes::sides == 1) {
+        for (int k = 0; k < 3; ++k) {
+            if (chosen[k]) {
+                values[k] = work(k);
+            }
+        }
+    } else if (chosen[0] || chosen[1] || chosen[2]) {
+        const int first = chosen[0] ? 0 : chosen[1] ? 1 : 2;
+        const int last = chosen[2] ? 2 : chosen[1] ? 1 : 0;
+        const Value own = work(Lanes::side() == 0 ? first : last);
+        for (int k = 0; k < 3; ++k) {
+            if (chosen[k]) {
+                values[k] = Lanes::fromSide(own, k == first ? 0 : 1);
+            }
+        }
+    }
+}
+
 // Returns whether two corners lie on two parts of the body that face each other across water.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool spansGap(const ContactBody<Real>& body,
@@ -238,19 +261,14 @@ DIPWRIGHT_HOST_DEVICE inline bool spansGap(const ContactBody<Real>& body,
           body.contactDistance)) {
         return false;
     }
-    Vector3<Real> outwards[2];
-    int found = 0;
-    for (const CrossingCorner<Real>& corner : corners) {
-        if (!corner.isFree) {
-            const ContactLine<Real> line = contactLine(body.field, frame, body.contactDistance,
-                                                       cell, corner.held, middleOfFree(corners));
-            if (!line.found) {
-                return false;
-            }
-            outwards[found++] = line.outwards;
-        }
-    }
-    return dot(outwards[0], outwards[1]) < Real(0);
+    const bool held[3] = {!corners[0].isFree, !corners[1].isFree, !corners[2].isFree};
+    ContactLine<Real> lines[3];
+    forCorners(held, lines, [&](int k) {
+        return contactLine(body.field, frame, body.contactDistance, cell, corners[k].held,
+                           middleOfFree(corners));
+    });
+    const ContactLine<Real>&first = lines[held[0] ? 0 : 1], &second = lines[held[2] ? 2 : 1];
+    return first.found && second.found && dot(first.outwards, second.outwards) < Real(0);
 }
 
 template <typename Real>
@@ -276,6 +294,25 @@ DIPWRIGHT_HOST_DEVICE inline void setEdges(const TriangleCorners& triangle,
         std::fmax(result.upwards[0], std::fmax(result.upwards[1], result.upwards[2]));
 }
 
+// A held corner's own contact line, and where the corner lies after unfolding about it.
+template <typename Real>
+struct UnfoldedCorner {
+    ContactLine<Real> line;
+    Unfolded<Real> place; // only if the line was found
+};
+
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline UnfoldedCorner<Real>
+unfoldedCorner(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
+               const Vector3<Real>& held, const Vector3<Real>& middleOfFree) {
+    UnfoldedCorner<Real> corner;
+    corner.line = contactLine(body.field, frame, body.contactDistance, cell, held, middleOfFree);
+    if (corner.line.found) {
+        corner.place = unfolded(body.field, frame, body.contactDistance, cell, corner.line, held);
+    }
+    return corner;
+}
+
 // Unfolds each held corner separately. Needed if more than one contact line holds the film, or if a
 // part of the film has been released.
 template <typename Real>
@@ -283,22 +320,22 @@ DIPWRIGHT_HOST_DEVICE inline UnfoldedTriangle<Real>
 unfoldedApart(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Real cell,
               const TriangleCorners& triangle, const CrossingCorner<Real> (&corners)[3], bool moved,
               LaidCorners<Real>& film) {
+    bool isSearched[3];
+    for (int k = 0; k < 3; ++k) {
+        isSearched[k] = !corners[k].isFree && !corners[k].isTrapped && !film.isReleased[k];
+    }
+    UnfoldedCorner<Real> found[3];
+    forCorners(isSearched, found, [&](int k) {
+        return unfoldedCorner(body, frame, cell, corners[k].held, middleOfFree(corners));
+    });
     UnfoldedTriangle<Real> result;
     for (int k = 0; k < 3; ++k) {
-        const CrossingCorner<Real>& corner = corners[k];
-        if (corner.isFree || corner.isTrapped) {
+        const ContactLine<Real>& line = found[k].line;
+        if (corners[k].isFree || corners[k].isTrapped || (isSearched[k] && !line.found)) {
             continue;
         }
-        if (!film.isReleased[k]) {
-            const ContactLine<Real> line = contactLine(body.field, frame, body.contactDistance,
-                                                       cell, corner.held, middleOfFree(corners));
-            if (!line.found) {
-                continue;
-            }
-            slide(
-                body, corner, k,
-                unfolded(body.field, frame, body.contactDistance, cell, line, corner.held).position,
-                line.upwards, moved, film);
+        if (isSearched[k]) {
+            slide(body, corners[k], k, found[k].place.position, line.upwards, moved, film);
             result.upwards[k] = line.upwards;
             result.steepness = std::fmin(result.steepness, line.steepness);
         }
@@ -324,14 +361,20 @@ unfoldedTogether(const ContactBody<Real>& body, const BodyFrame<Real>& frame, Re
     const Real perHeld = Real(1) / Real(3 - freeCount(corners));
     Real distance[3] = {}; // distance to the contact line, along the surface or across the water
     Real floating(0), laid(0);
+    Unfolded<Real> places[3];
+    if (line.found) {
+        const bool held[3] = {!corners[0].isFree, !corners[1].isFree, !corners[2].isFree};
+        forCorners(held, places, [&](int k) {
+            return unfolded(body.field, frame, body.contactDistance, cell, line, corners[k].held);
+        });
+    }
     for (int k = 0; k < 3 && line.found; ++k) {
         const CrossingCorner<Real>& corner = corners[k];
         if (corner.isFree) {
             distance[k] = std::fmax(dot(corner.plane - line.place, line.outwards), Real(0));
             floating += distance[k] * perFree;
         } else {
-            const Unfolded<Real> place =
-                unfolded(body.field, frame, body.contactDistance, cell, line, corner.held);
+            const Unfolded<Real>& place = places[k];
             slide(body, corner, k, place.position, line.upwards, moved, film);
             result.offset[k] = offset(film, k);
             result.upwards[k] = line.upwards;

@@ -8,6 +8,7 @@
 
 #include "common/BodyFrame.h"
 #include "common/FieldSampling.h"
+#include "common/Lanes.h"
 #include "production/formulas/Tolerances.h"
 
 namespace dipwright::numerics {
@@ -38,6 +39,18 @@ projectedOnSurface(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
     return p;
 }
 
+// Returns smoothGradient(); each lane computes one component.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Vector3<Real> gradientInLanes(const FieldGrid<Real>& field,
+                                                           Vector3<Real> position) {
+    if constexpr (Lanes::count < 3) {
+        return smoothGradient(field, position);
+    } else {
+        const Real own = smoothSlope(field, position, Lanes::index());
+        return {Lanes::from(own, 0), Lanes::from(own, 1), Lanes::from(own, 2)};
+    }
+}
+
 // Finds the contact line near `start` by Newton's method, along the gradient in the water plane.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool
@@ -66,22 +79,43 @@ contactLineBySlope(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
 }
 
 // Finds the contact line between `inside` (within the body) and `outside` (in free water) by
-// bisection.
+// bisection. Several lanes test two halvings at once: the middle, and both places that can be the
+// next middle.
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool
 contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
                    Vector3<Real> inside, Vector3<Real> outside, Vector3<Real>& line) {
-    const Real atInside = sampleWorld(field, frame, inside).distance - contactDistance;
-    const Real atOutside = sampleWorld(field, frame, outside).distance - contactDistance;
-    if (!(atInside <= Real(0) && atOutside > Real(0))) {
-        return false;
-    }
-    for (int iteration = 0; iteration < contactLineHalvings; ++iteration) {
-        line = (inside + outside) * Real(0.5);
-        if (sampleWorld(field, frame, line).distance > contactDistance) {
-            outside = line;
-        } else {
-            inside = line;
+    const auto middle = [](Vector3<Real> a, Vector3<Real> b) { return (a + b) * Real(0.5); };
+    const auto distance = [&](Vector3<Real> place) {
+        return sampleWorld(field, frame, place).distance;
+    };
+    const auto halve = [&](bool isOutside) { (isOutside ? outside : inside) = line; };
+    if constexpr (Lanes::count < 3) {
+        if (!(distance(inside) - contactDistance <= Real(0) &&
+              distance(outside) - contactDistance > Real(0))) {
+            return false;
+        }
+        for (int iteration = 0; iteration < contactLineHalvings; ++iteration) {
+            line = middle(inside, outside);
+            halve(distance(line) > contactDistance);
+        }
+    } else {
+        static_assert(contactLineHalvings % 2 == 0);
+        const int lane = Lanes::index();
+        const Real atEnd = distance(lane == 0 ? inside : outside) - contactDistance;
+        if (!(Lanes::from(atEnd, 0) <= Real(0) && Lanes::from(atEnd, 1) > Real(0))) {
+            return false;
+        }
+        for (int iteration = 0; iteration < contactLineHalvings; iteration += 2) {
+            line = middle(inside, outside);
+            const Vector3<Real> inner = middle(inside, line), outer = middle(line, outside);
+            const unsigned outsides = Lanes::flags(distance(lane == 0   ? line
+                                                            : lane == 1 ? inner
+                                                                        : outer) > contactDistance);
+            const bool lineIsOutside = (outsides & 1) != 0;
+            halve(lineIsOutside);
+            line = lineIsOutside ? inner : outer;
+            halve((outsides & (lineIsOutside ? 2 : 4)) != 0);
         }
     }
     return true;
@@ -114,7 +148,7 @@ contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real con
         return line;
     }
     const Vector3<Real> gradient =
-        frame.directionToWorld(smoothGradient(field, frame.toBody(line.place)));
+        frame.directionToWorld(detail::gradientInLanes(field, frame.toBody(line.place)));
     const Real horizontal = std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
     const Real size = length(gradient);
     line.found = horizontal > Real(leastSlope) * size;
@@ -172,8 +206,8 @@ unfolded(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contac
     Vector3<Real> outwards = line.outwards;
     Real across = detail::acrossToLine(field, frame, contactDistance, cell, above, outwards,
                                        dot(line.place - above, outwards));
-    const Vector3<Real> gradient =
-        frame.directionToWorld(smoothGradient(field, frame.toBody(above + outwards * across)));
+    const Vector3<Real> gradient = frame.directionToWorld(
+        detail::gradientInLanes(field, frame.toBody(above + outwards * across)));
     const Real horizontal = std::sqrt(gradient.x * gradient.x + gradient.z * gradient.z);
     const Vector3<Real> normal{gradient.x / horizontal, Real(0), gradient.z / horizontal};
     if (horizontal > Real(leastSlope) &&

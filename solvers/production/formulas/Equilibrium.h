@@ -123,6 +123,7 @@ namespace detail {
 // Adds column `k` (k + 2 numbers) to the least-squares problem. Returns the new residual.
 DIPWRIGHT_HOST_DEVICE inline double takeColumn(GmresProblem& problem, int k) {
     double* column = problem.matrix[k];
+    DIPWRIGHT_ROLLED
     for (int i = 0; i < k; ++i) {
         const double upper = problem.cosine[i] * column[i] + problem.sine[i] * column[i + 1];
         column[i + 1] = problem.cosine[i] * column[i + 1] - problem.sine[i] * column[i];
@@ -140,8 +141,10 @@ DIPWRIGHT_HOST_DEVICE inline double takeColumn(GmresProblem& problem, int k) {
 // Computes the weights of the first `count` basis vectors that give the smallest residual. Returns
 // that residual.
 DIPWRIGHT_HOST_DEVICE inline double solveTriangular(GmresProblem& problem, int count) {
+    DIPWRIGHT_ROLLED
     for (int i = count - 1; i >= 0; --i) {
         double sum = problem.right[i];
+        DIPWRIGHT_ROLLED
         for (int j = i + 1; j < count; ++j) {
             sum -= problem.matrix[j][i] * problem.weights[j];
         }

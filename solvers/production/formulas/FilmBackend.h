@@ -27,6 +27,7 @@ template <typename Real>
 struct LineState {
     Real steepness{1};   // smallest steepness of the whole line, see ContactLine
     bool driven = false; // a triangle that can still move crosses the contact line
+    Real upwards{-1};    // the largest CrossingTriangle::upwards, or -1
 };
 
 // The small least-squares problem of GMRES. It contains the Hessenberg matrix, which Givens

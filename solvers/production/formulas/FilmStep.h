@@ -77,22 +77,43 @@ DIPWRIGHT_TEAM inline void enter(const EquilibriumResult& found,
     }
 }
 
-// Moves free points as in the previous step, as a warm start for the equilibrium.
+// Returns the smaller of `least` and the negative size of the larger component of `way`.
+template <typename Real>
+DIPWRIGHT_HOST_DEVICE inline Real lessOrFarther(Real least, const Vector2<Real>& way) {
+    const Real x = -std::fabs(way.x), z = -std::fabs(way.z);
+    const Real lower = x < z ? x : z;
+    return lower < least ? lower : least;
+}
+
+// Returns the largest displacement of a point from rest along X or Z, mm. Acts as a barrier.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline void predict(Film& film, double increment) {
+DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
+    using Real = typename Film::Real;
+    return -double(film.leastOver(Real(0), [&](int point, Real least) {
+        return lessOrFarther(least, film.displacement(point));
+    }));
+}
+
+// Moves free points as in the previous step, as a warm start for the equilibrium. Returns what
+// farthestFromRest() would return then. Acts as a barrier.
+template <FilmBackend Film>
+DIPWRIGHT_TEAM inline double predict(Film& film, double increment) {
     using Real = typename Film::Real;
     const Real cell = film.model().cell;
     const double last = film.state().increment;
     const Real factor = last > 0 && film.state().driven ? Real(increment / last) : Real(0);
     const auto limited = [cell](Real way) { return way < -cell ? -cell : way > cell ? cell : way; };
-    film.forPoints([&](int point) {
+    return -double(film.leastOver(Real(0), [&](int point, Real least) {
         const Vector2<Real> now = film.displacement(point), before = film.before(point);
+        Vector2<Real> next = now;
         if (film.moves(point)) {
-            film.setDisplacement(point, {now.x + limited(factor * (now.x - before.x)),
-                                         now.z + limited(factor * (now.z - before.z))});
+            next = {now.x + limited(factor * (now.x - before.x)),
+                    now.z + limited(factor * (now.z - before.z))};
+            film.setDisplacement(point, next);
         }
         film.setBefore(point, now);
-    });
+        return lessOrFarther(least, next);
+    }));
 }
 
 template <FilmStorage Film>
@@ -126,8 +147,10 @@ DIPWRIGHT_HOST_DEVICE inline double sinking(const CrossingCorner<Real> (&corners
 // Finds the triangles that cross the contact line with the body at `descent` and can still move,
 // and unfolds the surface under them. If no contact line is near (a flat face, a submerged body),
 // their corners do not move. `moved` is true if the body has moved, false if only the film has.
+// Returns LineState::upwards.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM DIPWRIGHT_CALLED void findContactLine(Film& film, double descent, bool moved) {
+DIPWRIGHT_TEAM DIPWRIGHT_CALLED typename Film::Real findContactLine(Film& film, double descent,
+                                                                    bool moved) {
     using Real = typename Film::Real;
     const BodyFrame<Real> frame = film.body().frameAt(descent);
     const bool isOnPath = film.body().path.count > 0;
@@ -135,9 +158,9 @@ DIPWRIGHT_TEAM DIPWRIGHT_CALLED void findContactLine(Film& film, double descent,
         isOnPath ? film.body().frameAt(descent + sinkingTestedOver) : frame;
     const auto crosses = [&](const TriangleCorners& triangle) {
         bool anyHeld = false, moves = false;
-        for (const std::uint32_t point : triangle.points) {
-            anyHeld = anyHeld || !isFree(film, int(point));
-            moves = moves || film.moves(int(point));
+        for (const std::uint32_t point : triangle.points) { // reads all corners at once
+            anyHeld |= !isFree(film, int(point));
+            moves |= film.moves(int(point));
         }
         return anyHeld && moves;
     };
@@ -146,8 +169,11 @@ DIPWRIGHT_TEAM DIPWRIGHT_CALLED void findContactLine(Film& film, double descent,
         findCorners(film, points, frame, corners);
         const TriangleSize<Real> size = triangleSize(film.model(), triangle);
         const Real cell = size.x < size.z ? size.x : size.z;
+        LaidCorners<Real> laid = film.laid(triangle);
         UnfoldedTriangle<Real> unfolded =
-            unfoldedTriangle(film.body(), frame, cell, points, corners, moved, film.laid(triangle));
+            unfoldedTriangle(film.body(), frame, cell, points, corners, moved, laid);
+        Lanes::wait(); // all lanes have read it; all write the same
+        film.laid(triangle) = laid;
         unfolded.crossing.cell = std::uint32_t(triangle / 2);
         if (isOnPath) {
             unfolded.steepness =
@@ -158,6 +184,7 @@ DIPWRIGHT_TEAM DIPWRIGHT_CALLED void findContactLine(Film& film, double descent,
     const LineState<Real> found = film.findCrossing(crosses, unfold);
     film.state().steepness = found.steepness;
     film.state().driven = found.driven;
+    return found.upwards;
 }
 
 template <FilmBackend Film>
@@ -238,27 +265,17 @@ DIPWRIGHT_TEAM inline void forUnbalanced(Film& film, const Work& work) {
     });
 }
 
-// Returns the largest displacement of a point from rest along X or Z, mm.
-template <FilmBackend Film>
-DIPWRIGHT_TEAM inline double farthestFromRest(Film& film) {
-    using Real = typename Film::Real;
-    return -double(film.leastOver(Real(0), [&](int point, Real least) {
-        const Vector2<Real> way = film.displacement(point);
-        const Real x = -std::fabs(way.x), z = -std::fabs(way.z);
-        const Real lower = x < z ? x : z;
-        return lower < least ? lower : least;
-    }));
-}
-
 // Finds the film's equilibrium at the end of a step. Holds points that prevent convergence, and
 // continues the search. Film may have no equilibrium in the water plane if it is compressed at its
 // own free edge or caught between two parts of the body. Real film leaves the plane there.
+// `farthest` is farthestFromRest().
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline EquilibriumResult settle(Film& film, typename Film::Real drag) {
+DIPWRIGHT_TEAM inline EquilibriumResult settle(Film& film, typename Film::Real drag,
+                                               double farthest) {
     // The rounding error of a triangle's gradient grows with the triangle's edge. At first contact,
     // this error may be the only force. Without longestEdge as a lower bound, nearly all points
     // would then be held.
-    const double farthest = std::fmax(farthestFromRest(film), film.model().longestEdge);
+    farthest = std::fmax(farthest, film.model().longestEdge);
     EquilibriumResult found = findEquilibrium(film, drag, farthest);
     for (int holds = 0; holds < mostHolds && !found.isReached; ++holds) {
         film.force(drag);
@@ -420,12 +437,10 @@ DIPWRIGHT_TEAM inline bool touch(Film& film, double increment) {
     });
 }
 
-// Releases film where the body at `descent` turns up too far to hold it. Returns whether any thread
-// of the team released film.
+// Releases film where the body at `descent` turns up too far to hold it. Acts as a barrier.
 template <FilmBackend Film>
-DIPWRIGHT_TEAM inline bool releaseOverhang(Film& film, double descent) {
+DIPWRIGHT_TEAM inline void releaseOverhang(Film& film, double descent) {
     using Real = typename Film::Real;
-    bool any = false;
     film.forCrossing([&](int triangle, const auto& crossing, const auto&) {
         if (crossing.upwards > film.body().steepestHeld) {
             const TriangleCorners points =
@@ -440,10 +455,9 @@ DIPWRIGHT_TEAM inline bool releaseOverhang(Film& film, double descent) {
                     film.mark(int(point), solver::PointMark::LetGo);
                 }
             }
-            any = true;
         }
     });
-    return film.anyOf(any);
+    film.barrier();
 }
 
 } // namespace detail
@@ -457,7 +471,7 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     const solver::BodyMotion& motion = film.body().motion;
     const double increment = std::fmin(detail::nextIncrement(film), motion.travel - dip.descent);
     const double end = dip.descent + increment;
-    detail::predict(film, increment);
+    double farthest = detail::predict(film, increment);
     const double grown = detail::restLengthIn(film, increment);
     const double drift = grown - dip.grown;
     if (grown > dip.grown) {
@@ -465,14 +479,15 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     }
     if (drift > 0) {
         detail::growFreely(film, drift);
+        farthest = detail::farthestFromRest(film);
     }
-    film.barrier();
     bool hasLost = false;
     if (dip.anyAdhered || dip.grown != 1) {
         detail::findContactLine(film, end, true);
         detail::moveAnchors(film);
+        film.barrier();
         const Real drag = Real(pointDrag(model.spacingX, model.spacingZ, increment));
-        detail::enter(detail::settle(film, drag), dip.equilibrium);
+        detail::enter(detail::settle(film, drag, farthest), dip.equilibrium);
         hasLost = detail::holdTornOrFolded(film, false);
         film.barrier(); // the corners' states were read; touch() changes them
         detail::relax(film, Real(keptStress(film.body().secondsOf(dip.descent, increment),
@@ -486,8 +501,8 @@ DIPWRIGHT_TEAM inline void step(Film& film) {
     const Real happened = -film.least(Real(-own));
     dip.anyAdhered = happened > 1 || dip.anyAdhered;
     if (dip.anyAdhered) {
-        detail::findContactLine(film, end, false);
-        if (detail::releaseOverhang(film, end)) {
+        if (detail::findContactLine(film, end, false) > film.body().steepestHeld) {
+            detail::releaseOverhang(film, end);
             detail::findContactLine(film, end, false);
         }
         detail::setAnchors(film);

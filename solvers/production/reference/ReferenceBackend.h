@@ -8,6 +8,7 @@
 
 #include <Eigen/SparseCore>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace dipwright::reference {
@@ -118,7 +119,8 @@ numerics::LineState<double> ReferenceBackend::findCrossing(const Crosses& crosse
             const auto unfolded = unfold(triangle, corners);
             triangles_[std::size_t(triangle)].crossing = int(crossing_.size());
             crossing_.push_back(unfolded.crossing);
-            line = {std::min(line.steepness, unfolded.steepness), true};
+            line = {std::min(line.steepness, unfolded.steepness), true,
+                    std::fmax(line.upwards, unfolded.crossing.upwards)};
         }
     }
     anchors_.resize(crossing_.size());

@@ -159,7 +159,7 @@ private Q_SLOTS:
 void FilmStepTest::settle_filmConverges_holdsNoPoint() {
     Springs film;
     film.place(7, 0.2, 0);
-    QVERIFY(detail::settle(film, 0).isReached);
+    QVERIFY(detail::settle(film, 0, detail::farthestFromRest(film)).isReached);
     QCOMPARE(film.heldPoints(), 0);
     QCOMPARE(film.timesSetFree, 0);
     QVERIFY(std::abs(film.displacement(7).x) < 1e-6);
@@ -169,7 +169,7 @@ void FilmStepTest::settle_filmDoesNotConverge_isHeldAndMarked() {
     Springs film;
     film.springs[7] = restless(0.5);
     film.place(3, 0.3, 0);
-    QVERIFY(detail::settle(film, 0).isReached);
+    QVERIFY(detail::settle(film, 0, detail::farthestFromRest(film)).isReached);
     QCOMPARE(film.heldPoints(), 1);
     QVERIFY(!film.moves(7));
     QVERIFY(film.isMarked(7, PointMark::Unbalanced));
@@ -184,7 +184,7 @@ void FilmStepTest::settle_foldedFilm_isHeldFirst() {
     film.springs[12] = restless(0.5);
     film.springs[2] = {[](double x) { return x - 0.1; }, [](double) { return 1.0; }};
     film.place(12, 0, 1.2); // past the next row, so triangles fold
-    QVERIFY(detail::settle(film, 0).isReached);
+    QVERIFY(detail::settle(film, 0, detail::farthestFromRest(film)).isReached);
     QVERIFY(!film.moves(12));
     QVERIFY(!film.moves(17));
     QVERIFY(film.isMarked(17, PointMark::Unbalanced) && !film.isMarked(17, PointMark::Torn));
@@ -195,7 +195,7 @@ void FilmStepTest::settle_foldedFilm_isHeldFirst() {
 void FilmStepTest::settle_foldedFilmAtRest_isNotHeld() {
     Springs film;
     film.place(12, 0, 1.2);
-    QVERIFY(detail::settle(film, 0).isReached);
+    QVERIFY(detail::settle(film, 0, detail::farthestFromRest(film)).isReached);
     QVERIFY(!detail::holdTornOrFolded(film, false));
     QCOMPARE(film.heldPoints(), 0);
 }
@@ -215,7 +215,7 @@ void FilmStepTest::settle_tooManyDivergingPoints_givesUp() {
     for (int point = 0; point <= mostHolds; ++point) {
         film.springs[std::size_t(point)] = restless(std::pow(0.05, point));
     }
-    const EquilibriumResult found = detail::settle(film, 0);
+    const EquilibriumResult found = detail::settle(film, 0, detail::farthestFromRest(film));
     QCOMPARE(film.heldPoints(), mostHolds);
     QCOMPARE(film.timesSetFree, mostHolds);
     QVERIFY(film.moves(mostHolds));
