@@ -1721,6 +1721,10 @@
         <source>The jobs differ in their ink settings or CMYK profiles, so that the films do not keep all amounts of ink of CMYK pictures or compensate each ink by itself; give all jobs the same ink settings and profiles</source>
         <translation>Die Aufträge haben verschiedene Tinteneinstellungen oder CMYK-Profile, sodass die Filme nicht alle Tintenmengen von CMYK-Bildern behalten oder nicht jede Tinte für sich ausgleichen; geben Sie allen Aufträgen dieselben Tinteneinstellungen und Profile</translation>
     </message>
+    <message>
+        <source>%1: cells of %2 mm might reach the wanted error, but would need about %3 million points × steps; the project allows %4 million.</source>
+        <translation>%1: mit Zellen von %2 mm könnte der gewünschte Fehler erreicht werden, aber dafür wären etwa %3 Millionen Punkte × Schritte nötig; das Projekt erlaubt %4 Millionen.</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -3524,10 +3528,6 @@
         <translation>Wie viel weiter das Teil sinkt, wenn es ganz unter Wasser ist.</translation>
     </message>
     <message>
-        <source>How far the contact line moves in one step, in cells of the film. Smaller steps are more accurate and slower.</source>
-        <translation>Wie weit die Kontaktlinie in einem Schritt wandert, in Zellen des Films. Kleinere Schritte sind genauer und langsamer.</translation>
-    </message>
-    <message>
         <source>The simulated time of one step.</source>
         <translation>Die simulierte Zeit eines Schritts.</translation>
     </message>
@@ -4066,6 +4066,10 @@
     <message>
         <source>Printable</source>
         <translation>Druckbar</translation>
+    </message>
+    <message>
+        <source>How far the contact line moves in one step, in cells of the film. For a more exact sheet, smaller cells are better than steps below 0.5.</source>
+        <translation>Wie weit sich die Kontaktlinie in einem Schritt bewegt, in Zellen des Films. Für ein genaueres Blatt sind kleinere Zellen besser als Schritte unter 0,5.</translation>
     </message>
 </context>
 <context>
@@ -6301,14 +6305,6 @@
         <translation>Der Tauchvorgang kann abgespielt werden, wenn der laufende Auftrag zu Ende ist.</translation>
     </message>
     <message>
-        <source>Refining until the sheet can be printed. Cancel keeps this result.</source>
-        <translation>Wird verfeinert, bis das Blatt druckbar ist. „Abbrechen“ behält dieses Ergebnis.</translation>
-    </message>
-    <message>
-        <source>The numerical error is too large. Run the dip again to refine the film.</source>
-        <translation>Der numerische Fehler ist zu groß. „Starten“ verfeinert den Film.</translation>
-    </message>
-    <message>
         <source>Draft with %1 × %2 film points</source>
         <translation>Entwurf, %1 × %2 Punkte</translation>
     </message>
@@ -6323,6 +6319,14 @@
     <message>
         <source>The saved results contain no recording of the dip. The dip is simulated again so that you can play it; the results stay the same.</source>
         <translation>Die gespeicherten Ergebnisse enthalten keine Aufzeichnung des Tauchvorgangs. Er wird noch einmal simuliert, damit Sie ihn abspielen können; die Ergebnisse bleiben gleich.</translation>
+    </message>
+    <message>
+        <source>Refining to reduce the numerical error. Cancel keeps this result.</source>
+        <translation>Wird verfeinert, um den numerischen Fehler zu verringern. Abbrechen behält dieses Ergebnis.</translation>
+    </message>
+    <message>
+        <source>The numerical error is larger than wanted. Run the dip again to refine the film.</source>
+        <translation>Der numerische Fehler ist größer als gewünscht. Führen Sie den Tauchvorgang noch einmal aus, um den Film zu verfeinern.</translation>
     </message>
 </context>
 <context>

@@ -1721,6 +1721,10 @@
         <source>The jobs differ in their ink settings or CMYK profiles, so that the films do not keep all amounts of ink of CMYK pictures or compensate each ink by itself; give all jobs the same ink settings and profiles</source>
         <translation>Os trabalhos diferem nas configurações de tinta ou nos perfis CMYK, de modo que as películas não mantêm todas as quantidades de tinta das imagens CMYK ou não compensam cada tinta por si; dê a todos os trabalhos as mesmas configurações de tinta e os mesmos perfis</translation>
     </message>
+    <message>
+        <source>%1: cells of %2 mm might reach the wanted error, but would need about %3 million points × steps; the project allows %4 million.</source>
+        <translation>%1: com células de %2 mm o erro desejado talvez seja atingido, mas seriam necessários cerca de %3 milhões de pontos × passos; o projeto permite %4 milhões.</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -3524,10 +3528,6 @@
         <translation>Quanto mais a peça desce depois de totalmente submersa.</translation>
     </message>
     <message>
-        <source>How far the contact line moves in one step, in cells of the film. Smaller steps are more accurate and slower.</source>
-        <translation>Quanto a linha de contato avança em um passo, em células da película. Passos menores são mais precisos e mais lentos.</translation>
-    </message>
-    <message>
         <source>The simulated time of one step.</source>
         <translation>O tempo simulado de um passo.</translation>
     </message>
@@ -4066,6 +4066,10 @@
     <message>
         <source>Printable</source>
         <translation>Imprimível</translation>
+    </message>
+    <message>
+        <source>How far the contact line moves in one step, in cells of the film. For a more exact sheet, smaller cells are better than steps below 0.5.</source>
+        <translation>Quanto a linha de contato avança em um passo, em células da película. Para uma folha mais exata, células menores são melhores do que passos abaixo de 0,5.</translation>
     </message>
 </context>
 <context>
@@ -6301,14 +6305,6 @@
         <translation>A imersão pode ser reproduzida quando o trabalho em andamento terminar.</translation>
     </message>
     <message>
-        <source>Refining until the sheet can be printed. Cancel keeps this result.</source>
-        <translation>Refinando até a folha poder ser impressa. “Cancelar” mantém este resultado.</translation>
-    </message>
-    <message>
-        <source>The numerical error is too large. Run the dip again to refine the film.</source>
-        <translation>O erro numérico é grande demais. Execute a imersão de novo para refinar a película.</translation>
-    </message>
-    <message>
         <source>Draft with %1 × %2 film points</source>
         <translation>Rascunho, %1 × %2 pontos</translation>
     </message>
@@ -6323,6 +6319,14 @@
     <message>
         <source>The saved results contain no recording of the dip. The dip is simulated again so that you can play it; the results stay the same.</source>
         <translation>Os resultados salvos não contêm uma gravação da imersão. A imersão é simulada de novo para que você possa reproduzi-la; os resultados permanecem iguais.</translation>
+    </message>
+    <message>
+        <source>Refining to reduce the numerical error. Cancel keeps this result.</source>
+        <translation>Refinando para reduzir o erro numérico. Cancelar mantém este resultado.</translation>
+    </message>
+    <message>
+        <source>The numerical error is larger than wanted. Run the dip again to refine the film.</source>
+        <translation>O erro numérico é maior que o desejado. Execute a imersão novamente para refinar a película.</translation>
     </message>
 </context>
 <context>
