@@ -395,7 +395,8 @@ private slots:
         QJsonObject film = file["film"].toObject();
         QCOMPARE(film["work_million"].toDouble(), newProjectFilmWork);
         QCOMPARE(film["wanted_error_mm"].toDouble(), newProjectWantedError.value());
-        QCOMPARE(file["process"]["contact_travel_cells"].toDouble(), newProjectContactTravel);
+        QCOMPARE(file["process"].toObject()["contact_travel_cells"].toDouble(),
+                 newProjectContactTravel);
         film.remove("work_million");
         film.remove("wanted_error_mm");
         file["film"] = film;
