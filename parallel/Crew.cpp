@@ -60,8 +60,9 @@ bool isEmpty(std::uint64_t share) {
 } // namespace
 
 Crew::Crew(int members)
-    : members_(members), shares_(new Share[std::size_t(members)]),
-      outer_(std::exchange(crewOfThread, this)) {}
+    : members_(members), shares_(new Share[std::size_t(members)]), outer_(crewOfThread) {
+    crewOfThread = this;
+}
 
 Crew::~Crew() {
     crewOfThread = outer_;

@@ -10,6 +10,7 @@ namespace dipwright {
 
 namespace parallel {
 
+// How threads share a loop. In a team (Threads.h), all loops are shared as Crew::run() says.
 enum class Sharing {
     Balanced, // splits pieces further where threads are idle
     Even      // one piece for each thread; a thread mostly gets the same piece as in the last loop

@@ -42,13 +42,16 @@ inline Body bodyOf(const std::string& name) {
     return body;
 }
 
+// Steps per cell of the film: 2 as in new projects, 4 as in older ones.
+inline constexpr int usualStepsPerCell = 2;
+
 inline solver::DipSetup productionDip(const Body& body, int columns, int rows,
-                                      double relaxationTime) {
+                                      double relaxationTime, int stepsPerCell) {
     solver::DipSetup setup =
         test::paperDip(body.sampled, body.lowest, columns, rows, body.height + 2.5);
     setup.settings.lattice = solver::Lattice::Isotropic;
     setup.settings.support = solver::Support::Water;
-    setup.settings.contactTravel = 0.5; // as in new projects
+    setup.settings.contactTravel = 1.0 / stepsPerCell;
     setup.settings.relaxationTime = relaxationTime;
     return setup;
 }

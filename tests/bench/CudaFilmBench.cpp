@@ -1,9 +1,10 @@
 // Measures the films on the GPU: steps per second of the paper's film, seconds per dip of the
 // production film, and how far the final points are from those on the CPU.
 //
-//   cuda_film_bench paper|production [batch=N] [dips=N] [steps=N] [check] [elastic|viscous]
-//                   [sphere|cone|FIELD] [COLUMNSxROWS …]
+//   cuda_film_bench paper|production [batch=N] [dips=N] [steps=N] [stepsPerCell=N] [check]
+//                   [elastic|viscous] [sphere|cone|FIELD] [COLUMNSxROWS …]
 //
+// stepsPerCell: of the production film; 2 (the default) as in new projects, 4 as in older ones.
 // steps=N: at most N steps per dip. Meant for compute-sanitizer, under which a whole dip takes
 // hours.
 //
@@ -31,6 +32,7 @@ struct Options {
     int batch = 1;
     int dips = 5;
     int steps = std::numeric_limits<int>::max(); // largest number of steps per dip
+    int stepsPerCell = usualStepsPerCell;        // of the production film
     bool checks = false;
     double relaxationTime = std::numeric_limits<double>::infinity();
     std::string body = "sphere";
@@ -43,6 +45,7 @@ Options parsed(int argc, char** argv) {
     options.batch = std::max(1, arguments.number("batch", options.batch));
     options.dips = std::max(1, arguments.number("dips", options.dips));
     options.steps = std::max(1, arguments.number("steps", options.steps));
+    options.stepsPerCell = std::max(1, arguments.number("stepsPerCell", options.stepsPerCell));
     options.checks = arguments.take("check");
     options.isProduction = arguments.take("production");
     if (arguments.take("viscous")) {
@@ -83,7 +86,7 @@ void compare(const Ending& a, const Ending& b) {
 
 solver::DipSetup setupOf(const Options& options, const Body& body, int columns, int rows) {
     return options.isProduction
-               ? productionDip(body, columns, rows, options.relaxationTime)
+               ? productionDip(body, columns, rows, options.relaxationTime, options.stepsPerCell)
                : paperDip(body.sampled, body.lowest, columns, rows, body.height + 2.5);
 }
 

@@ -1,9 +1,10 @@
 // Measures whole dips of the production film on the CPU: wall time, processor time, and a number
 // that changes with any bit of the film's final points.
 //
-//   production_film_bench [threads=N] [dips=N] [steps=N] [elastic|viscous] [sphere|cone|FIELD]
-//                         [COLUMNSxROWS …]
+//   production_film_bench [threads=N] [dips=N] [steps=N] [stepsPerCell=N] [elastic|viscous]
+//                         [sphere|cone|FIELD] [COLUMNSxROWS …]
 //
+// stepsPerCell: 2 (the default) as in new projects, 4 as in older ones.
 // steps=N: at most N steps per dip. FIELD: as in CudaFilmBench.cpp.
 
 #include "Bench.h"
@@ -37,13 +38,15 @@ int main(int argc, char** argv) {
     const int threads = arguments.number("threads", 0),
               dips = std::max(1, arguments.number("dips", 3));
     const int steps = arguments.number("steps", std::numeric_limits<int>::max());
+    const int stepsPerCell = std::max(1, arguments.number("stepsPerCell", usualStepsPerCell));
     const bool isViscous = arguments.take("viscous");
     arguments.take("elastic");
     const Sizes films = arguments.takeSizes({{120, 170}, {280, 396}});
     const Body body = bodyOf(arguments.words().empty() ? "sphere" : arguments.words().front());
     for (const auto& [columns, rows] : films) {
-        solver::DipSetup setup = productionDip(
-            body, columns, rows, isViscous ? 0 : std::numeric_limits<double>::infinity());
+        solver::DipSetup setup =
+            productionDip(body, columns, rows,
+                          isViscous ? 0 : std::numeric_limits<double>::infinity(), stepsPerCell);
         setup.settings.threads = threads;
         const auto film = cpu::makeProductionFilm();
         for (int dip = 0; dip < dips; ++dip) {

@@ -57,6 +57,7 @@ Project sampleProject() {
     project.film.height = Millimetres(200.5);
     project.film.columns = 61;
     project.film.rows = 82;
+    project.film.wantedError = Millimetres(0.2);
     project.film.lattice = solver::Lattice::Structural;
     project.film.support = solver::Support::None;
     project.film.edges = {true, false, false, true};
