@@ -253,10 +253,10 @@ void bindJob(py::module_& module) {
            "progress: called as progress(share, text) with 0 to 1 on the calling thread; if it\n"
            "returns False, the run ends with Cancelled. solver: id of a plugin instead of the\n"
            "project's. certainty: estimates the numerical error, and refines films until their\n"
-           "sheets can be printed and have the wanted error. laws, tolerances: as `--laws` and `--tolerances`, many more\n"
-           "dips. cradles: also makes cradles. film_image: a picture's path or \"chessboard\", to\n"
-           "print instead of the texture. threads: at most so many; 0: all cores. The GIL is\n"
-           "released. Raises Error or Cancelled.")
+           "sheets can be printed and have the wanted error. laws, tolerances: as `--laws` and\n"
+           "`--tolerances`, many more dips. cradles: also makes cradles. film_image: a picture's\n"
+           "path or \"chessboard\", to print instead of the texture. threads: at most so many; 0:\n"
+           "all cores. The GIL is released. Raises Error or Cancelled.")
         .def("search", search, py::arg("immersions") = usual.immersions, py::kw_only(),
              py::arg("candidates") = usual.simulated, py::arg("directions") = usual.directions,
              py::arg("refined") = usual.refined, py::arg("finer") = usual.finer,
