@@ -21,6 +21,10 @@ inline constexpr double newProjectFilmWork = 100;
 // With half the cell, a sheet with this numerical error is expected to move by
 // mostHalfSpacingChange (SheetChange.h).
 inline constexpr Millimetres newProjectWantedError{0.3};
+// ProcessSettings::contactTravel. For equal work, the sheet is more exact with these steps and
+// smaller cells than with the steps of older projects (docs/film-validation.md, "Balance of step
+// and cell").
+inline constexpr double newProjectContactTravel = 0.5;
 
 // Gives the project an imported model, and records the file and the options that it came from.
 void setModel(Project& project, const ImportedModel& imported, const QString& source,

@@ -91,8 +91,8 @@ struct Project {
 // longestProjectName.
 QString projectName(const QString& path);
 
-// Sets film and process to the preset "production" (the default) or "paper-2020". Throws Error for
-// another name.
+// Sets film and process to the preset "production" (the default) or "paper-2020". Keeps
+// ProcessSettings::contactTravel. Throws Error for another name.
 void applyPreset(Project& project, const QString& preset);
 
 // Sets one value by its path in the schema ("film.points", "immersions[0].rotation_deg"), parts of

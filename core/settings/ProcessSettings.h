@@ -10,11 +10,6 @@
 
 namespace dipwright {
 
-// ProcessSettings::contactTravel of new projects. For equal work, the sheet is more exact with
-// these steps and smaller cells than with the steps of older projects (docs/film-validation.md,
-// "Balance of step and cell").
-inline constexpr double newProjectContactTravel = 0.5;
-
 // The defaults of every dip. dipSetup() (Dip.h) passes every value to the solver. Some defaults of
 // the solver interface differ; no job uses them.
 struct ProcessSettings {
@@ -24,7 +19,7 @@ struct ProcessSettings {
     solver::Relaxation relaxation = solver::Relaxation::Jacobi; // paper-2020 only
     bool selfContact = false;                                   // paper-2020 only
     // production only: how far the contact line moves in one step, in cells
-    double contactTravel = 0.25; // new projects: newProjectContactTravel
+    double contactTravel = 0.25; // new projects: newProjectContactTravel (NewProject.h)
     // depth of the lowest point under water; none: the whole body goes under
     std::optional<Millimetres> depth;
     Millimetres margin{2};  // extra depth after the whole body is under water

@@ -6,6 +6,7 @@
 #include "base/Error.h"
 #include "dip/Dip.h"
 #include "geometry/Shapes.h"
+#include "project/NewProject.h"
 #include "project/ProjectStore.h"
 #include "project/Samples.h"
 

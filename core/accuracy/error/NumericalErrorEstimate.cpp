@@ -58,8 +58,8 @@ std::vector<float> largest(std::vector<float> spacing, const std::vector<float>&
     return spacing;
 }
 
-// Returns the error of the film `before` at a place that it paints, in mm. Infinite where it is not
-// known at all corners.
+// Returns the error of the film `before` at a place that it paints, in mm. Infinite unless it is
+// known at all three corners of the film triangle there.
 float errorBefore(const FilmBefore& before, const SurfacePoint& place) {
     const std::optional<FilmPlace> found = before.laid.place(place);
     constexpr float unknown = std::numeric_limits<float>::infinity();
@@ -80,12 +80,12 @@ std::vector<float> errorsLeft(const LaidFilm& own, const FilmBefore& before,
                               const std::vector<SurfacePoint>& places) {
     std::vector<float> left = sheetMoves(own, before.laid, places);
     const auto factor = float(std::clamp(1 / (before.ratio - 1), 1.0, mostLeft));
-    for (std::size_t place = 0; place < left.size(); ++place) {
+    parallelFor(std::size_t(0), left.size(), [&](auto place) {
         float& move = left[place];
         if (move > 0) {
             move = std::min(factor * move, std::max(move, errorBefore(before, places[place])));
         }
-    }
+    });
     return left;
 }
 

@@ -184,11 +184,10 @@ void StiffnessMultigrid::assemble(const PlaneFilm& film, const std::vector<float
     }
 }
 
-bool StiffnessMultigrid::Level::readsAll(int row) const {
-    const std::size_t inRow = kindsPerRow(columns);
-    const auto first = kinds.begin() + std::ptrdiff_t(inRow) * row;
-    return row == 0 || std::find(first, first + std::ptrdiff_t(inRow), StencilKind::Any) !=
-                           first + std::ptrdiff_t(inRow);
+bool StiffnessMultigrid::Level::readsAll(int row) {
+    const StencilKind* first = stencilRow(row).kinds;
+    const StencilKind* end = first == nullptr ? nullptr : first + kindsPerRow(columns);
+    return first == nullptr || std::find(first, end, StencilKind::Any) != end;
 }
 
 void StiffnessMultigrid::findKinds(const PlaneFilm& film, const std::vector<float>& free) {

@@ -40,7 +40,7 @@ private:
         std::size_t at(int row) const;
         Lines<float> stencil(int row);
         // Whether smoothing reads all of a row's lines, not only those from middleLine on.
-        bool readsAll(int row) const;
+        bool readsAll(int row);
         // A row's stencils, with what is known about them.
         StencilRow stencilRow(int row);
         Lines<float> inverse(int row);
