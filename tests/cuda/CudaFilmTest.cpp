@@ -34,8 +34,9 @@ struct Body {
     FilledField field{posed, *own};
 };
 
-Body bodyOf(const TriangleMesh& mesh, const Immersion& immersion = {}) {
-    return {posedBody(mesh, immersion),
+Body bodyOf(const TriangleMesh& mesh, const Immersion& immersion = {},
+            const ProcessSettings& process = {}) {
+    return {posedBody(mesh, immersion, process),
             std::make_shared<const DistanceField>(buildDistanceField(mesh, 128, {}))};
 }
 
@@ -239,12 +240,12 @@ void CudaFilmTest::cudaFilm_dip_equalsTheCpus() {
 }
 
 void CudaFilmTest::cudaFilm_tiltedBody_equalsTheCpus() {
-    const Body cone = bodyNamed(QStringLiteral("cone"));
     Project project;
     applyPreset(project, production);
     Immersion immersion;
     immersion.path.kind = PathKind::Tilt;
     immersion.path.angle = Degrees(20);
+    const Body cone = bodyOf(coneMesh(pi / 4, 40, 256), immersion, project.process);
     const auto setup = dipSetup(cone.posed, cone.field, immersion, project.film, project.process);
     QVERIFY(!setup.path.isStraightDown());
     requireSameBits(dipOnGpu(setup), dipOnCpu(setup));
