@@ -2,8 +2,8 @@
 // per dip.
 //
 //   models_bench [points=COLUMNSxROWS | automatic] [unrefined | work=MILLIONS] [found | foundonly]
-//   [turned] [quarter] [unchecked] [set=PATH:VALUE,…] [keep=FOLDER] [solver=ID] [against=ID]
-//   JOB.dipw …
+//   [turned] [quarter] [unchecked] [times] [set=PATH:VALUE,…] [keep=FOLDER] [solver=ID]
+//   [against=ID] JOB.dipw …
 //
 // unrefined: keeps the first cells; no dip is repeated with smaller ones. work: film.work_million.
 // turned: measures the first dip also turned by 35°, 20° and −15°, a pose that nobody chose.
@@ -12,10 +12,12 @@
 // quarter: also moves of the sheet with a quarter of the cell, for sheets with the verdict "print".
 // set: sets fields of the projects, as PATH:VALUE,PATH:VALUE.
 // unchecked: leaves out half the step and half the cell.
+// times: prints only how long each dip takes if it runs alone: the median of three, in seconds and
+// relative to the first line.
 // against: also dips with another solver, and prints how many pixels of the sheets differ.
-// Times of dips are for the dip alone, in seconds and relative to the first line. A verdict is
-// wrong if it says "print", but the full check moves the sheet by more than the reported numerical
-// error.
+// The times of dips in the table are in seconds and relative to the first line; the coarser films
+// of the verdict may run at the same time. A verdict is wrong if it says "print", but the full
+// check moves the sheet by more than the reported numerical error.
 
 #include "Bench.h"
 #include "base/Error.h"
@@ -29,6 +31,7 @@
 #include <QGuiApplication>
 
 #include <algorithm>
+#include <array>
 
 using namespace dipwright;
 
@@ -38,7 +41,7 @@ struct Options {
     QStringList jobs, settings;
     int columns = 0, rows = 0; // 0: the job's own numbers
     bool isAutomatic = false, isUnrefined = false, areFound = false, isTurned = false;
-    bool areOnlyFound = false, withQuarter = false, isUnchecked = false;
+    bool areOnlyFound = false, withQuarter = false, isUnchecked = false, areTimed = false;
     QString solver, against, work, keep; // names (ids) of solvers
 };
 
@@ -49,6 +52,7 @@ Options parsed(int argc, char** argv) {
     options.areFound = arguments.take("found") || options.areOnlyFound;
     options.withQuarter = arguments.take("quarter");
     options.isUnchecked = arguments.take("unchecked");
+    options.areTimed = arguments.take("times");
     options.work = QString::fromStdString(arguments.value("work"));
     options.keep = QString::fromStdString(arguments.value("keep"));
     options.isTurned = arguments.take("turned");
@@ -192,20 +196,43 @@ void printVerdict(const Project& job, const ImmersionResult& said) {
     std::printf("\n");
 }
 
-// Returns how far the sheet moves with a quarter of the cell: the 95th percentile, mm.
-double quarterMove(Project job, const ImmersionResult& said, const SolverRegistry& registry) {
-    job.immersions = {said.immersion};
-    job.film.refinement = 4 * said.refinement;
+// Returns the film of one dip on the body, without a verdict.
+std::shared_ptr<const LaidFilm> laidAlone(Project job, const Immersion& immersion,
+                                          const SolverRegistry& registry) {
+    job.immersions = {immersion};
     JobOptions options;
     options.refines = options.estimatesNumericalError = false;
     options.draftPictures = 0.1;
-    const JobResult finer = runJob(job, registry, options, nullptr, {});
-    return sheetChange(sheetMoves(*said.laid, *finer.immersions.front().laid,
+    return runJob(job, registry, options, nullptr, {}).immersions.front().laid;
+}
+
+// Returns how far the sheet moves with a quarter of the cell: the 95th percentile, mm.
+double quarterMove(Project job, const ImmersionResult& said, const SolverRegistry& registry) {
+    job.film.refinement = 4 * said.refinement;
+    return sheetChange(sheetMoves(*said.laid, *laidAlone(job, said.immersion, registry),
                                   comparedPlaces(said.laid->body().mesh)))
         .distance.percentile95;
 }
 
+void printTimes(const Project& job, const SolverRegistry& registry) {
+    for (const Immersion& immersion : job.immersions) {
+        std::array<double, 3> seconds{};
+        for (double& each : seconds) {
+            each = laidAlone(job, immersion, registry)->film().wallSeconds;
+        }
+        std::nth_element(seconds.begin(), seconds.begin() + 1, seconds.end());
+        firstSeconds = firstSeconds > 0 ? firstSeconds : seconds[1];
+        std::printf("%s, %s: %.3f s, %.2f\n", qPrintable(job.name), qPrintable(immersion.name),
+                    seconds[1], seconds[1] / firstSeconds);
+        std::fflush(stdout);
+    }
+}
+
 void judge(const Project& job, const Options& options, const SolverRegistry& registry) {
+    if (options.areTimed) {
+        printTimes(job, registry);
+        return;
+    }
     const JobResult said = runJob(job, registry, {}, nullptr, {});
     for (const ImmersionResult& dip : said.immersions) {
         printVerdict(job, dip);
