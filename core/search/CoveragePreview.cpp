@@ -22,8 +22,9 @@ constexpr float steepestSlack = 4; // a slope that is steeper than this counts a
 // The height of the body's lowest place over each cell of the water.
 class HeightField {
 public:
-    // `places` are the positions of the body that add() is called for.
-    explicit HeightField(const std::vector<Eigen::Vector3f>& places) {
+    // `isClosed`: the mesh has no border, so that its lowest faces all point down.
+    HeightField(const TriangleMesh& mesh, const std::vector<Eigen::Vector3f>& places,
+                bool isClosed) {
         Eigen::AlignedBox2f box;
         for (const Eigen::Vector3f& place : places) {
             box.extend(Eigen::Vector2f(place.x(), place.z()));
@@ -31,66 +32,71 @@ public:
         cell_ = std::max(box.sizes().maxCoeff(), 1e-6f) / float(heightCells);
         perCell_ = 1 / cell_;
         corner_ = box.min();
-        columns_ = int(box.sizes().x() / cell_) + 1;
-        rows_ = int(box.sizes().y() / cell_) + 1;
+        columns_ = int(box.sizes().x() * perCell_) + 1;
+        rows_ = int(box.sizes().y() * perCell_) + 1;
         lowest_.assign(std::size_t(columns_) * std::size_t(rows_),
                        std::numeric_limits<float>::infinity());
+        std::vector<Eigen::Vector3f> onGrid; // in cells, but for the height
+        onGrid.reserve(places.size());
         for (const Eigen::Vector3f& place : places) {
-            lower(index(place), place.y());
+            onGrid.push_back(inCells(place));
+            lower(index(onGrid.back()), place.y());
+        }
+        for (const auto& corners : mesh.triangles) {
+            add(onGrid[corners[0]], onGrid[corners[1]], onGrid[corners[2]], isClosed);
         }
     }
 
     float cell() const { return cell_; }
-    float lowestAt(const Eigen::Vector3f& place) const { return lowest_[index(place)]; }
+    float lowestAt(const Eigen::Vector3f& place) const { return lowest_[index(inCells(place))]; }
 
-    void add(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
-        const float area = (b.x() - a.x()) * (c.z() - a.z()) - (b.z() - a.z()) * (c.x() - a.x());
-        if (!(std::abs(area) > 1e-12f)) {
-            return; // a vertical triangle: its corners suffice
+private:
+    // How far outside a triangle a place is not taken for inside because of rounding, in cells.
+    static constexpr float clearlyOutside = 0.05f;
+    static constexpr float leastArea = 1e-10f; // twice the area, in cells
+
+    void add(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c,
+             bool isClosed) {
+        const Eigen::Vector3f ab = b - a, ac = c - a;
+        const float area = ab.x() * ac.z() - ab.z() * ac.x(); // positive: the face points down
+        if (!((isClosed ? area : std::abs(area)) > leastArea)) {
+            return; // the corners of a vertical triangle suffice
         }
-        const auto [left, right] = std::minmax({a.x(), b.x(), c.x()});
-        const auto [top, bottom] = std::minmax({a.z(), b.z(), c.z()});
-        int first = columnOf(left), last = columnOf(right);
-        int firstRow = rowOf(top), lastRow = rowOf(bottom);
-        if (std::abs(area) > leastArea * cell_ * cell_) {
-            keepMiddles(left - corner_.x(), right - corner_.x(), first, last);
-            keepMiddles(top - corner_.y(), bottom - corner_.y(), firstRow, lastRow);
-        }
+        const int first = firstMiddle(std::min({a.x(), b.x(), c.x()}));
+        const int last = lastMiddle(std::max({a.x(), b.x(), c.x()}), columns_);
+        const int firstRow = firstMiddle(std::min({a.z(), b.z(), c.z()}));
+        const int lastRow = lastMiddle(std::max({a.z(), b.z(), c.z()}), rows_);
         if (first > last || firstRow > lastRow) {
             return;
         }
-        const Eigen::Vector3f ab = (b - a) / area, ac = (c - a) / area;
+        const float perArea = 1 / area;
         for (int row = firstRow; row <= lastRow; ++row) {
-            const float z = corner_.y() + (float(row) + 0.5f) * cell_ - a.z();
+            const float z = float(row) + 0.5f - a.z();
             for (int column = first; column <= last; ++column) {
-                const float x = corner_.x() + (float(column) + 0.5f) * cell_ - a.x();
-                const float ofB = x * ac.z() - z * ac.x();
-                const float ofC = ab.x() * z - ab.z() * x;
+                const float x = float(column) + 0.5f - a.x();
+                const float ofB = (x * ac.z() - z * ac.x()) * perArea;
+                const float ofC = (ab.x() * z - ab.z() * x) * perArea;
                 if (ofB >= 0 && ofC >= 0 && ofB + ofC <= 1) {
                     lower(std::size_t(row * columns_ + column),
-                          a.y() + ofB * (b.y() - a.y()) + ofC * (c.y() - a.y()));
+                          a.y() + ofB * ab.y() + ofC * ac.y());
                 }
             }
         }
     }
 
-private:
-    // In cells: how far outside a triangle a place is not taken for inside because of rounding.
-    // This holds for triangles whose doubled area is larger than leastArea, in cells.
-    static constexpr float clearlyOutside = 0.05f, leastArea = 1e-4f;
-
-    int columnOf(float x) const {
-        return std::clamp(int((x - corner_.x()) * perCell_), 0, columns_ - 1);
+    // The first and the last cell whose middle is in a range or not clearly outside it.
+    static int firstMiddle(float least) { return int(least + 0.5f - clearlyOutside); }
+    static int lastMiddle(float most, int cells) {
+        return std::min(int(most - 0.5f + clearlyOutside), cells - 1);
     }
-    int rowOf(float z) const { return std::clamp(int((z - corner_.y()) * perCell_), 0, rows_ - 1); }
-    // Leaves out cells whose middles are clearly outside the range from `least` to `most`, mm from
-    // the corner.
-    void keepMiddles(float least, float most, int& first, int& last) const {
-        first = std::max(first, int(least * perCell_ + 0.5f - clearlyOutside));
-        last = std::min(last, int(most * perCell_ - 0.5f + clearlyOutside));
+    Eigen::Vector3f inCells(const Eigen::Vector3f& place) const {
+        return {(place.x() - corner_.x()) * perCell_, place.y(),
+                (place.z() - corner_.y()) * perCell_};
     }
-    std::size_t index(const Eigen::Vector3f& place) const {
-        return std::size_t(rowOf(place.z()) * columns_ + columnOf(place.x()));
+    std::size_t index(const Eigen::Vector3f& onGrid) const {
+        const int column = std::clamp(int(onGrid.x()), 0, columns_ - 1);
+        const int row = std::clamp(int(onGrid.z()), 0, rows_ - 1);
+        return std::size_t(row * columns_ + column);
     }
     void lower(std::size_t at, float height) { lowest_[at] = std::min(lowest_[at], height); }
 
@@ -146,16 +152,13 @@ void spread(std::vector<std::uint8_t>& covered, const std::vector<std::uint32_t>
     }
 }
 
-// The body at a moment of the dip: its places in the world, without their shift below the water in
-// a straight dip.
+// The body at a moment of the dip: its place in the world, without the shift below the water in a
+// straight dip.
 struct Moment {
-    Moment(const TriangleMesh& mesh, const Eigen::Isometry3f& toWorld, const AirInPoses& air)
-        : upward(toWorld.linear().row(1).transpose()), places(placed(mesh, toWorld)),
-          heights(places), dry(air.dry(upward)) {
-        for (const auto& corners : mesh.triangles) {
-            heights.add(places[corners[0]], places[corners[1]], places[corners[2]]);
-        }
-    }
+    Moment(const TriangleMesh& mesh, bool isClosed, const Eigen::Isometry3f& place,
+           const AirInPoses& air)
+        : toWorld(place), upward(toWorld.linear().row(1).transpose()),
+          heights(mesh, placed(mesh, toWorld), isClosed), dry(air.dry(upward)) {}
     static std::vector<Eigen::Vector3f> placed(const TriangleMesh& mesh,
                                                const Eigen::Isometry3f& toWorld) {
         std::vector<Eigen::Vector3f> places;
@@ -165,12 +168,9 @@ struct Moment {
         }
         return places;
     }
-    Eigen::Vector3f middle(const std::array<std::uint32_t, 3>& corners) const {
-        return (places[corners[0]] + places[corners[1]] + places[corners[2]]) / 3;
-    }
 
+    Eigen::Isometry3f toWorld;
     Eigen::Vector3f upward; // in the model's coordinates
-    std::vector<Eigen::Vector3f> places;
     HeightField heights;
     std::vector<std::uint8_t> dry;
 };
@@ -179,11 +179,11 @@ constexpr int momentsOnPath = 6;
 
 // Returns moments at equal distances along the path. `path` is that of the model.
 std::vector<Moment> momentsOnTheWay(const solver::BodyPath& path, const TriangleMesh& mesh,
-                                    const AirInPoses& air) {
+                                    bool isClosed, const AirInPoses& air) {
     std::vector<Moment> moments;
     for (int i = 0; i < momentsOnPath; ++i) {
         const double way = path.poses.back().travelled * i / (momentsOnPath - 1);
-        moments.emplace_back(mesh, placeOnPath(path, way).cast<float>(), air);
+        moments.emplace_back(mesh, isClosed, placeOnPath(path, way).cast<float>(), air);
     }
     return moments;
 }
@@ -191,13 +191,11 @@ std::vector<Moment> momentsOnTheWay(const solver::BodyPath& path, const Triangle
 // Returns for each triangle the index of the moment nearest to that at which it goes under water;
 // noMoment if it stays above.
 constexpr std::uint8_t noMoment = 0xff;
-std::vector<std::uint8_t> momentsOfEntry(const solver::BodyPath& path, const TriangleMesh& mesh) {
+std::vector<std::uint8_t> momentsOfEntry(const solver::BodyPath& path,
+                                         const std::vector<Eigen::Vector3f>& middles) {
     std::vector<std::uint8_t> moments;
-    moments.reserve(mesh.triangles.size());
-    for (const auto& corners : mesh.triangles) {
-        const Eigen::Vector3f middle =
-            (mesh.positions[corners[0]] + mesh.positions[corners[1]] + mesh.positions[corners[2]]) /
-            3;
+    moments.reserve(middles.size());
+    for (const Eigen::Vector3f& middle : middles) {
         const auto way = firstUnderWater(path, middle.cast<double>());
         moments.push_back(way ? std::uint8_t(std::lround(*way / path.poses.back().travelled *
                                                          (momentsOnPath - 1)))
@@ -215,8 +213,10 @@ CoveragePreview::CoveragePreview(const TriangleMesh& model)
     for (std::size_t triangle = 0; triangle < mesh().triangles.size(); ++triangle) {
         areas_.push_back(float(triangleArea(mesh(), triangle)));
         normals_.push_back(triangleNormal(mesh(), triangle));
+        middles_.push_back(position(mesh(), middleOf(std::uint32_t(triangle))));
         area_ += double(areas_.back());
     }
+    isClosed_ = std::find(opposite_.begin(), opposite_.end(), noEdge) == opposite_.end();
 }
 
 PreviewedCoverage CoveragePreview::at(const Immersion& immersion, const FilmSettings& film,
@@ -241,10 +241,10 @@ PreviewedCoverage CoveragePreview::on(const solver::BodyPath& path, const Eigen:
     std::vector<Moment> moments;
     std::vector<std::uint8_t> entries; // per triangle; empty: all at the only moment
     if (isStraight) {
-        moments.emplace_back(mesh(), pose.cast<float>(), *air_);
+        moments.emplace_back(mesh(), isClosed_, pose.cast<float>(), *air_);
     } else {
-        moments = momentsOnTheWay(path, mesh(), *air_);
-        entries = momentsOfEntry(path, mesh());
+        moments = momentsOnTheWay(path, mesh(), isClosed_, *air_);
+        entries = momentsOfEntry(path, middles_);
     }
     const float steepest = steepestPainted(film, process);
     const float deepest = isStraight && process.depth ? float(process.depth->value())
@@ -259,13 +259,12 @@ PreviewedCoverage CoveragePreview::on(const solver::BodyPath& path, const Eigen:
         const std::uint8_t entry = entries.empty() ? 0 : entries[triangle];
         return entry == noMoment ? nullptr : &moments[entry];
     };
-    // Whether a triangle is under water, over the film, outside trapped air, and no steeper than
-    // the overhang.
-    const auto canHold = [&](const Moment& moment, std::uint32_t triangle) {
-        const Eigen::Vector3f place = moment.middle(mesh().triangles[triangle]);
+    // Whether a triangle at `place` is under water, over the film and outside trapped air.
+    const auto canHold = [&](const Moment& moment, std::uint32_t triangle,
+                             const Eigen::Vector3f& place) {
         const Eigen::Vector2f onWater = Eigen::Vector2f(place.x(), place.z()) + offset;
-        return moment.dry[triangle] == 0 && normals_[triangle].dot(moment.upward) <= steepest &&
-               place.y() <= deepest && (onWater.cwiseAbs().array() <= reach.array()).all();
+        return moment.dry[triangle] == 0 && place.y() <= deepest &&
+               (onWater.cwiseAbs().array() <= reach.array()).all();
     };
     PreviewedCoverage result;
     result.covered.assign(areas_.size(), 0);
@@ -273,19 +272,21 @@ PreviewedCoverage CoveragePreview::on(const solver::BodyPath& path, const Eigen:
         const Moment* moment = momentOf(triangle);
         const float up = moment ? normals_[triangle].dot(moment->upward) : 0;
         if (up < -wallSlope) {
+            const Eigen::Vector3f place = moment->toWorld * middles_[triangle];
             result.covered[triangle] =
-                canHold(*moment, triangle) &&
-                isSeenFromBelow(moment->heights, moment->middle(mesh().triangles[triangle]), up);
+                canHold(*moment, triangle, place) && isSeenFromBelow(moment->heights, place, up);
         }
     }
     spread(result.covered, opposite_, [&](std::uint32_t triangle) {
         const Moment* moment = momentOf(triangle);
-        return moment && normals_[triangle].dot(moment->upward) >= -wallSlope &&
-               canHold(*moment, triangle);
+        const float up = moment ? normals_[triangle].dot(moment->upward) : 1;
+        return up >= -wallSlope && up <= steepest &&
+               canHold(*moment, triangle, moment->toWorld * middles_[triangle]);
     });
     for (std::uint32_t triangle = 0; triangle < areas_.size(); ++triangle) {
-        result.share += result.covered[triangle] != 0 ? double(areas_[triangle]) / area_ : 0;
+        result.share += result.covered[triangle] != 0 ? double(areas_[triangle]) : 0;
     }
+    result.share = area_ > 0 ? result.share / area_ : 0;
     return result;
 }
 

@@ -53,10 +53,11 @@ private:
     TriangleMesh model_;
     RefinedMesh fine_;
     std::vector<float> areas_;
-    std::vector<Eigen::Vector3f> normals_;
-    std::vector<std::uint32_t> opposite_;   // oppositeEdges() of the fine mesh
-    std::shared_ptr<const AirInPoses> air_; // of the fine mesh
+    std::vector<Eigen::Vector3f> normals_, middles_; // per triangle of the fine mesh
+    std::vector<std::uint32_t> opposite_;            // oppositeEdges() of the fine mesh
+    std::shared_ptr<const AirInPoses> air_;          // of the fine mesh
     double area_ = 0;
+    bool isClosed_ = false; // the fine mesh has no border
 };
 
 } // namespace dipwright

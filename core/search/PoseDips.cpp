@@ -23,8 +23,10 @@ constexpr std::size_t mostInBatch = 32, fewestInBatch = 2;
 // A batch of large films is smaller, so that the search reports its progress more often.
 constexpr std::size_t pointsInBatch = 100'000;
 // The time of one dip is proportional to dipOverhead plus its points to the power of 1.5, times
-// jobSteps for the job's shorter steps. Measured on nine models (docs/pose-search.md).
-constexpr double dipOverhead = 7.5e4, jobSteps = 1.8;
+// costOf() of its resolution. Measured on nine models (docs/pose-search.md).
+constexpr double dipOverhead = 7.5e4;
+// Twice as many steps take 1.8 times as long.
+constexpr double stepsPower = 0.85;
 // Time of a dip with its verdict, relative to the dip alone.
 constexpr double withVerdict = 1.4;
 // The borders of the fine cells are moved outwards to multiples of this share of the body's longest
@@ -61,6 +63,14 @@ std::exception_ptr failureOf(const std::function<void()>& work) {
     return nullptr;
 }
 
+double costOf(const DipDetail& detail, const ProcessSettings& process) {
+    if (!std::isinf(detail.cells)) {
+        return 1;
+    }
+    const double longest = std::max(process.contactTravel, coarseDetail.travel);
+    return withVerdict * std::pow(longest / process.contactTravel, stepsPower);
+}
+
 Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
     return {Eigen::Vector2d(((box.min() / step).array().floor() * step).matrix()),
             Eigen::Vector2d(((box.max() / step).array().ceil() * step).matrix())};
@@ -76,6 +86,7 @@ QString tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
 
 PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
     : subject_(subject), areJobs_(std::isinf(detail.cells)),
+      perPoints_(costOf(detail, subject.process)),
       film_(areJobs_ ? subject.film : coarseFilm(subject.film, subject.model->mesh, detail.cells)) {
     if (!areJobs_ && isGraded(film_)) {
         query_ = std::make_unique<const SurfaceQuery>(subject.model->mesh);
@@ -92,14 +103,19 @@ Eigen::AlignedBox2d PoseFilms::fineCellsOf(const Immersion& immersion) const {
 }
 
 solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion) const {
+    return gridOf(body, immersion, areChosen() ? fineCellsOf(immersion) : Eigen::AlignedBox2d());
+}
+
+solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion,
+                                   const Eigen::AlignedBox2d& fineCells) const {
     return areChosen()
-               ? gradedFilm(film_, fineCellsOf(immersion), 0, film_.cell, immersion.offset)
+               ? gradedFilm(film_, fineCells, 0, film_.cell, immersion.offset)
                : filmUnderBody(film_, undersideOf(body, subject_.process), immersion.offset);
 }
 
 double PoseFilms::cost(const PosedBody& body, const Immersion& immersion) const {
     const auto points = double(gridOf(body, immersion).pointCount());
-    return dipOverhead + (areJobs_ ? jobSteps * withVerdict : 1) * std::pow(points, 1.5);
+    return dipOverhead + perPoints_ * std::pow(points, 1.5);
 }
 
 double PoseFilms::cellUnder(const PosedBody& body) const {
@@ -115,7 +131,7 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
                    const solver::SolverModule& module, const DipDetail& detail,
                    const Progress& progress)
     : subject_(subject), body_(body), module_(module), cancelToken_(progress.cancelToken),
-      films_(subject, detail), process_(subject.process) {
+      airCells_(detail.airCells), films_(subject, detail), process_(subject.process) {
     if (detail.predicts) {
         jobFilms_ = std::make_unique<const PoseFilms>(subject, jobDetail);
     }
@@ -127,7 +143,8 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
 void PoseDips::dip(const std::vector<Immersion>& immersions,
                    std::vector<std::shared_ptr<const JudgedPose>>& judged,
                    const std::function<void(std::size_t)>& batchDone, std::size_t first) const {
-    const std::vector<std::vector<std::size_t>> all = batches(immersions, first);
+    const FineCells fineCells = fineCellsOf(immersions);
+    const std::vector<std::vector<std::size_t>> all = batches(immersions, fineCells, first);
     std::size_t done = 0;
     Batch before, present, next; // `before` is simulated, but not judged
     const auto finish = [&](Batch& batch) {
@@ -138,12 +155,12 @@ void PoseDips::dip(const std::vector<Immersion>& immersions,
     for (std::size_t number = 0; number < all.size(); ++number) {
         if (number == 0) {
             cancelToken_.throwIfCancelled();
-            present = setUp(immersions, all.front());
+            present = setUp(immersions, fineCells, all.front());
         }
         Tasks aside;
         aside.run([&] { finish(before); });
         if (number + 1 < all.size() && !cancelToken_.isCancelled()) {
-            aside.run([&] { next = setUp(immersions, all[number + 1]); });
+            aside.run([&] { next = setUp(immersions, fineCells, all[number + 1]); });
         }
         const std::exception_ptr ofSolver = failureOf([&] {
             cancelToken_.throwIfCancelled();
@@ -168,8 +185,9 @@ void PoseDips::dip(const std::vector<Immersion>& immersions,
 }
 
 std::vector<std::vector<std::size_t>> PoseDips::batches(const std::vector<Immersion>& immersions,
+                                                        const FineCells& fineCells,
                                                         std::size_t first) const {
-    const std::vector<std::size_t> order = orderedByFilm(immersions);
+    const std::vector<std::size_t> order = orderedByFilm(immersions, fineCells);
     const std::size_t most = batchSizeFor(immersions);
     std::vector<std::vector<std::size_t>> batches;
     for (auto begin = order.begin(); begin != order.end();) {
@@ -185,37 +203,44 @@ std::size_t PoseDips::batchSizeFor(const std::vector<Immersion>& immersions) con
     if (immersions.empty()) {
         return mostInBatch;
     }
-    const PosedBody body =
-        posedBody(subject_.model->mesh, immersions.front(), subject_.process, searchedAirCells);
+    const PosedBody body = posed(immersions.front());
     return std::clamp(pointsInBatch / films_.gridOf(body, immersions.front()).pointCount(),
                       fewestInBatch, mostInBatch);
 }
 
+PoseDips::FineCells PoseDips::fineCellsOf(const std::vector<Immersion>& immersions) const {
+    FineCells fineCells(immersions.size());
+    parallelFor(std::size_t(0), films_.areChosen() ? fineCells.size() : 0, [&](std::size_t index) {
+        fineCells[index] = films_.fineCellsOf(immersions[index]);
+    });
+    return fineCells;
+}
+
 // Returns the immersions' indices, ordered so that equal films follow each other.
-std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& immersions) const {
+std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& immersions,
+                                                 const FineCells& fineCells) const {
     std::vector<std::size_t> order(immersions.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     if (!films_.areChosen()) {
         return order;
     }
-    std::vector<std::array<double, 6>> films(immersions.size());
-    parallelFor(std::size_t(0), films.size(), [&](std::size_t index) {
-        const Immersion& immersion = immersions[index];
-        const Eigen::AlignedBox2d box = films_.fineCellsOf(immersion);
-        films[index] = {box.min().x(),
-                        box.min().y(),
-                        box.max().x(),
-                        box.max().y(),
-                        immersion.offset[0].value(),
-                        immersion.offset[1].value()};
-    });
+    const auto film = [&](std::size_t index) {
+        const Eigen::AlignedBox2d& box = fineCells[index];
+        const auto& offset = immersions[index].offset;
+        return std::array{box.min().x(), box.min().y(),     box.max().x(),
+                          box.max().y(), offset[0].value(), offset[1].value()};
+    };
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t one, std::size_t other) { return films[one] < films[other]; });
+                     [&](std::size_t one, std::size_t other) { return film(one) < film(other); });
     return order;
 }
 
+PosedBody PoseDips::posed(const Immersion& immersion) const {
+    return posedBody(subject_.model->mesh, immersion, subject_.process, airCells_);
+}
+
 PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
-                                std::vector<std::size_t> places) const {
+                                const FineCells& fineCells, std::vector<std::size_t> places) const {
     Batch batch;
     batch.places = std::move(places);
     const std::size_t count = batch.places.size();
@@ -224,12 +249,12 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
     batch.items.resize(count);
     parallelFor(std::size_t(0), count, [&](std::size_t item) {
         const Immersion& immersion = immersions[batch.places[item]];
-        batch.bodies[item] = std::make_shared<const PosedBody>(
-            posedBody(subject_.model->mesh, immersion, subject_.process, searchedAirCells));
+        batch.bodies[item] = std::make_shared<const PosedBody>(posed(immersion));
         const PosedBody& body = *batch.bodies[item];
         batch.fields[item].emplace(body, *field_);
-        batch.items[item].setup = dipSetup(body, *batch.fields[item], immersion, films_.film(),
-                                           films_.gridOf(body, immersion), process_);
+        batch.items[item].setup =
+            dipSetup(body, *batch.fields[item], immersion, films_.film(),
+                     films_.gridOf(body, immersion, fineCells[batch.places[item]]), process_);
     });
     return batch;
 }

@@ -15,9 +15,10 @@ namespace dipwright {
 
 // The resolution of a dip; never finer than the job's.
 struct DipDetail {
-    double cells;  // number of film cells along the longest edge of the body's box
-    int field;     // number of distance field cells along that edge
-    double travel; // least travel of the contact line in one step, in film cells
+    double cells;      // number of film cells along the longest edge of the body's box
+    int field;         // number of distance field cells along that edge
+    double travel;     // least travel of the contact line in one step, in film cells
+    int airCells = 48; // number of air grid cells along that edge (posedBody())
     // Whether to find what the prediction of the job's sheet needs: JudgedPose::jobCell, and a
     // verdict without the numerical error.
     bool predicts = false;
@@ -25,11 +26,9 @@ struct DipDetail {
 // coarseDetail finds poses worth refining; their dips get measures only. finerDetail ranks them and
 // predicts. jobDetail is the job's own: its dips get the verdict that the job is expected to give
 // after refinement, and JudgedPose::doublings. If such a dip fails, it must not be printed.
-inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5, true},
+inline constexpr DipDetail coarseDetail{.cells = 20, .field = 128, .travel = 0.5, .airCells = 32},
+    finerDetail{.cells = 40, .field = 128, .travel = 0.5, .predicts = true},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0};
-
-// Number of air grid cells along the body's longest edge (posedBody()).
-inline constexpr int searchedAirCells = 48;
 
 // Returns the sentences on the limits of the subject's tank that a dip exceeds; empty if none.
 // `posed` is the body in its pose frame, `path` its path there.
@@ -46,7 +45,10 @@ public:
     bool areChosen() const { return query_ != nullptr; }
     // Returns the part of a film with the search's choice of cells that needs fine ones.
     Eigen::AlignedBox2d fineCellsOf(const Immersion& immersion) const;
-    // Returns the film's points for a pose. Throws like filmUnderBody().
+    // Returns the film's points for a pose. Throws like filmUnderBody(). `fineCells` is
+    // fineCellsOf() if areChosen().
+    solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion,
+                            const Eigen::AlignedBox2d& fineCells) const;
     solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion) const;
     // Returns the time that a dip takes, within about a third, in units that are the same for all
     // resolutions.
@@ -58,6 +60,7 @@ public:
 private:
     const SearchSubject& subject_;
     bool areJobs_;
+    double perPoints_; // cost() for each film point to the power of 1.5
     FilmSettings film_;
     std::unique_ptr<const SurfaceQuery> query_; // of the model; null unless areChosen()
 };
@@ -90,16 +93,24 @@ private:
         std::vector<CoarserFilms> coarser; // of the job's stable films; empty for other films
     };
 
+    // The part of each pose's film that needs fine cells; empty boxes unless the films are chosen.
+    using FineCells = std::vector<Eigen::AlignedBox2d>;
+
+    FineCells fineCellsOf(const std::vector<Immersion>& immersions) const;
     std::size_t batchSizeFor(const std::vector<Immersion>& immersions) const;
-    std::vector<std::size_t> orderedByFilm(const std::vector<Immersion>& immersions) const;
+    std::vector<std::size_t> orderedByFilm(const std::vector<Immersion>& immersions,
+                                           const FineCells& fineCells) const;
     std::vector<std::vector<std::size_t>> batches(const std::vector<Immersion>& immersions,
+                                                  const FineCells& fineCells,
                                                   std::size_t first) const;
-    Batch setUp(const std::vector<Immersion>& immersions, std::vector<std::size_t> places) const;
+    Batch setUp(const std::vector<Immersion>& immersions, const FineCells& fineCells,
+                std::vector<std::size_t> places) const;
     void simulate(const std::vector<Immersion>& immersions, Batch& batch) const;
     std::vector<CoarserFilms> coarserFilmsOf(const std::vector<Immersion>& immersions,
                                              const Batch& batch) const;
     void judge(const std::vector<Immersion>& immersions, Batch& batch,
                std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
+    PosedBody posed(const Immersion& immersion) const;
     JudgedPose judgedDip(Batch& batch, std::size_t item, const Immersion& immersion) const;
     Verdict verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
                       const QString& tankFaults) const;
@@ -108,6 +119,7 @@ private:
     const JudgedBody& body_;
     const solver::SolverModule& module_;
     const CancelToken cancelToken_;
+    int airCells_;
     PoseFilms films_;
     std::unique_ptr<const PoseFilms> jobFilms_; // if sheets are predicted
     ProcessSettings process_;
