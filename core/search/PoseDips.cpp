@@ -131,7 +131,7 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
                    const solver::SolverModule& module, const DipDetail& detail,
                    const Progress& progress)
     : subject_(subject), body_(body), module_(module), cancelToken_(progress.cancelToken),
-      airCells_(detail.airCells), films_(subject, detail), process_(subject.process) {
+      films_(subject, detail), process_(subject.process) {
     if (detail.predicts) {
         jobFilms_ = std::make_unique<const PoseFilms>(subject, jobDetail);
     }
@@ -236,7 +236,7 @@ std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& i
 }
 
 PosedBody PoseDips::posed(const Immersion& immersion) const {
-    return posedBody(subject_.model->mesh, immersion, subject_.process, airCells_);
+    return posedBody(subject_.model->mesh, immersion, subject_.process, searchedAirCells);
 }
 
 PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,

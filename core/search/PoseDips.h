@@ -15,10 +15,9 @@ namespace dipwright {
 
 // The resolution of a dip; never finer than the job's.
 struct DipDetail {
-    double cells;      // number of film cells along the longest edge of the body's box
-    int field;         // number of distance field cells along that edge
-    double travel;     // least travel of the contact line in one step, in film cells
-    int airCells = 48; // number of air grid cells along that edge (posedBody())
+    double cells;  // number of film cells along the longest edge of the body's box
+    int field;     // number of distance field cells along that edge
+    double travel; // least travel of the contact line in one step, in film cells
     // Whether to find what the prediction of the job's sheet needs: JudgedPose::jobCell, and a
     // verdict without the numerical error.
     bool predicts = false;
@@ -26,9 +25,11 @@ struct DipDetail {
 // coarseDetail finds poses worth refining; their dips get measures only. finerDetail ranks them and
 // predicts. jobDetail is the job's own: its dips get the verdict that the job is expected to give
 // after refinement, and JudgedPose::doublings. If such a dip fails, it must not be printed.
-inline constexpr DipDetail coarseDetail{.cells = 20, .field = 128, .travel = 0.5, .airCells = 32},
-    finerDetail{.cells = 40, .field = 128, .travel = 0.5, .predicts = true},
+inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5, true},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0};
+
+// Number of air grid cells along the body's longest edge (posedBody()).
+inline constexpr int searchedAirCells = 48;
 
 // Returns the sentences on the limits of the subject's tank that a dip exceeds; empty if none.
 // `posed` is the body in its pose frame, `path` its path there.
@@ -119,7 +120,6 @@ private:
     const JudgedBody& body_;
     const solver::SolverModule& module_;
     const CancelToken cancelToken_;
-    int airCells_;
     PoseFilms films_;
     std::unique_ptr<const PoseFilms> jobFilms_; // if sheets are predicted
     ProcessSettings process_;

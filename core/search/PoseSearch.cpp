@@ -34,6 +34,8 @@ constexpr std::size_t firstRanked = 8; // number of dips before the first rankin
 constexpr std::size_t comparedPairs = 200;
 constexpr double distinct = 5;                     // least angle between ranked poses, degrees
 constexpr std::array<double, 3> tilts{10, 5, 2.5}; // degrees, one for each round of refinement
+constexpr double turn = 5;                         // degrees about the vertical, in the last round
+constexpr double shift = 0.05;                     // share of the film's sides, in the last round
 constexpr std::size_t triedWithPaths = 6;          // number of best poses that are tried with paths
 // Objective that a doubling of the work counts for, and a verdict that is worse by one step
 // (docs/pose-search.md, "Certain sheets").
@@ -150,16 +152,34 @@ bool isDistinct(const Entry& one, const Entry& other) {
     });
 }
 
-// Returns poses near a given one: tilted about the film's axes to both sides.
-std::vector<Immersion> neighbours(const Immersion& immersion, double tilt) {
+// Returns poses near a given one: tilted about the film's axes, and in the last round also turned
+// and moved.
+std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
+                                  const FilmSettings& film) {
     std::vector<Immersion> result;
-    for (const double angle : {-tilt, tilt}) {
-        for (const int axis : {0, 2}) {
-            Immersion& next = result.emplace_back(immersion);
-            const Eigen::AngleAxisd turn(radians(Degrees(angle)), Eigen::Vector3d::Unit(axis));
-            next.rotation = rotationAngles(
-                turn.toRotationMatrix() * rotationMatrix(immersion.rotation), immersion.rotation);
-        }
+    const auto turned = [&](const Eigen::Vector3d& axis, double degrees) {
+        Immersion next = immersion;
+        next.rotation =
+            rotationAngles(Eigen::AngleAxisd(radians(Degrees(degrees)), axis).toRotationMatrix() *
+                               rotationMatrix(immersion.rotation),
+                           immersion.rotation);
+        result.push_back(next);
+    };
+    for (const double side : {-1.0, 1.0}) {
+        turned(Eigen::Vector3d::UnitX(), side * tilts[round]);
+        turned(Eigen::Vector3d::UnitZ(), side * tilts[round]);
+    }
+    if (round + 1 < tilts.size()) {
+        return result;
+    }
+    for (const double side : {-1.0, 1.0}) {
+        turned(Eigen::Vector3d::UnitY(), side * turn);
+        Immersion next = immersion;
+        next.offset[0] = next.offset[0] + film.width * (side * shift);
+        result.push_back(next);
+        next = immersion;
+        next.offset[1] = next.offset[1] + film.height * (side * shift);
+        result.push_back(next);
     }
     return result;
 }
@@ -335,7 +355,7 @@ public:
             return own +
                    int(std::lround((each == 1 ? 1 : 2 * distinctDips) * std::min(entries, tried)));
         };
-        left_ = {own + tried + settings.refined * each * 4 * rounds,
+        left_ = {own + tried + settings.refined * each * (4 * rounds + 6),
                  differing(settings.finer + settings.refined),
                  settings.confirmed > 0 ? differing(settings.confirmed) : 0};
         if (settings.paths) {
@@ -464,7 +484,7 @@ private:
         const Immersion& pose = candidates_.chosen.empty()
                                     ? subject_.immersions.front()
                                     : candidates_.all[candidates_.chosen.front()].immersion;
-        const PosedBody body = posedBody(subject_.model->mesh, pose, coarseDetail.airCells);
+        const PosedBody body = posedBody(subject_.model->mesh, pose, searchedAirCells);
         constexpr std::array details{coarseDetail, finerDetail, jobDetail};
         for (std::size_t resolution = 0; resolution < details.size(); ++resolution) {
             if (left_[resolution] > 0) {
@@ -666,9 +686,9 @@ private:
         known_.insert(known_.end(), own_.begin(), own_.end());
         const std::size_t count = std::min(best_.size(), std::size_t(settings_.refined));
         unrefined_.assign(best_.begin(), best_.begin() + std::ptrdiff_t(count));
-        for (const double tilt : tilts) {
+        for (std::size_t round = 0; round < tilts.size() && count > 0; ++round) {
             for (std::size_t member = 0; member < std::size_t(settings_.immersions); ++member) {
-                refineMember(count, tilt, member);
+                refineMember(count, round, member);
             }
         }
     }
@@ -747,10 +767,11 @@ private:
         }
     }
 
-    void refineMember(std::size_t count, double tilt, std::size_t member) {
+    void refineMember(std::size_t count, std::size_t round, std::size_t member) {
         std::vector<Entry> refined(best_.begin(), best_.begin() + std::ptrdiff_t(count));
-        improve(refined, member,
-                [&](const Immersion& immersion) { return neighbours(immersion, tilt); });
+        improve(refined, member, [&](const Immersion& immersion) {
+            return neighbours(immersion, round, subject_.film);
+        });
         std::move(refined.begin(), refined.end(), best_.begin());
         rank();
     }
