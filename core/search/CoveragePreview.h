@@ -43,6 +43,8 @@ public:
     SurfacePoint middle(std::size_t fine) const { return fine_.middle(fine); }
     const std::vector<float>& areas() const { return areas_; } // per triangle of mesh(), mm²
     const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
+    // Centres of the triangles of mesh(), mm in the model's coordinates.
+    const std::vector<Eigen::Vector3f>& middles() const { return middles_; }
 
 private:
     // `path`: of the model; `pose`: poseTransform() of the immersion.

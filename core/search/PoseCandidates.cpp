@@ -81,11 +81,10 @@ Signature signatureOf(const CoveragePreview& preview, const std::vector<float>& 
     float lowest = std::numeric_limits<float>::infinity();
     Eigen::Vector3f middle = Eigen::Vector3f::Zero();
     float area = 0;
-    std::vector<Eigen::Vector3f> places;
-    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-        places.push_back(position(mesh, middleOf(std::uint32_t(triangle))));
-        lowest = std::min(lowest, -down.dot(places.back()));
-        middle += preview.areas()[triangle] * places.back();
+    const std::vector<Eigen::Vector3f>& places = preview.middles();
+    for (std::size_t triangle = 0; triangle < places.size(); ++triangle) {
+        lowest = std::min(lowest, -down.dot(places[triangle]));
+        middle += preview.areas()[triangle] * places[triangle];
         area += preview.areas()[triangle];
     }
     middle /= area;

@@ -22,13 +22,12 @@ constexpr int fewestPoints = 8;
 constexpr std::size_t mostInBatch = 32, fewestInBatch = 2;
 // A batch of large films is smaller, so that the search reports its progress more often.
 constexpr std::size_t pointsInBatch = 100'000;
-// The time of one dip is proportional to dipOverhead plus its points to the power of 1.5, times
-// costOf() of its resolution. Measured on nine models (docs/pose-search.md).
+// The time of a coarse dip is proportional to dipOverhead plus its points to the power of 1.5.
+// Measured on nine models (docs/pose-search.md).
 constexpr double dipOverhead = 7.5e4;
-// Twice as many steps take 1.8 times as long.
-constexpr double stepsPower = 0.85;
-// Time of a dip with its verdict, relative to the dip alone.
-constexpr double withVerdict = 1.4;
+// The time of the job's dip is longer by two factors: the ratio of the numbers of steps to the
+// power of stepsPower (twice as many steps take 1.8 times as long), and withVerdict.
+constexpr double stepsPower = 0.85, withVerdict = 1.4;
 // The borders of the fine cells are moved outwards to multiples of this share of the body's longest
 // edge. Many films of a batch then become equal, and a device can simulate their dips together.
 constexpr double alikeShare = 1.0 / 6;
@@ -63,14 +62,6 @@ std::exception_ptr failureOf(const std::function<void()>& work) {
     return nullptr;
 }
 
-double costOf(const DipDetail& detail, const ProcessSettings& process) {
-    if (!std::isinf(detail.cells)) {
-        return 1;
-    }
-    const double longest = std::max(process.contactTravel, coarseDetail.travel);
-    return withVerdict * std::pow(longest / process.contactTravel, stepsPower);
-}
-
 Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
     return {Eigen::Vector2d(((box.min() / step).array().floor() * step).matrix()),
             Eigen::Vector2d(((box.max() / step).array().ceil() * step).matrix())};
@@ -86,7 +77,6 @@ QString tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
 
 PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
     : subject_(subject), areJobs_(std::isinf(detail.cells)),
-      perPoints_(costOf(detail, subject.process)),
       film_(areJobs_ ? subject.film : coarseFilm(subject.film, subject.model->mesh, detail.cells)) {
     if (!areJobs_ && isGraded(film_)) {
         query_ = std::make_unique<const SurfaceQuery>(subject.model->mesh);
@@ -94,16 +84,15 @@ PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
 }
 
 Eigen::AlignedBox2d PoseFilms::fineCellsOf(const Immersion& immersion) const {
+    if (!areChosen()) {
+        return {};
+    }
     const TriangleMesh& mesh = subject_.model->mesh;
     const Underside underside = undersideOf(mesh, *query_, immersion, subject_.process);
     const Eigen::Vector2d further = Eigen::Vector2d::Constant(drawIn(underside));
     const Eigen::AlignedBox2d wanted(underside.shadow.min() - further,
                                      underside.shadow.max() + further);
     return roundedOut(wanted, alikeShare * longestEdgeOf(mesh));
-}
-
-solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion) const {
-    return gridOf(body, immersion, areChosen() ? fineCellsOf(immersion) : Eigen::AlignedBox2d());
 }
 
 solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion,
@@ -114,8 +103,11 @@ solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immer
 }
 
 double PoseFilms::cost(const PosedBody& body, const Immersion& immersion) const {
-    const auto points = double(gridOf(body, immersion).pointCount());
-    return dipOverhead + perPoints_ * std::pow(points, 1.5);
+    const auto points = double(gridOf(body, immersion, fineCellsOf(immersion)).pointCount());
+    const double travel = subject_.process.contactTravel;
+    const double steps = std::max(travel, coarseDetail.travel) / travel;
+    return dipOverhead +
+           (areJobs_ ? withVerdict * std::pow(steps, stepsPower) : 1) * std::pow(points, 1.5);
 }
 
 double PoseFilms::cellUnder(const PosedBody& body) const {
@@ -188,7 +180,7 @@ std::vector<std::vector<std::size_t>> PoseDips::batches(const std::vector<Immers
                                                         const FineCells& fineCells,
                                                         std::size_t first) const {
     const std::vector<std::size_t> order = orderedByFilm(immersions, fineCells);
-    const std::size_t most = batchSizeFor(immersions);
+    const std::size_t most = batchSizeFor(immersions, fineCells);
     std::vector<std::vector<std::size_t>> batches;
     for (auto begin = order.begin(); begin != order.end();) {
         const std::size_t size = batches.empty() ? std::min(most, first) : most;
@@ -199,18 +191,19 @@ std::vector<std::vector<std::size_t>> PoseDips::batches(const std::vector<Immers
     return batches;
 }
 
-std::size_t PoseDips::batchSizeFor(const std::vector<Immersion>& immersions) const {
+std::size_t PoseDips::batchSizeFor(const std::vector<Immersion>& immersions,
+                                   const FineCells& fineCells) const {
     if (immersions.empty()) {
         return mostInBatch;
     }
-    const PosedBody body = posed(immersions.front());
-    return std::clamp(pointsInBatch / films_.gridOf(body, immersions.front()).pointCount(),
-                      fewestInBatch, mostInBatch);
+    const solver::FilmGrid grid =
+        films_.gridOf(posed(immersions.front()), immersions.front(), fineCells.front());
+    return std::clamp(pointsInBatch / grid.pointCount(), fewestInBatch, mostInBatch);
 }
 
 PoseDips::FineCells PoseDips::fineCellsOf(const std::vector<Immersion>& immersions) const {
     FineCells fineCells(immersions.size());
-    parallelFor(std::size_t(0), films_.areChosen() ? fineCells.size() : 0, [&](std::size_t index) {
+    parallelFor(std::size_t(0), fineCells.size(), [&](std::size_t index) {
         fineCells[index] = films_.fineCellsOf(immersions[index]);
     });
     return fineCells;

@@ -44,13 +44,13 @@ public:
     const FilmSettings& film() const { return film_; }
     // Whether the search chooses the films, so that it can make them equal.
     bool areChosen() const { return query_ != nullptr; }
-    // Returns the part of a film with the search's choice of cells that needs fine ones.
+    // Returns the part of a film with the search's choice of cells that needs fine ones; empty for
+    // other films.
     Eigen::AlignedBox2d fineCellsOf(const Immersion& immersion) const;
-    // Returns the film's points for a pose. Throws like filmUnderBody(). `fineCells` is
-    // fineCellsOf() if areChosen().
+    // Returns the film's points for a pose. `fineCells` is fineCellsOf(). Throws like
+    // filmUnderBody().
     solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion,
                             const Eigen::AlignedBox2d& fineCells) const;
-    solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion) const;
     // Returns the time that a dip takes, within about a third, in units that are the same for all
     // resolutions.
     double cost(const PosedBody& body, const Immersion& immersion) const;
@@ -61,7 +61,6 @@ public:
 private:
     const SearchSubject& subject_;
     bool areJobs_;
-    double perPoints_; // cost() for each film point to the power of 1.5
     FilmSettings film_;
     std::unique_ptr<const SurfaceQuery> query_; // of the model; null unless areChosen()
 };
@@ -94,11 +93,12 @@ private:
         std::vector<CoarserFilms> coarser; // of the job's stable films; empty for other films
     };
 
-    // The part of each pose's film that needs fine cells; empty boxes unless the films are chosen.
+    // PoseFilms::fineCellsOf() of each pose.
     using FineCells = std::vector<Eigen::AlignedBox2d>;
 
     FineCells fineCellsOf(const std::vector<Immersion>& immersions) const;
-    std::size_t batchSizeFor(const std::vector<Immersion>& immersions) const;
+    std::size_t batchSizeFor(const std::vector<Immersion>& immersions,
+                             const FineCells& fineCells) const;
     std::vector<std::size_t> orderedByFilm(const std::vector<Immersion>& immersions,
                                            const FineCells& fineCells) const;
     std::vector<std::vector<std::size_t>> batches(const std::vector<Immersion>& immersions,

@@ -40,12 +40,16 @@ Body bodyOf(const TriangleMesh& mesh, const Immersion& immersion = {},
             std::make_shared<const DistanceField>(buildDistanceField(mesh, 128, {}))};
 }
 
+TriangleMesh cone() {
+    return coneMesh(pi / 4, 40, 256);
+}
+
 Body bodyNamed(const QString& name) {
     if (name == QLatin1String("sphere")) {
         return bodyOf(sphereMesh(35, 128, 256));
     }
     if (name == QLatin1String("cone")) {
-        return bodyOf(coneMesh(pi / 4, 40, 256));
+        return bodyOf(cone());
     }
     const Project project = loadProject(sampleFolder("/turtle.dipw"));
     return bodyOf(project.model->mesh, project.immersions.front());
@@ -245,8 +249,8 @@ void CudaFilmTest::cudaFilm_tiltedBody_equalsTheCpus() {
     Immersion immersion;
     immersion.path.kind = PathKind::Tilt;
     immersion.path.angle = Degrees(20);
-    const Body cone = bodyOf(coneMesh(pi / 4, 40, 256), immersion, project.process);
-    const auto setup = dipSetup(cone.posed, cone.field, immersion, project.film, project.process);
+    const Body body = bodyOf(cone(), immersion, project.process);
+    const auto setup = dipSetup(body.posed, body.field, immersion, project.film, project.process);
     QVERIFY(!setup.path.isStraightDown());
     requireSameBits(dipOnGpu(setup), dipOnCpu(setup));
 }
