@@ -78,6 +78,12 @@ bool isForbidden(const Entry& entry) {
            Advice::DoNotPrint;
 }
 
+// Returns whether the tank cannot carry the pose out, and whether its sheets must not be printed. A
+// pose with a smaller refusal is always better.
+std::pair<bool, bool> refusal(const Entry& entry) {
+    return {exceedsTank(entry), isForbidden(entry)};
+}
+
 // Returns how often the work of the job's first dip is expected to be doubled: by the verdict if
 // the dip has the job's own film and its numerical error is known, otherwise by the prediction.
 double expectedDoublings(const JudgedPose& dip) {
@@ -96,11 +102,8 @@ double objectiveWithWork(const Entry& entry) {
 
 // Compares poses that are not confirmed yet, but whose sheets are predicted.
 bool isBetterToConfirm(const Entry& one, const Entry& other) {
-    if (exceedsTank(one) != exceedsTank(other)) {
-        return exceedsTank(other);
-    }
-    if (isForbidden(one) != isForbidden(other)) {
-        return isForbidden(other);
+    if (refusal(one) != refusal(other)) {
+        return refusal(one) < refusal(other);
     }
     if (one.ranked.limitsMissed != other.ranked.limitsMissed) {
         return one.ranked.limitsMissed < other.ranked.limitsMissed;
@@ -112,15 +115,11 @@ bool isBetterToConfirm(const Entry& one, const Entry& other) {
     return rating(one) > rating(other);
 }
 
-// A pose that the tank cannot carry out is never better than one that it can. A pose whose sheet
-// must not be printed is never better than one whose sheet may be. Confirmed poses are then
-// compared by their verdicts, and a sheet that needs more work counts less.
+// Compares poses. Confirmed poses are compared by their verdicts, and a sheet that needs more work
+// counts less.
 bool isBetter(const Entry& one, const Entry& other) {
-    if (exceedsTank(one) != exceedsTank(other)) {
-        return exceedsTank(other);
-    }
-    if (isForbidden(one) != isForbidden(other)) {
-        return isForbidden(other);
+    if (refusal(one) != refusal(other)) {
+        return refusal(one) < refusal(other);
     }
     if (one.ranked.isConfirmed && other.ranked.isConfirmed &&
         one.ranked.advice() != other.ranked.advice()) {
@@ -925,7 +924,7 @@ private:
     // group the best first.
     std::vector<Entry> ranked() const {
         return distinctFirst(best_, [](const Entry& one, const Entry& other) {
-            if (exceedsTank(one) == exceedsTank(other) && isForbidden(one) == isForbidden(other) &&
+            if (refusal(one) == refusal(other) &&
                 one.ranked.isConfirmed != other.ranked.isConfirmed) {
                 return one.ranked.isConfirmed;
             }
