@@ -123,7 +123,7 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
                    const solver::SolverModule& module, const DipDetail& detail,
                    const Progress& progress)
     : subject_(subject), body_(body), module_(module), cancelToken_(progress.cancelToken),
-      films_(subject, detail), process_(subject.process) {
+      films_(subject, detail), process_(subject.process), residual_(detail.residual) {
     if (detail.predicts) {
         jobFilms_ = std::make_unique<const PoseFilms>(subject, jobDetail);
     }
@@ -248,6 +248,7 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
         batch.items[item].setup =
             dipSetup(body, *batch.fields[item], immersion, films_.film(),
                      films_.gridOf(body, immersion, fineCells[batch.places[item]]), process_);
+        batch.items[item].setup.settings.residual = residual_;
     });
     return batch;
 }

@@ -18,6 +18,7 @@ struct DipDetail {
     double cells;  // number of film cells along the longest edge of the body's box
     int field;     // number of distance field cells along that edge
     double travel; // least travel of the contact line in one step, in film cells
+    double residual; // solver::Settings::residual
     // Whether to find what the prediction of the job's sheet needs: JudgedPose::jobCell, and a
     // verdict without the numerical error.
     bool predicts = false;
@@ -25,8 +26,10 @@ struct DipDetail {
 // coarseDetail finds poses worth refining; their dips get measures only. finerDetail ranks them and
 // predicts. jobDetail is the job's own: its dips get the verdict that the job is expected to give
 // after refinement, and JudgedPose::doublings. If such a dip fails, it must not be printed.
-inline constexpr DipDetail coarseDetail{20, 128, 0.5}, finerDetail{40, 128, 0.5, true},
-    jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0};
+inline constexpr DipDetail coarseDetail{20, 128, 0.5, 3e-3},
+    finerDetail{40, 128, 0.5, solver::Settings().residual, true},
+    jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0,
+              solver::Settings().residual};
 
 // Number of air grid cells along the body's longest edge (posedBody()).
 inline constexpr int searchedAirCells = 48;
@@ -123,6 +126,7 @@ private:
     PoseFilms films_;
     std::unique_ptr<const PoseFilms> jobFilms_; // if sheets are predicted
     ProcessSettings process_;
+    double residual_;
     std::shared_ptr<const DistanceField> field_;
 };
 

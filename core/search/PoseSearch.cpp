@@ -32,11 +32,12 @@ constexpr int confirmedRounds = 3;     // at most; in each, `confirmed` poses ar
 constexpr std::size_t firstRanked = 8; // number of dips before the first ranking
 // Number of best pairs from which distinct ones are ranked.
 constexpr std::size_t comparedPairs = 200;
-constexpr double distinct = 5;                     // least angle between ranked poses, degrees
-constexpr std::array<double, 3> tilts{10, 5, 2.5}; // degrees, one for each round of refinement
-constexpr double turn = 5;                         // degrees about the vertical, in the last round
-constexpr double shift = 0.05;                     // share of the film's sides, in the last round
-constexpr std::size_t triedWithPaths = 6;          // number of best poses that are tried with paths
+constexpr double distinct = 5; // least angle between ranked poses, degrees
+// Tilts in refinement, degrees: in its rounds by coarse film, and at the end by finer film.
+constexpr std::array<double, 2> tilts{10, 5};
+constexpr double lastTilt = 2.5;
+constexpr std::size_t triedNear = 4;      // number of poses that neighbours() returns
+constexpr std::size_t triedWithPaths = 6; // number of best poses that are tried with paths
 // Objective that a doubling of the work counts for, and a verdict that is worse by one step
 // (docs/pose-search.md, "Certain sheets").
 constexpr double lostPerDoubling = 0.01, lostPerAdvice = 0.02;
@@ -151,34 +152,16 @@ bool isDistinct(const Entry& one, const Entry& other) {
     });
 }
 
-// Returns poses near a given one: tilted about the film's axes, and in the last round also turned
-// and moved.
-std::vector<Immersion> neighbours(const Immersion& immersion, std::size_t round,
-                                  const FilmSettings& film) {
+// Returns the pose tilted by an angle, in degrees, to four sides.
+std::vector<Immersion> neighbours(const Immersion& immersion, double tilt) {
     std::vector<Immersion> result;
-    const auto turned = [&](const Eigen::Vector3d& axis, double degrees) {
-        Immersion next = immersion;
-        next.rotation =
-            rotationAngles(Eigen::AngleAxisd(radians(Degrees(degrees)), axis).toRotationMatrix() *
-                               rotationMatrix(immersion.rotation),
-                           immersion.rotation);
-        result.push_back(next);
-    };
-    for (const double side : {-1.0, 1.0}) {
-        turned(Eigen::Vector3d::UnitX(), side * tilts[round]);
-        turned(Eigen::Vector3d::UnitZ(), side * tilts[round]);
-    }
-    if (round + 1 < tilts.size()) {
-        return result;
-    }
-    for (const double side : {-1.0, 1.0}) {
-        turned(Eigen::Vector3d::UnitY(), side * turn);
-        Immersion next = immersion;
-        next.offset[0] = next.offset[0] + film.width * (side * shift);
-        result.push_back(next);
-        next = immersion;
-        next.offset[1] = next.offset[1] + film.height * (side * shift);
-        result.push_back(next);
+    for (const double angle : {-tilt, tilt}) {
+        for (const int axis : {0, 2}) {
+            Immersion& next = result.emplace_back(immersion);
+            const Eigen::AngleAxisd turn(radians(Degrees(angle)), Eigen::Vector3d::Unit(axis));
+            next.rotation = rotationAngles(
+                turn.toRotationMatrix() * rotationMatrix(immersion.rotation), immersion.rotation);
+        }
     }
     return result;
 }
@@ -325,6 +308,11 @@ private:
     std::vector<Mark> marks_; // beginnings of the last two stages, the earlier one first
 };
 
+// Returns how many of `count` entries the next round of refinement continues with.
+template <typename Count> Count betterHalf(Count count) {
+    return (count + 1) / 2;
+}
+
 // The resolutions of a search (PoseDips.h).
 enum Resolution : std::uint8_t { Coarse, Finer, Own };
 
@@ -347,15 +335,19 @@ public:
             candidate.immersion.path = common_;
         }
         const int each = settings.immersions;
-        const int rounds = int(tilts.size());
         const int tried = int(candidates_.chosen.size());
         const int own = int(subject.immersions.size());
         const auto differing = [&](int entries) {
             return own +
                    int(std::lround((each == 1 ? 1 : 2 * distinctDips) * std::min(entries, tried)));
         };
-        left_ = {own + tried + settings.refined * each * (4 * rounds + 6),
-                 differing(settings.finer + settings.refined),
+        int refined = 0;
+        for (int round = 0, count = settings.refined; round < int(tilts.size()); ++round) {
+            refined += count;
+            count = betterHalf(count);
+        }
+        left_ = {own + tried + refined * each * int(triedNear),
+                 differing(settings.finer + settings.refined) + each * int(triedNear),
                  settings.confirmed > 0 ? differing(settings.confirmed) : 0};
         if (settings.paths) {
             left_[Coarse] +=
@@ -430,6 +422,7 @@ public:
                 tryPaths();
             }
             rankWithFinerFilm();
+            refineWithFinerFilm();
             confirm();
         } catch (const Cancelled&) {
             if (!isRefining_) {
@@ -679,16 +672,19 @@ private:
         return entries;
     }
 
-    // Moves each dip of the best entries in turn to the best pose near it.
+    // Moves each dip of the best entries in turn to the best pose near it. Each round continues with
+    // the better half of the entries.
     void refine() {
         known_ = poses_;
         known_.insert(known_.end(), own_.begin(), own_.end());
-        const std::size_t count = std::min(best_.size(), std::size_t(settings_.refined));
-        unrefined_.assign(best_.begin(), best_.begin() + std::ptrdiff_t(count));
-        for (std::size_t round = 0; round < tilts.size() && count > 0; ++round) {
+        auto count = std::ptrdiff_t(std::min(best_.size(), std::size_t(settings_.refined)));
+        unrefined_.assign(best_.begin(), best_.begin() + count);
+        for (const double tilt : tilts) {
             for (std::size_t member = 0; member < std::size_t(settings_.immersions); ++member) {
-                refineMember(count, round, member);
+                refineMember(count, tilt, member);
             }
+            std::stable_sort(best_.begin(), best_.begin() + count, isBetter);
+            count = betterHalf(count);
         }
     }
 
@@ -766,11 +762,10 @@ private:
         }
     }
 
-    void refineMember(std::size_t count, std::size_t round, std::size_t member) {
-        std::vector<Entry> refined(best_.begin(), best_.begin() + std::ptrdiff_t(count));
-        improve(refined, member, [&](const Immersion& immersion) {
-            return neighbours(immersion, round, subject_.film);
-        });
+    void refineMember(std::ptrdiff_t count, double tilt, std::size_t member) {
+        std::vector<Entry> refined(best_.begin(), best_.begin() + count);
+        improve(refined, member,
+                [&](const Immersion& immersion) { return neighbours(immersion, tilt); });
         std::move(refined.begin(), refined.end(), best_.begin());
         rank();
     }
@@ -835,6 +830,34 @@ private:
         std::vector<Entry> entries = first(settings_.finer);
         entries.insert(entries.end(), unrefined_.begin(), unrefined_.end());
         best_ = dippedAgain(entries, Finer);
+        rank();
+    }
+
+    // Tilts each dip of the entry that is confirmed first. Coarse film cannot compare poses that are
+    // so close.
+    void refineWithFinerFilm() {
+        if (settings_.refined == 0) {
+            return;
+        }
+        Entry best = distinctFirst(best_, isBetterToConfirm).front();
+        const PoseDips finer(subject_, body_, module_, finerDetail, progress_.silent());
+        for (std::size_t member = 0; member < std::size_t(settings_.immersions); ++member) {
+            const Judged before = best.dips[member];
+            const std::vector<Immersion> trials = neighbours(before->immersion, lastTilt);
+            left_[Finer] = int(trials.size() * (std::size_t(settings_.immersions) - member));
+            for (const Judged& dip : dipped(finer, Finer, trials)) {
+                JudgedPose trial = *dip;
+                trial.predicted = {std::max(trial.verdict.advice, Advice::Print),
+                                   before->predicted.doublings};
+                std::vector<Judged> dips = best.dips;
+                dips[member] = std::make_shared<const JudgedPose>(std::move(trial));
+                Entry tried = entry(std::move(dips), false);
+                if (isBetterToConfirm(tried, best)) {
+                    best = std::move(tried);
+                }
+            }
+        }
+        best_.push_back(std::move(best));
         rank();
     }
 
