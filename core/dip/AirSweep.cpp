@@ -45,58 +45,104 @@ private:
 };
 
 // Returns the points in the order of their layers, by counting sort.
-std::vector<std::uint32_t> fromTheTop(const std::vector<int>& layer, int layers) {
+std::vector<std::uint32_t> fromTheTop(const std::vector<std::uint32_t>& points,
+                                      const std::vector<int>& layer, int layers) {
     std::vector<std::uint32_t> next(std::size_t(layers) + 1, 0);
-    for (const int each : layer) {
-        ++next[std::size_t(each) + 1];
+    for (const std::uint32_t point : points) {
+        ++next[std::size_t(layer[point]) + 1];
     }
     std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<std::uint32_t> order(layer.size());
-    for (std::uint32_t point = 0; point < layer.size(); ++point) {
+    std::vector<std::uint32_t> order(points.size());
+    for (const std::uint32_t point : points) {
         order[next[std::size_t(layer[point])]++] = point;
     }
     return order;
 }
 
+// Returns the ways along grid edges that do not go down.
+std::uint8_t waysUp(const Eigen::Vector3f& up) {
+    int ways = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        ways |= up[axis] >= 0 ? SpaceGrid::wayAlong(axis) : 0;
+        ways |= up[axis] <= 0 ? SpaceGrid::wayAgainst(axis) : 0;
+    }
+    return std::uint8_t(ways);
+}
+
+// Calls visit(neighbour) for the points at the ends of a point's grid edges that do not cross the
+// surface. Stepping past the grid's end from a border point wraps round to another border point.
+// That is harmless, since all border points are open.
+template <typename Visit>
+void forEachConnected(const SpaceGrid& grid, std::uint32_t point, const Visit& visit) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto stride = std::uint32_t(grid.stride(axis));
+        if (point + stride < grid.count() && !grid.isCrossed(point, axis)) {
+            visit(point + stride);
+        }
+        if (point >= stride && !grid.isCrossed(point - stride, axis)) {
+            visit(point - stride);
+        }
+    }
+}
+
+// Returns the enclosed points and the points connected with them, each once.
+std::vector<std::uint32_t> withConnected(const SpaceGrid& grid,
+                                         std::vector<std::uint32_t> enclosed) {
+    std::vector<std::uint8_t> isTaken(grid.count(), 0);
+    for (const std::uint32_t point : enclosed) {
+        isTaken[point] = 1;
+    }
+    for (std::size_t number = 0, count = enclosed.size(); number < count; ++number) {
+        forEachConnected(grid, enclosed[number], [&](std::uint32_t other) {
+            if (isTaken[other] == 0) {
+                isTaken[other] = 1;
+                enclosed.push_back(other);
+            }
+        });
+    }
+    return enclosed;
+}
+
 } // namespace
 
+// Most points have a straight way up to the border, so that their air opens in their own layer.
+// Only the others are swept.
 AirSweep sweepAir(const SpaceGrid& grid, const Eigen::Vector3f& up) {
     AirSweep sweep;
-    const Eigen::Vector3i& size = grid.size();
-    const Eigen::Vector3f last = (size - Eigen::Vector3i::Ones()).cast<float>();
+    const Eigen::Vector3f last = grid.last().cast<float>();
     const float highest = up.cwiseMax(0).dot(last); // in cells
     const float lowest = up.cwiseMin(0).dot(last);
     const int layers = int(std::lround(highest - lowest)) + 1;
     sweep.layer.resize(grid.count());
-    std::vector<std::uint8_t> isOnBorder(grid.count());
-    grid.forEachPoint([&](std::size_t point, const Eigen::Vector3i& cell) {
-        const int below = int(std::lround(highest - up.dot(cell.cast<float>())));
-        sweep.layer[point] = std::clamp(below, 0, layers - 1);
-        isOnBorder[point] = grid.isOnBorder(cell) ? 1 : 0;
-    });
-    Chambers chambers(grid.count());
-    for (const std::uint32_t point : fromTheTop(sweep.layer, layers)) {
-        const int layer = sweep.layer[point];
-        if (isOnBorder[point] != 0) {
-            chambers.open(point, layer); // points on the grid's border are outside the body
-        }
-        // Stepping past the grid's end from a border point wraps round to another border point.
-        // That is harmless, since all border points are open.
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto stride = std::uint32_t(grid.stride(axis));
-            const bool hasNext = point + stride < grid.count() && !grid.isCrossed(point, axis);
-            if (hasNext && sweep.layer[point + stride] <= layer) {
-                chambers.join(point, point + stride, layer);
-            }
-            const bool hasBefore = point >= stride && !grid.isCrossed(point - stride, axis);
-            if (hasBefore && sweep.layer[point - stride] <= layer) {
-                chambers.join(point, point - stride, layer);
-            }
-        }
-    }
     sweep.opensIn.resize(grid.count());
+    const std::uint8_t upwards = waysUp(up);
+    std::vector<std::uint32_t> enclosed;
+    grid.forEachPoint([&](std::size_t point, const Eigen::Vector3i& cell) {
+        const int below = int(highest - up.dot(cell.cast<float>()) + 0.5F);
+        sweep.layer[point] = std::clamp(below, 0, layers - 1);
+        sweep.opensIn[point] = sweep.layer[point];
+        if ((grid.freeWays(point) & upwards) == 0) {
+            sweep.opensIn[point] = AirSweep::never;
+            enclosed.push_back(std::uint32_t(point));
+        }
+    });
     sweep.chamber.resize(grid.count());
-    for (std::uint32_t point = 0; point < grid.count(); ++point) {
+    std::iota(sweep.chamber.begin(), sweep.chamber.end(), 0u);
+    Chambers chambers(grid.count());
+    const std::vector<std::uint32_t> swept =
+        fromTheTop(withConnected(grid, std::move(enclosed)), sweep.layer, layers);
+    for (const std::uint32_t point : swept) {
+        const int layer = sweep.layer[point];
+        if (sweep.opensIn[point] != AirSweep::never) {
+            chambers.open(point, layer);
+        }
+        forEachConnected(grid, point, [&](std::uint32_t other) {
+            if (sweep.layer[other] <= layer) {
+                chambers.join(point, other, layer);
+            }
+        });
+    }
+    for (const std::uint32_t point : swept) {
         sweep.opensIn[point] = chambers.opensIn(point);
         sweep.chamber[point] = chambers.root(point);
     }

@@ -27,6 +27,7 @@ SpaceGrid::SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int re
         crossed_[std::size_t(axis)].assign(count(), 0);
         findCrossings(query, axis);
     }
+    findFreeWays();
 }
 
 void SpaceGrid::findCrossings(const SurfaceQuery& query, int axis) {
@@ -45,6 +46,28 @@ void SpaceGrid::findCrossings(const SurfaceQuery& query, int axis) {
             });
         }
     });
+}
+
+void SpaceGrid::findFreeWays() {
+    constexpr std::uint8_t all = 0x3f;
+    freeWays_.assign(count(), 0);
+    forEachPoint([&](std::size_t point, const Eigen::Vector3i& cell) {
+        freeWays_[point] = isOnBorder(cell) ? all : 0;
+    });
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t next = stride(axis);
+        const std::uint8_t along = wayAlong(axis), against = wayAgainst(axis);
+        for (std::size_t point = count(); point-- > 0;) {
+            if (freeWays_[point] != all && !isCrossed(point, axis)) {
+                freeWays_[point] |= freeWays_[point + next] & along;
+            }
+        }
+        for (std::size_t point = 0; point < count(); ++point) {
+            if (freeWays_[point] != all && !isCrossed(point - next, axis)) {
+                freeWays_[point] |= freeWays_[point - next] & against;
+            }
+        }
+    }
 }
 
 } // namespace dipwright

@@ -72,15 +72,22 @@ public:
     bool isCrossed(std::size_t index, int axis) const {
         return crossed_[std::size_t(axis)][index] != 0;
     }
+    // Returns the ways along grid edges on which a point has nothing of the surface between itself
+    // and the grid's border, as bits: wayAlong(axis) and wayAgainst(axis).
+    std::uint8_t freeWays(std::size_t index) const { return freeWays_[index]; }
+    static std::uint8_t wayAlong(int axis) { return std::uint8_t(1 << (2 * axis)); }
+    static std::uint8_t wayAgainst(int axis) { return std::uint8_t(2 << (2 * axis)); }
 
 private:
     void findCrossings(const SurfaceQuery& query, int axis);
+    void findFreeWays();
 
     Eigen::Vector3f origin_;
     float spacing_ = 0;
     Eigen::Vector3i size_;
     std::array<std::size_t, 3> stride_{};
     std::array<std::vector<std::uint8_t>, 3> crossed_;
+    std::vector<std::uint8_t> freeWays_;
 };
 
 // Calls visit(distance) for every hit of a ray along an axis, up to `length`, nearest first. Hits

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/Sha256.h"
 #include "parallel/ParallelFor.h"
+#include "reduction/ReducedMesh.h"
 #include "search/JudgedPose.h"
 #include "search/Objective.h"
 #include "search/PlaceWeights.h"
@@ -241,13 +242,25 @@ DipPath commonPath(const SearchSubject& subject) {
     return path.isStraightDown() ? usual : path;
 }
 
-// Returns the weight of each triangle of the preview, at its centre.
+// Rating a direction takes time in proportion to the number of triangles, so a mesh with more than
+// this is reduced. The result may be one cell of the preview's height field away.
+constexpr std::size_t ratedTriangles = 6000;
+constexpr double ratedTolerance = 1.0 / 160; // share of the body's longest edge
+
+TriangleMesh meshForRating(const TriangleMesh& mesh, const CancelToken& cancelToken) {
+    return reducedMesh(mesh, ratedTriangles, ratedTolerance * longestEdgeOf(mesh), cancelToken)
+        .mesh;
+}
+
+// Returns the weight of each triangle of the preview, by the place of the model that is nearest to
+// its centre.
 std::vector<float> triangleWeights(const SearchSubject& subject, const CoveragePreview& preview,
                                    const SearchSettings& settings) {
-    std::vector<SurfacePoint> middles;
-    for (std::size_t triangle = 0; triangle < preview.areas().size(); ++triangle) {
-        middles.push_back(preview.middle(triangle));
-    }
+    const SurfaceQuery query(subject.model->mesh);
+    std::vector<SurfacePoint> middles(preview.middles().size());
+    parallelFor(std::size_t(0), middles.size(), [&](std::size_t triangle) {
+        middles[triangle] = query.closest(preview.middles()[triangle]).point;
+    });
     return placeWeights(subject, settings.aims.zoneWeights, middles,
                         surfaceColours(*subject.model, middles));
 }
@@ -323,7 +336,8 @@ public:
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
           body_(subject, settings.aims.zoneWeights),
           coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)),
-          common_(commonPath(subject)), preview_(subject.model->mesh) {
+          common_(commonPath(subject)),
+          preview_(meshForRating(subject.model->mesh, progress.cancelToken)) {
         if (settings.paths || !common_.isStraightDown()) {
             requirePaths();
         }
@@ -1014,7 +1028,7 @@ private:
     JudgedBody body_;
     PoseDips coarse_;
     DipPath common_;
-    CoveragePreview preview_;
+    CoveragePreview preview_; // of meshForRating()
     std::vector<float> weights_; // of the preview's triangles
     PoseCandidates candidates_;
     std::vector<Judged> own_;   // the job's own poses
