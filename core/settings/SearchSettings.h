@@ -73,7 +73,7 @@ struct SearchSettings {
     int immersions = 1;    // 1 or 2
     int directions = 2000; // number of directions that are judged by geometry alone
     int simulated = 64;    // number of these that are simulated by one coarse dip each
-    int refined = 6;       // number of the best that are tilted
+    int refined = 4;       // number of the best that are tilted
     int finer = 12; // number of the best that are simulated with finer film; these dips rank them
     int confirmed = 3;  // number of the best that are simulated with the film and field of the job
     int seed = 1;       // for the random directions
