@@ -15,9 +15,9 @@ namespace dipwright {
 
 // The resolution of a dip; never finer than the job's.
 struct DipDetail {
-    double cells;  // number of film cells along the longest edge of the body's box
-    int field;     // number of distance field cells along that edge
-    double travel; // least travel of the contact line in one step, in film cells
+    double cells;    // number of film cells along the longest edge of the body's box
+    int field;       // number of distance field cells along that edge
+    double travel;   // least travel of the contact line in one step, in film cells
     double residual; // solver::Settings::residual
     // Whether to find what the prediction of the job's sheet needs: JudgedPose::jobCell, and a
     // verdict without the numerical error.

@@ -322,7 +322,8 @@ private:
 };
 
 // Returns how many of `count` entries the next round of refinement continues with.
-template <typename Count> Count betterHalf(Count count) {
+template <typename Count>
+Count betterHalf(Count count) {
     return (count + 1) / 2;
 }
 
@@ -686,8 +687,8 @@ private:
         return entries;
     }
 
-    // Moves each dip of the best entries in turn to the best pose near it. Each round continues with
-    // the better half of the entries.
+    // Moves each dip of the best entries in turn to the best pose near it. Each round continues
+    // with the better half of the entries.
     void refine() {
         known_ = poses_;
         known_.insert(known_.end(), own_.begin(), own_.end());
@@ -847,8 +848,8 @@ private:
         rank();
     }
 
-    // Tilts each dip of the entry that is confirmed first. Coarse film cannot compare poses that are
-    // so close.
+    // Tilts each dip of the entry that is confirmed first. Coarse film cannot compare poses that
+    // are so close.
     void refineWithFinerFilm() {
         if (settings_.refined == 0) {
             return;
@@ -1028,7 +1029,7 @@ private:
     JudgedBody body_;
     PoseDips coarse_;
     DipPath common_;
-    CoveragePreview preview_; // of meshForRating()
+    CoveragePreview preview_;    // of meshForRating()
     std::vector<float> weights_; // of the preview's triangles
     PoseCandidates candidates_;
     std::vector<Judged> own_;   // the job's own poses
