@@ -362,7 +362,8 @@ public:
             count = betterHalf(count);
         }
         left_ = {own + tried + refined * each * int(triedNear),
-                 differing(settings.finer + settings.refined) + each * int(triedNear),
+                 differing(settings.finer + settings.refined) +
+                     (settings.refined > 0 ? each * int(triedNear) : 0),
                  settings.confirmed > 0 ? differing(settings.confirmed) : 0};
         if (settings.paths) {
             left_[Coarse] +=
