@@ -85,22 +85,21 @@ void forEachConnected(const SpaceGrid& grid, std::uint32_t point, const Visit& v
     }
 }
 
-// Returns the enclosed points and the points connected with them, each once.
-std::vector<std::uint32_t> withConnected(const SpaceGrid& grid,
-                                         std::vector<std::uint32_t> enclosed) {
+// Returns the points and those connected with them by a grid edge, each once.
+std::vector<std::uint32_t> withConnected(const SpaceGrid& grid, std::vector<std::uint32_t> points) {
     std::vector<std::uint8_t> isTaken(grid.count(), 0);
-    for (const std::uint32_t point : enclosed) {
+    for (const std::uint32_t point : points) {
         isTaken[point] = 1;
     }
-    for (std::size_t number = 0, count = enclosed.size(); number < count; ++number) {
-        forEachConnected(grid, enclosed[number], [&](std::uint32_t other) {
+    for (std::size_t number = 0, count = points.size(); number < count; ++number) {
+        forEachConnected(grid, points[number], [&](std::uint32_t other) {
             if (isTaken[other] == 0) {
                 isTaken[other] = 1;
-                enclosed.push_back(other);
+                points.push_back(other);
             }
         });
     }
-    return enclosed;
+    return points;
 }
 
 } // namespace

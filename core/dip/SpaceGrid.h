@@ -73,7 +73,8 @@ public:
         return crossed_[std::size_t(axis)][index] != 0;
     }
     // Returns the ways along grid edges on which a point has nothing of the surface between itself
-    // and the grid's border, as bits: wayAlong(axis) and wayAgainst(axis).
+    // and the grid's border, as bits: wayAlong(axis) and wayAgainst(axis). Border points have all
+    // of them.
     std::uint8_t freeWays(std::size_t index) const { return freeWays_[index]; }
     static std::uint8_t wayAlong(int axis) { return std::uint8_t(1 << (2 * axis)); }
     static std::uint8_t wayAgainst(int axis) { return std::uint8_t(2 << (2 * axis)); }

@@ -13,7 +13,6 @@ namespace dipwright {
 namespace {
 
 constexpr double fewestTriangles = 6000;
-constexpr int heightCells = 160;   // number of cells along the longer side of the body's shadow
 constexpr float wallSlope = 0.25f; // faces with a smaller −n.y count as upright (n: normal)
 constexpr float cellsOfSlack =
     1.5f; // allowed height of a face above its cell's lowest place, in cells
@@ -29,7 +28,7 @@ public:
         for (const Eigen::Vector3f& place : places) {
             box.extend(Eigen::Vector2f(place.x(), place.z()));
         }
-        cell_ = std::max(box.sizes().maxCoeff(), 1e-6f) / float(heightCells);
+        cell_ = std::max(box.sizes().maxCoeff(), 1e-6f) / float(CoveragePreview::heightCells);
         perCell_ = 1 / cell_;
         corner_ = box.min();
         columns_ = int(box.sizes().x() * perCell_) + 1;

@@ -25,6 +25,9 @@ struct PreviewedCoverage {
 // (docs/pose-search.md, "The preview"). Immutable; any thread may use it. Deterministic.
 class CoveragePreview {
 public:
+    // Number of cells of its height field along the longer side of the body's shadow.
+    static constexpr int heightCells = 160;
+
     explicit CoveragePreview(const TriangleMesh& model);
 
     // Predicts the coverage of a dip. Film covers faces that point down with nothing below them.
@@ -39,8 +42,6 @@ public:
     const TriangleMesh& model() const { return model_; }
     // The model with its large triangles divided.
     const TriangleMesh& mesh() const { return fine_.mesh(); }
-    // Centre of a triangle of mesh(), as a point of the model.
-    SurfacePoint middle(std::size_t fine) const { return fine_.middle(fine); }
     const std::vector<float>& areas() const { return areas_; } // per triangle of mesh(), mm²
     const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
     // Centres of the triangles of mesh(), mm in the model's coordinates.

@@ -245,7 +245,7 @@ DipPath commonPath(const SearchSubject& subject) {
 // Rating a direction takes time in proportion to the number of triangles, so a mesh with more than
 // this is reduced. The result may be one cell of the preview's height field away.
 constexpr std::size_t ratedTriangles = 6000;
-constexpr double ratedTolerance = 1.0 / 160; // share of the body's longest edge
+constexpr double ratedTolerance = 1.0 / CoveragePreview::heightCells; // share of the longest edge
 
 TriangleMesh meshForRating(const TriangleMesh& mesh, const CancelToken& cancelToken) {
     return reducedMesh(mesh, ratedTriangles, ratedTolerance * longestEdgeOf(mesh), cancelToken)
@@ -322,8 +322,7 @@ private:
 };
 
 // Returns how many of `count` entries the next round of refinement continues with.
-template <typename Count>
-Count betterHalf(Count count) {
+int betterHalf(int count) {
     return (count + 1) / 2;
 }
 
@@ -693,7 +692,7 @@ private:
     void refine() {
         known_ = poses_;
         known_.insert(known_.end(), own_.begin(), own_.end());
-        auto count = std::ptrdiff_t(std::min(best_.size(), std::size_t(settings_.refined)));
+        int count = std::min(int(best_.size()), settings_.refined);
         unrefined_.assign(best_.begin(), best_.begin() + count);
         for (const double tilt : tilts) {
             for (std::size_t member = 0; member < std::size_t(settings_.immersions); ++member) {
@@ -755,6 +754,13 @@ private:
         return best;
     }
 
+    // Returns the entry with another dip in place of one of its own.
+    Entry replaced(const Entry& before, std::size_t member, Judged dip) const {
+        std::vector<Judged> dips = before.dips;
+        dips[member] = std::move(dip);
+        return entry(std::move(dips), false);
+    }
+
     // Replaces one dip of each entry by the best of trialsOf(its immersion), if that is better.
     template <typename TrialsOf>
     void improve(std::vector<Entry>& entries, std::size_t member, const TrialsOf& trialsOf) {
@@ -769,16 +775,14 @@ private:
         const std::vector<Judged> judged = dippedOnce(trials);
         const std::vector<Entry> before = entries;
         for (std::size_t trial = 0; trial < trials.size(); ++trial) {
-            std::vector<Judged> dips = before[owner[trial]].dips;
-            dips[member] = judged[trial];
-            Entry tried = entry(std::move(dips), false);
+            Entry tried = replaced(before[owner[trial]], member, judged[trial]);
             if (isBetter(tried, entries[owner[trial]])) {
                 entries[owner[trial]] = std::move(tried);
             }
         }
     }
 
-    void refineMember(std::ptrdiff_t count, double tilt, std::size_t member) {
+    void refineMember(int count, double tilt, std::size_t member) {
         std::vector<Entry> refined(best_.begin(), best_.begin() + count);
         improve(refined, member,
                 [&](const Immersion& immersion) { return neighbours(immersion, tilt); });
@@ -849,8 +853,8 @@ private:
         rank();
     }
 
-    // Tilts each dip of the entry that is confirmed first. Coarse film cannot compare poses that
-    // are so close.
+    // Tilts each dip of the entry that will be confirmed first. Coarse film cannot compare poses
+    // that are so close to each other. The tilted poses keep the predicted doublings.
     void refineWithFinerFilm() {
         if (settings_.refined == 0) {
             return;
@@ -865,9 +869,8 @@ private:
                 JudgedPose trial = *dip;
                 trial.predicted = {std::max(trial.verdict.advice, Advice::Print),
                                    before->predicted.doublings};
-                std::vector<Judged> dips = best.dips;
-                dips[member] = std::make_shared<const JudgedPose>(std::move(trial));
-                Entry tried = entry(std::move(dips), false);
+                Entry tried =
+                    replaced(best, member, std::make_shared<const JudgedPose>(std::move(trial)));
                 if (isBetterToConfirm(tried, best)) {
                     best = std::move(tried);
                 }
