@@ -5,6 +5,7 @@
 #include "dip/FilmUnderBody.h"
 #include "film/FilmGrid.h"
 #include "film/Growth.h"
+#include "geometry/FinerFields.h"
 #include "solver/CheckedSolver.h"
 
 #include <QCoreApplication>
@@ -177,13 +178,21 @@ void requireStable(const DippedFilm& film, double travel, const QString& where) 
 
 } // namespace
 
+solver::FilmGrid dipGrid(const PosedBody& body, const Immersion& immersion,
+                         const FilmSettings& film, const ProcessSettings& process) {
+    return isGraded(film) ? filmUnderBody(film, undersideOf(body, process), immersion.offset)
+                          : filmGrid(film);
+}
+
+const DistanceField& fieldForFilm(const DistanceField& own, const solver::FilmGrid& grid,
+                                  const Progress& progress) {
+    return fieldAtLevel(own, fieldLevel(own, grid.leastSpacing()), progress);
+}
+
 solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,
                           const ProcessSettings& process) {
-    const solver::FilmGrid grid =
-        isGraded(film) ? filmUnderBody(film, undersideOf(body, process), immersion.offset)
-                       : filmGrid(film);
-    return dipSetup(body, field, immersion, film, grid, process);
+    return dipSetup(body, field, immersion, film, dipGrid(body, immersion, film, process), process);
 }
 
 solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
@@ -320,8 +329,9 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
                        const ProcessSettings& process, const solver::SolverModule& module,
                        const Progress& progress, const FilmObserver& observer) {
     requireBodyOverFilm(body, immersion, film, process);
-    const FilledField filled(body, field);
-    const solver::DipSetup setup = dipSetup(body, filled, immersion, film, process);
+    const solver::FilmGrid grid = dipGrid(body, immersion, film, process);
+    const FilledField filled(body, fieldForFilm(field, grid, progress.silent()));
+    const solver::DipSetup setup = dipSetup(body, filled, immersion, film, grid, process);
     requireFollowed(setup, module);
     DippedFilm dipped;
     try {

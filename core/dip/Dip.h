@@ -13,7 +13,16 @@
 
 namespace dipwright {
 
-// Builds the solver's input. filmUnderBody() chooses the film's points. `field` must be the body's
+// Returns the film's points for a dip: filmUnderBody(), or filmGrid() if the film is not graded.
+solver::FilmGrid dipGrid(const PosedBody& body, const Immersion& immersion,
+                         const FilmSettings& film, const ProcessSettings& process);
+// Returns the distance field for a dip with the film points of `grid`: `own`, or a field of the
+// same body with smaller cells (geometry/FinerFields.h). `own` must outlive the result. Throws
+// Cancelled.
+const DistanceField& fieldForFilm(const DistanceField& own, const solver::FilmGrid& grid,
+                                  const Progress& progress);
+
+// Builds the solver's input with the film's points of dipGrid(). `field` must be the body's
 // distance field, and must outlive the dip.
 solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
                           const Immersion& immersion, const FilmSettings& film,

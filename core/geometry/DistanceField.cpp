@@ -300,7 +300,7 @@ DistanceField buildDistanceField(const TriangleMesh& body, const SurfaceQuery& q
                                  const FieldGrid& grid, const Progress& progress) {
     const QString what = Text::tr("Building the distance field");
     progress(0, what);
-    DistanceField field{grid, std::vector<float>(grid.sampleCount())};
+    DistanceField field{grid, std::vector<float>(grid.sampleCount()), nullptr};
     DistanceSweep sweep(field, query);
     for (int stride = coarsestStride; stride > 0; stride /= 2) {
         progress(0.5 / stride, what);

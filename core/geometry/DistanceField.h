@@ -9,9 +9,13 @@
 
 namespace dipwright {
 
+class FinerFields;
+
 // Distances are in mm. Sample (i, j, k) has the index (k·size.y + j)·size.x + i.
 struct DistanceField : FieldGrid {
     std::vector<float> distance;
+    // Fields of the same body with smaller cells (geometry/FinerFields.h); null: there are none.
+    std::shared_ptr<const FinerFields> finer;
 
     // Interpolates trilinearly. Outside the grid it returns a distance that is never too large.
     double sample(const Eigen::Vector3d& position) const;
@@ -30,9 +34,9 @@ DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
 DistanceField buildDistanceField(const TriangleMesh& body, const SurfaceQuery& query,
                                  const FieldGrid& grid, const Progress& progress);
 
-// Builds the field on fieldGrid(), whose cells are finer for bodies with thin parts. Uses a cache
-// on disk, keyed by the content of the mesh and the resolution. If the cache is damaged or cannot
-// be written, the field is computed.
+// Builds the field on fieldGrid(), whose cells are finer for bodies with thin parts. It has finer
+// fields, for which it copies the mesh. Uses a cache on disk, keyed by the content of the mesh and
+// the resolution. If the cache is damaged or cannot be written, the field is computed.
 std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
                                                          const Progress& progress);
 

@@ -4,6 +4,7 @@
 #include "disk/AtomicFile.h"
 #include "disk/PlainFile.h"
 #include "geometry/FieldFile.h"
+#include "geometry/FinerFields.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -40,7 +41,7 @@ QByteArray contentHash(const TriangleMesh& body, int resolution) {
     return hash.result();
 }
 
-std::shared_ptr<const DistanceField> load(const QString& path) {
+std::shared_ptr<DistanceField> load(const QString& path) {
     QFile file(path);
     return openToRead(file).isEmpty() ? readField(file) : nullptr;
 }
@@ -86,15 +87,16 @@ std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& bod
                                                          const Progress& progress) {
     const QString name = QString::fromLatin1(contentHash(body, resolution).toHex());
     const QString path = QDir(cacheFolder()).filePath(name + QStringLiteral(".field"));
-    if (auto field = load(path)) {
+    std::shared_ptr<DistanceField> field = load(path);
+    if (field) {
         markUsed(path);
-        return field;
+    } else {
+        const SurfaceQuery query(body);
+        const FieldGrid grid = fieldGrid(body, resolution, thinnestPart(body, query));
+        field = std::make_shared<DistanceField>(buildDistanceField(body, query, grid, progress));
+        store(path, *field);
     }
-    const SurfaceQuery query(body);
-    const FieldGrid grid = fieldGrid(body, resolution, thinnestPart(body, query));
-    auto field =
-        std::make_shared<const DistanceField>(buildDistanceField(body, query, grid, progress));
-    store(path, *field);
+    field->finer = std::make_shared<const FinerFields>(body, *field);
     return field;
 }
 

@@ -43,7 +43,7 @@ bool writeField(const DistanceField& field, QIODevice& device) {
            device.write(samples.data(), samples.size()) == samples.size();
 }
 
-std::shared_ptr<const DistanceField> readField(QIODevice& device) {
+std::shared_ptr<DistanceField> readField(QIODevice& device) {
     if (device.size() > mostFieldBytes + mostHeaderBytes) {
         return nullptr;
     }

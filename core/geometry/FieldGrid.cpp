@@ -71,6 +71,10 @@ FieldGrid cubeGrid(const TriangleMesh& body, int resolution) {
     return centredGrid(box, {resolution, resolution, resolution}, spacing);
 }
 
+FieldGrid boxGrid(const TriangleMesh& body, double spacing) {
+    return boxGrid(extentOf(body), spacing);
+}
+
 double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query) {
     // distance from the face at which the ray starts, so that it misses the face
     const float clear = 1e-5F * boundingBox(body).diagonal().norm();

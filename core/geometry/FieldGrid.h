@@ -20,6 +20,10 @@ struct FieldGrid {
 // around the body. Throws Error on another resolution or a body without extent.
 FieldGrid cubeGrid(const TriangleMesh& body, int resolution);
 
+// Returns a grid with cells of `spacing` mm that covers the body's bounding box and two free cells
+// around it. Throws Error on a body without extent.
+FieldGrid boxGrid(const TriangleMesh& body, double spacing);
+
 // Returns the thickness of the body's thinnest parts, mm: 1 % of the body's surface lies on plates
 // that are thinner. Infinite if less than 1 % of the surface lies on plates. A plate has faces on
 // both sides that are parallel to within 37°, so a part that tapers to an edge is not a plate.

@@ -25,11 +25,14 @@ std::vector<std::shared_ptr<const PosedBody>> bodiesOf(const Project& project) {
     return bodies;
 }
 
-std::vector<FilledField> fieldsOf(const std::vector<std::shared_ptr<const PosedBody>>& bodies,
+std::vector<FilledField> fieldsOf(const Project& project,
+                                  const std::vector<std::shared_ptr<const PosedBody>>& bodies,
                                   const DistanceField& own) {
     std::vector<FilledField> fields;
-    for (const auto& body : bodies) {
-        fields.emplace_back(*body, own);
+    for (std::size_t dip = 0; dip < bodies.size(); ++dip) {
+        const solver::FilmGrid grid =
+            dipGrid(*bodies[dip], project.immersions[dip], project.film, project.process);
+        fields.emplace_back(*bodies[dip], fieldForFilm(own, grid, {}));
     }
     return fields;
 }
@@ -51,7 +54,8 @@ SimulatedPlaces::SimulatedPlaces(const Project& project, const DistanceField& fi
                                  const std::vector<PrintedPlace>& printed,
                                  const solver::SolverModule& module, const QString& where)
     : project_(project), printed_(printed), module_(module), bodies_(bodiesOf(project)),
-      fields_(fieldsOf(bodies_, field)), dips_(project, setupsOf(project, fields_, bodies_)) {
+      fields_(fieldsOf(project, bodies_, field)),
+      dips_(project, setupsOf(project, fields_, bodies_)) {
     for (const PrintedPlace& place : printed) {
         if (place.dip < 0 || place.dip >= int(project.immersions.size())) {
             throw Error(

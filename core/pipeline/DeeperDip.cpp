@@ -29,10 +29,10 @@ std::shared_ptr<const LaidFilm> deeperDip(const JobResult& result, std::size_t i
     const auto field = distanceFieldOf(result, progress.part(0, fieldDone));
     progress(fieldDone, QCoreApplication::translate("Pipeline", "Simulating a deeper dip"));
     const ProcessSettings process = deeperProcess(project.process, *dip.body);
-    const FilledField filled(*dip.body, *field);
+    const solver::FilmGrid& grid = dip.laid->film().grid;
+    const FilledField filled(*dip.body, fieldForFilm(*field, grid, progress.silent()));
     std::vector<solver::BatchItem> dips(1);
-    dips[0].setup =
-        dipSetup(*dip.body, filled, dip.immersion, project.film, dip.laid->film().grid, process);
+    dips[0].setup = dipSetup(*dip.body, filled, dip.immersion, project.film, grid, process);
     withFallback(solver, registry, [&](const solver::SolverModule& module) {
         simulateDips(dips, module, [&] { return progress.cancelToken.isCancelled(); });
     });

@@ -43,7 +43,8 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
                                   const std::shared_ptr<const PosedBody>& body, const LaidFilm& own,
                                   const DistanceField& field, const solver::SolverModule& module,
                                   const CancelToken& cancelToken) {
-    const FilledField filled(*body, field);
+    const FilledField filled(*body,
+                             fieldForFilm(field, own.film().grid, Progress{nullptr, cancelToken}));
     std::vector<LawChange> changes;
     std::vector<Project> jobs; // two for each law: with a smaller and with a larger value
     std::vector<solver::BatchItem> dips;

@@ -15,9 +15,9 @@ struct Project;
 // with automatic cells, the work limit newProjectFilmWork and the wanted error
 // newProjectWantedError, and one dip with steps of newProjectContactTravel.
 Project newProject(const QString& path);
-// Million points × steps; some 10 to 30 s on two cores. A file that does not have the field keeps
+// Million points × steps; some 15 to 35 s on two cores. A file that does not have the field keeps
 // defaultFilmWork, so the sheets of older projects stay the same.
-inline constexpr double newProjectFilmWork = 100;
+inline constexpr double newProjectFilmWork = 128;
 // With half the cell, a sheet with this numerical error is expected to move by
 // mostHalfSpacingChange (SheetChange.h).
 inline constexpr Millimetres newProjectWantedError{0.3};

@@ -244,10 +244,11 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
         const Immersion& immersion = immersions[batch.places[item]];
         batch.bodies[item] = std::make_shared<const PosedBody>(posed(immersion));
         const PosedBody& body = *batch.bodies[item];
-        batch.fields[item].emplace(body, *field_);
+        const solver::FilmGrid grid = films_.gridOf(body, immersion, fineCells[batch.places[item]]);
+        batch.fields[item].emplace(body,
+                                   fieldForFilm(*field_, grid, Progress{nullptr, cancelToken_}));
         batch.items[item].setup =
-            dipSetup(body, *batch.fields[item], immersion, films_.film(),
-                     films_.gridOf(body, immersion, fineCells[batch.places[item]]), process_);
+            dipSetup(body, *batch.fields[item], immersion, films_.film(), grid, process_);
         batch.items[item].setup.settings.residual = residual_;
     });
     return batch;

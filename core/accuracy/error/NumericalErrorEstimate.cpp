@@ -1,6 +1,7 @@
 #include "accuracy/error/NumericalErrorEstimate.h"
 
 #include "base/Error.h"
+#include "geometry/FinerFields.h"
 #include "parallel/ParallelFor.h"
 
 #include <QCoreApplication>
@@ -37,6 +38,12 @@ ProcessSettings withDoubleTimeStep(ProcessSettings process) {
 ProcessSettings withDoubleStep(ProcessSettings process) {
     process.contactTravel *= 2;
     return withDoubleTimeStep(std::move(process));
+}
+
+// Returns the field for the coarser films of a dip with film cells of `cell` mm. Its cells are
+// twice those of the dip's own field, so that the comparison also shows the error of the field.
+const DistanceField& coarserField(const DistanceField& usual, double cell) {
+    return fieldAtLevel(usual, std::max(fieldLevel(usual, cell) - 1, 0), {});
 }
 
 bool hasLaidFilm(const DippedFilm& film) {
@@ -79,7 +86,7 @@ float errorBefore(const FilmBefore& before, const SurfacePoint& place) {
 std::vector<float> errorsLeft(const LaidFilm& own, const FilmBefore& before,
                               const std::vector<SurfacePoint>& places) {
     std::vector<float> left = sheetMoves(own, before.laid, places);
-    const auto factor = float(std::clamp(1 / (before.ratio - 1), 1.0, mostLeft));
+    const auto factor = float(std::min(1 / (before.ratio - 1), mostLeft));
     parallelFor(std::size_t(0), left.size(), [&](auto place) {
         float& move = left[place];
         if (move > 0) {
@@ -112,7 +119,8 @@ std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
     std::vector<std::size_t> compared;    // the dips of each pair of items
     for (std::size_t dip = 0; dip < dips.size(); ++dip) {
         const PosedDip& posed = dips[dip];
-        filled[dip].emplace(*posed.body, field);
+        const double cell = dipGrid(*posed.body, posed.immersion, film, process).leastSpacing();
+        filled[dip].emplace(*posed.body, coarserField(field, cell));
         const auto setup = [&](const FilmSettings& cells, const ProcessSettings& steps) {
             return dipSetup(*posed.body, *filled[dip], posed.immersion, cells, steps);
         };

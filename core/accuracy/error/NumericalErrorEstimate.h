@@ -12,7 +12,8 @@
 namespace dipwright {
 
 // The films of two coarser dips, laid on the body. One dip has cells and steps twice as long; the
-// other has these cells and steps four times as long.
+// other has these cells and steps four times as long. Their distance field has cells twice as wide
+// as the dip's own, unless it has its usual cells (geometry/FinerFields.h).
 struct CoarserFilms {
     std::shared_ptr<const LaidFilm> doubleSpacing, doubleStep; // null if `failure` is set
     QString failure; // tells the user why there are no films: too few cells, or a solver failed
@@ -71,9 +72,9 @@ struct FilmBefore {
 // Estimates the numerical error of the film `own`. A film that was repeated until its error seemed
 // small enough is also compared with the previous film: otherwise a chance agreement with the
 // coarser dips would end the repetition. For an error of first order, the move from that film times
-// 1 / (ratio − 1) is the error that is left; the factor used is 1 to 2. It does not raise a
-// place's error above that of the previous film, because smaller cells are not assumed to be worse;
-// but the move itself counts in any case. Uses all cores; deterministic.
+// 1 / (ratio − 1) is the error that is left; the factor used is at most 2. A factor above 1 does
+// not raise a place's error above that of the previous film, because smaller cells are not assumed
+// to be worse. Uses all cores; deterministic.
 NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser,
                                               const std::optional<FilmBefore>& before = {});
 

@@ -39,8 +39,9 @@ using Effects = Eigen::Matrix<double, int(freedomCount), Eigen::Dynamic>;
 // Finds which film the places touch in other dips.
 class OtherDips {
 public:
-    OtherDips(const TolerancedDip& dip, const ColourPlaces& places)
-        : dip_(dip), places_(places), field_(dip.own->body(), dip.field),
+    OtherDips(const TolerancedDip& dip, const ColourPlaces& places, const Progress& progress)
+        : dip_(dip), places_(places),
+          field_(dip.own->body(), fieldForFilm(dip.field, dip.own->film().grid, progress.silent())),
           setup_(dipSetup(dip.own->body(), field_, dip.immersion, dip.film, dip.process)) {}
 
     const solver::Settings& settings() const { return setup_.settings; }
@@ -376,7 +377,7 @@ DipTolerances dipTolerances(const TolerancedDip& dip, const ToleranceSettings& s
     const std::vector<SurfacePoint>& filmPoints = dip.own->contact().surface;
     all.insert(all.end(), filmPoints.begin(), filmPoints.end());
     const ColourPlaces places(*dip.own, all, dip.isPainted);
-    const OtherDips dips(dip, places);
+    const OtherDips dips(dip, places, progress);
 
     const std::vector<Contribution> contributions =
         contributionsOf(settings, dip.immersion.path, dips.settings());

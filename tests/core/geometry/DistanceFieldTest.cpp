@@ -2,7 +2,9 @@
 #include "geometry/DistanceField.h"
 #include "base/Error.h"
 #include "base/Units.h"
+#include "geometry/FinerFields.h"
 #include "geometry/Shapes.h"
+#include "parallel/ParallelFor.h"
 #include "parallel/Threads.h"
 
 #include <QtTest>
@@ -111,6 +113,10 @@ private Q_SLOTS:
     void cachedDistanceField_thinPlate_isResolvedInAnyDirection_data();
     void cachedDistanceField_thinPlate_isResolvedInAnyDirection();
     void fieldGrid_veryThinPlate_keepsTheSampleLimit();
+    void fieldLevel_smallerFilmCells_haveSmallerFieldCells();
+    void fieldAtLevel_eachLevel_halvesTheErrorAtEdges();
+    void fieldAtLevel_manyThreads_buildOneField();
+    void fieldAtLevel_cancelled_canBeBuiltLater();
 
     void fieldCache_secondRequest_readsTheSameField();
     void fieldCache_damagedFile_isRebuilt();
@@ -359,6 +365,59 @@ void DistanceFieldTest::fieldGrid_veryThinPlate_keepsTheSampleLimit() {
     QVERIFY(grid.sampleCount() <= mostFieldSamples);
     QVERIFY(grid.sampleCount() > mostFieldSamples / 2);
     QVERIFY(!isFineEnough(grid, thinnest));
+}
+
+void DistanceFieldTest::fieldLevel_smallerFilmCells_haveSmallerFieldCells() {
+    const TriangleMesh body = boxMesh({90, 40, 50});
+    const auto field = cachedDistanceField(body, 64, {});
+    QCOMPARE(fieldLevel(*field, 100), 0);
+    for (const double filmCell : {3.0, 2.0, 1.5, 1.0, 0.7}) {
+        const int level = fieldLevel(*field, filmCell);
+        QVERIFY(level > 0 && level <= field->finer->count());
+        const double cell = field->finer->spacing(level);
+        QCOMPARE(cell, field->spacing / std::exp2(level));
+        QVERIFY(cell <= mostFieldCell * filmCell && cell > mostFieldCell * filmCell / 2);
+    }
+    QCOMPARE(fieldLevel(*field, 0.001), field->finer->count());
+    QCOMPARE(fieldLevel(buildDistanceField(body, 64, {}), 0.001), 0);
+}
+
+void DistanceFieldTest::fieldAtLevel_eachLevel_halvesTheErrorAtEdges() {
+    const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3).normalized(); // so edges cross the cells
+    const Eigen::Isometry3d turn(Eigen::AngleAxisd(0.7, axis));
+    const auto field = cachedDistanceField(transformed(boxMesh({30, 30, 30}), turn), 48, {});
+    QCOMPARE(&fieldAtLevel(*field, 0, {}), field.get());
+    double before = 0;
+    for (const int level : {0, 1, 2}) {
+        const DistanceField& finer = fieldAtLevel(*field, level, {});
+        double sum = 0;
+        for (double along = -14; along < 14; along += 0.037) {
+            sum += std::abs(finer.sample(turn * Eigen::Vector3d(15, along, 15)));
+        }
+        QVERIFY(level == 0 || (sum < 0.55 * before && sum > 0.45 * before));
+        before = sum;
+    }
+}
+
+void DistanceFieldTest::fieldAtLevel_manyThreads_buildOneField() {
+    const TriangleMesh body = boxMesh({30, 20, 40});
+    const auto field = cachedDistanceField(body, 48, {});
+    std::vector<const DistanceField*> built(16);
+    parallelFor(std::size_t(0), built.size(),
+                [&](std::size_t i) { built[i] = &fieldAtLevel(*field, 1, {}); });
+    for (const DistanceField* each : built) {
+        QCOMPARE(each, built.front());
+    }
+    QVERIFY(built.front()->distance ==
+            buildDistanceField(body, SurfaceQuery(body), *built.front(), {}).distance);
+}
+
+void DistanceFieldTest::fieldAtLevel_cancelled_canBeBuiltLater() {
+    const auto field = cachedDistanceField(boxMesh({30, 20, 40}), 48, {});
+    Progress stopped;
+    stopped.cancelToken.cancel();
+    QVERIFY_THROWS_EXCEPTION(Cancelled, fieldAtLevel(*field, 1, stopped));
+    QCOMPARE(fieldAtLevel(*field, 1, {}).spacing, field->spacing / 2);
 }
 
 void DistanceFieldTest::fieldCache_secondRequest_readsTheSameField() {
