@@ -29,7 +29,7 @@ QByteArray identityOf(const Project& project, const QString& solver) {
     for (const QLatin1String key :
          {QLatin1String("model"), QLatin1String("artwork"), QLatin1String("film"),
           QLatin1String("process"), QLatin1String("body"), QLatin1String("tolerance"),
-          QLatin1String("masks")}) {
+          QLatin1String("masks"), QLatin1String("ink")}) {
         if (whole.contains(key)) {
             counting[key] = whole[key];
         }
@@ -60,6 +60,7 @@ SearchSubject searchSubject(const Project& project, const QString& solver) {
     subject.tolerance = project.tolerance;
     subject.mask = surfaceMask(subject.model, project.masks);
     subject.verdict = project.verdict;
+    subject.ink = project.ink;
     subject.registrationError = project.share.registrationError;
     subject.tank = project.profiles.tank;
     subject.immersions = project.immersions;

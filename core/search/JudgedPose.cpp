@@ -60,7 +60,8 @@ double percentile(std::vector<std::uint16_t>& values, double share) {
 JudgedBody::JudgedBody(const SearchSubject& subject,
                        const std::array<double, zoneCount>& zoneWeights)
     : model_(subject.model), zoned_(markedZones(subject.model, subject.tolerance.marks)),
-      tolerance_(subject.tolerance), area_(surfaceArea(model_->mesh)), openArea_(area_) {
+      tolerance_(subject.tolerance), ink_(subject.ink), area_(surfaceArea(model_->mesh)),
+      openArea_(area_) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
     if (subject.mask) {
         const auto all = double(samples_.size());
@@ -83,6 +84,7 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
     linkNeighbours();
     for (const LinearColour& colour : colours) {
         bands_.push_back(float(neededOverlap(colour, subject.registrationError.value(), 0)));
+        wanted_.push_back(ink_.toned(colour));
     }
 }
 
@@ -236,15 +238,9 @@ PredictedSheet JudgedBody::predicted(const JudgedPose& coarse, const JudgedPose&
             predictedDoublings(moves, {coarse.cell, finer.cell, finer.jobCell}, tolerance_)};
 }
 
-PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) const {
-    // Number of the dip that paints each place; 0 if none does.
+std::vector<std::uint8_t> JudgedBody::painters(const std::vector<const JudgedPose*>& dips) const {
     std::vector<std::uint8_t> painters(samples_.size(), 0);
-    std::vector<std::uint16_t> stretches;
-    stretches.reserve(samples_.size());
-    double quality = 0, weights = 0;
-    std::size_t certain = 0, wrinkled = 0, torn = 0;
     for (std::size_t index = 0; index < samples_.size(); ++index) {
-        weights += double(weights_[index]);
         double worth = -1;
         for (std::size_t dip = 0; dip < dips.size(); ++dip) {
             const JudgedPose& pose = *dips[dip];
@@ -255,6 +251,35 @@ PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) co
                 painters[index] = std::uint8_t(dip + 1);
             }
         }
+    }
+    return painters;
+}
+
+std::vector<double> JudgedBody::paleShares(const std::vector<const JudgedPose*>& dips) const {
+    const std::vector<std::uint8_t> painters = this->painters(dips);
+    std::vector<double> shares;
+    for (std::size_t dip = 0; dip < dips.size(); ++dip) {
+        std::size_t painted = 0, pale = 0;
+        for (std::size_t index = 0; index < dips[dip]->samples.size(); ++index) {
+            const PaintedSample& sample = dips[dip]->samples[index];
+            const float stretch =
+                float(sample.larger) * float(sample.smaller) / float(stretchUnits * stretchUnits);
+            painted += sample.larger != 0;
+            pale += painters[index] == dip + 1 && ink_.print(wanted_[index], stretch).fallsShort;
+        }
+        shares.push_back(double(pale) / double(std::max<std::size_t>(painted, 1)));
+    }
+    return shares;
+}
+
+PoseMeasures JudgedBody::measures(const std::vector<const JudgedPose*>& dips) const {
+    const std::vector<std::uint8_t> painters = this->painters(dips);
+    std::vector<std::uint16_t> stretches;
+    stretches.reserve(samples_.size());
+    double quality = 0, weights = 0;
+    std::size_t certain = 0, wrinkled = 0, torn = 0;
+    for (std::size_t index = 0; index < samples_.size(); ++index) {
+        weights += double(weights_[index]);
         if (painters[index] != 0) {
             const JudgedPose& best = *dips[painters[index] - 1u];
             const PaintedSample& sample = best.samples[index];

@@ -8,6 +8,7 @@
 #include "search/PredictedSheet.h"
 #include "search/SearchSubject.h"
 #include "settings/SearchSettings.h"
+#include "texture/Ink.h"
 
 #include <memory>
 #include <optional>
@@ -62,6 +63,9 @@ public:
     // Measures one or two dips together, in this order. Each place counts for the dip that paints
     // it better.
     PoseMeasures measures(const std::vector<const JudgedPose*>& dips) const;
+    // Returns, for each of one or two dips, the share of its painted places that will be too pale.
+    // A place counts only for the dip that paints it better.
+    std::vector<double> paleShares(const std::vector<const JudgedPose*>& dips) const;
 
 private:
     struct Link {
@@ -74,6 +78,8 @@ private:
         return std::span(links_).subspan(firstLinks_[sample],
                                          firstLinks_[sample + 1] - firstLinks_[sample]);
     }
+    // Returns the number of the dip that paints each place, 1 or 2; 0 if none does.
+    std::vector<std::uint8_t> painters(const std::vector<const JudgedPose*>& dips) const;
     std::vector<float> depths(const std::vector<PaintedSample>& samples) const;
     bool isNarrow(std::size_t sample, const std::vector<const JudgedPose*>& dips) const;
     void measureSeam(const std::vector<std::uint8_t>& painters,
@@ -85,6 +91,8 @@ private:
     std::shared_ptr<const ZonedBody> zoned_; // null if no zones are marked
     std::vector<Zone> zones_;                // per place
     ToleranceSettings tolerance_;
+    InkCompensation ink_;
+    std::vector<LinearColour> wanted_; // per place: the colour that the body should show
     // From each sample to the samples within linkReach_; the links of a sample follow each other.
     std::vector<Link> links_;
     std::vector<std::size_t> firstLinks_; // per sample, and the number of links

@@ -135,6 +135,19 @@ bool isBetter(const Entry& one, const Entry& other) {
                : one.ranked.objective > other.ranked.objective;
 }
 
+// Returns the verdict with a reason if too large a share of the painted area will be too pale.
+Verdict withInk(Verdict verdict, double pale, const VerdictSettings& limits) {
+    ReasonList reasons;
+    for (const VerdictReason& reason : verdict.reasons) {
+        reasons.add(reason);
+    }
+    reasons.addShare(VerdictReason::Kind::Pale, pale, limits.pale);
+    Verdict all = std::move(reasons).verdict();
+    verdict.advice = all.advice;
+    verdict.reasons = std::move(all.reasons);
+    return verdict;
+}
+
 bool isSamePose(const Immersion& one, const Immersion& other) {
     return one.rotation == other.rotation && one.offset == other.offset && one.path == other.path;
 }
@@ -479,8 +492,12 @@ private:
             }
         }
         entry.ranked.isConfirmed = isConfirmed;
-        for (const Judged& dip : entry.ranked.isConfirmed ? dips : std::vector<Judged>()) {
-            entry.ranked.verdicts.push_back(dip->verdict);
+        if (isConfirmed) {
+            const std::vector<double> pale = body_.paleShares(judged);
+            for (std::size_t number = 0; number < dips.size(); ++number) {
+                entry.ranked.verdicts.push_back(
+                    withInk(dips[number]->verdict, pale[number], subject_.verdict));
+            }
         }
         entry.dips = std::move(dips);
         return entry;

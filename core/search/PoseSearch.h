@@ -26,7 +26,7 @@ struct RankedPoses {
     QStringList tankFaults;
     PoseMeasures measures;
     bool isConfirmed = false;      // dipped with the job's own film
-    std::vector<Verdict> verdicts; // on each dip, without its ink; empty if not confirmed
+    std::vector<Verdict> verdicts; // on each dip; empty if not confirmed
 
     // Returns the worst of the verdicts.
     Advice advice() const;

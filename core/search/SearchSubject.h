@@ -5,6 +5,7 @@
 #include "model/TexturedMesh.h"
 #include "settings/FilmSettings.h"
 #include "settings/Immersion.h"
+#include "settings/InkSettings.h"
 #include "settings/ProcessSettings.h"
 #include "settings/Profile.h"
 #include "settings/ToleranceSettings.h"
@@ -32,6 +33,7 @@ struct SearchSubject {
     // Surface that needs no film, of `model`; null: none.
     std::shared_ptr<const SurfaceMask> mask = {};
     VerdictSettings verdict;            // limits for the verdict on confirmed poses
+    InkSettings ink;                    // decides where the film stretches more than ink can cover
     Millimetres registrationError{0.7}; // expected position error of dip 2
     // Poses that exceed its limits rank after all others; none: no limits.
     std::optional<TankProfile> tank;

@@ -279,7 +279,7 @@ void SearchController::showFreshness() {
             now.model != searched_.model || now.film != searched_.film ||
             now.process != searched_.process || now.fieldResolution != searched_.fieldResolution ||
             now.poseAims != searched_.poseAims || now.tolerance != searched_.tolerance ||
-            now.verdict != searched_.verdict ||
+            now.verdict != searched_.verdict || now.ink != searched_.ink ||
             now.share.registrationError != searched_.share.registrationError);
     }
 }

@@ -115,10 +115,8 @@ private slots:
         project.immersions = {Immersion{}};
         project.model = std::make_shared<const TexturedMesh>(importSpot().model);
         const bool isWhole = test::isWholeRun(); // otherwise a coarser film with a larger error
-        if (!isWhole) {
-            project.film.columns = 72;
-            project.film.rows = 102;
-        }
+        project.film.columns = isWhole ? 160 : 80;
+        project.film.rows = isWhole ? 227 : 113;
         const SolverRegistry registry{QStringList{pluginFolder()}};
         const auto numericalError = sheetNumericalError(project, registry, {});
         const double step = numericalError[0].halfStep.distance.percentile95;

@@ -178,6 +178,25 @@ private slots:
         QCOMPARE(reason.kind, VerdictReason::Kind::Air);
     }
 
+    // Ink makes up for stretched film where the part is light grey, but not where it is black.
+    void searchPoses_stretchThatInkCannotCover_isInTheVerdict() {
+        const auto isPale = [&](int grey) {
+            SearchSubject subject = subjectOf(ellipsoidMesh({14, 22, 10}, 40, 60));
+            auto model = std::make_shared<TexturedMesh>(*subject.model);
+            model->materials[0].colour = QColor(grey, grey, grey);
+            subject.model = model;
+            SearchSettings settings = sidesOnly(1);
+            settings.finer = settings.confirmed = 1;
+            const RankedPoses best = search(subject, settings).ranking.front();
+            const std::vector<VerdictReason>& reasons = best.verdicts.front().reasons;
+            return std::any_of(reasons.begin(), reasons.end(), [](const VerdictReason& reason) {
+                return reason.kind == VerdictReason::Kind::Pale && reason.advice > Advice::Print;
+            });
+        };
+        QVERIFY(isPale(0));
+        QVERIFY(!isPale(200));
+    }
+
     // The numerical error forbids every sheet, which no prediction tells.
     void searchPoses_forbiddenSheets_standBelowPosesThatAreNotConfirmed() {
         SearchSubject subject = subjectOf(ellipsoidMesh({14, 22, 10}, 40, 60));
