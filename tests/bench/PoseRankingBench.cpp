@@ -95,10 +95,12 @@ public:
     void tellAll(QTextStream& out) {
         own_ = dipped(jobDetail);
         tell(jobDetail, out);
+        const double residual = jobDetail.residual;
         for (const DipDetail& detail :
-             {DipDetail{15, 128, 0.5}, DipDetail{20, 128, 0.5}, DipDetail{20, 128, 0.35},
-              DipDetail{30, 128, 0.5}, DipDetail{40, 128, 0.5}, DipDetail{40, 128, 0.35},
-              DipDetail{60, 128, 0}}) {
+             {DipDetail{15, 128, 0.5, residual}, DipDetail{20, 128, 0.5, residual},
+              DipDetail{20, 128, 0.35, residual}, DipDetail{30, 128, 0.5, residual},
+              DipDetail{40, 128, 0.5, residual}, DipDetail{40, 128, 0.35, residual},
+              DipDetail{60, 128, 0, residual}}) {
             tell(detail, out);
         }
     }
