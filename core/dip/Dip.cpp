@@ -330,7 +330,7 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
                        const Progress& progress, const FilmObserver& observer) {
     requireBodyOverFilm(body, immersion, film, process);
     const solver::FilmGrid grid = dipGrid(body, immersion, film, process);
-    const FilledField filled(body, fieldForFilm(field, grid, progress.silent()));
+    const FilledField filled(body, fieldForFilm(field, grid, progress.part(0, 0)));
     const solver::DipSetup setup = dipSetup(body, filled, immersion, film, grid, process);
     requireFollowed(setup, module);
     DippedFilm dipped;

@@ -222,6 +222,16 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
     return pose;
 }
 
+std::vector<std::uint8_t> JudgedBody::pale(const LaidFilm& laid) const {
+    std::vector<std::uint8_t> pale(samples_.size(), 0);
+    for (std::size_t index = 0; index < samples_.size(); ++index) {
+        if (const std::optional<FilmPlace> place = laid.place(samples_[index])) {
+            pale[index] = ink_.print(wanted_[index], laid.areaStretch(*place)).fallsShort;
+        }
+    }
+    return pale;
+}
+
 PredictedSheet JudgedBody::predicted(const JudgedPose& coarse, const JudgedPose& finer) const {
     if (finer.samples.empty()) { // the dip failed, as the job's is likely to
         return {Advice::DoNotPrint, 0};
@@ -260,12 +270,9 @@ std::vector<double> JudgedBody::paleShares(const std::vector<const JudgedPose*>&
     std::vector<double> shares;
     for (std::size_t dip = 0; dip < dips.size(); ++dip) {
         std::size_t painted = 0, pale = 0;
-        for (std::size_t index = 0; index < dips[dip]->samples.size(); ++index) {
-            const PaintedSample& sample = dips[dip]->samples[index];
-            const float stretch =
-                float(sample.larger) * float(sample.smaller) / float(stretchUnits * stretchUnits);
-            painted += sample.larger != 0;
-            pale += painters[index] == dip + 1 && ink_.print(wanted_[index], stretch).fallsShort;
+        for (std::size_t index = 0; index < dips[dip]->pale.size(); ++index) {
+            painted += dips[dip]->samples[index].larger != 0;
+            pale += painters[index] == dip + 1 && dips[dip]->pale[index] != 0;
         }
         shares.push_back(double(pale) / double(std::max<std::size_t>(painted, 1)));
     }

@@ -40,6 +40,8 @@ struct JudgedPose {
     // Which of these a dip has depends on its resolution (DipDetail).
     double jobCell = 0; // smallest cell of the film with which the job would begin, mm; 0: none
     Verdict verdict;    // on everything but the ink
+    // Per sampled place: whether it will be too pale; empty: not known.
+    std::vector<std::uint8_t> pale;
     // neededDoublings() of the verdict; none if the numerical error is not known.
     std::optional<double> doublings;
 };
@@ -56,6 +58,9 @@ public:
 
     // Measures one dip.
     JudgedPose judged(const LaidFilm& laid, const Immersion& immersion) const;
+    // Returns JudgedPose::pale: whether the film stretches more at a place than ink can make up
+    // for.
+    std::vector<std::uint8_t> pale(const LaidFilm& laid) const;
     // Predicts the sheet of the job from two dips in one pose.
     PredictedSheet predicted(const JudgedPose& coarse, const JudgedPose& finer) const;
     // Computes everything that follows from `samples`.
@@ -64,7 +69,7 @@ public:
     // it better.
     PoseMeasures measures(const std::vector<const JudgedPose*>& dips) const;
     // Returns, for each of one or two dips, the share of its painted places that will be too pale.
-    // A place counts only for the dip that paints it better.
+    // A place counts only for the dip that paints it better. A dip needs JudgedPose::pale.
     std::vector<double> paleShares(const std::vector<const JudgedPose*>& dips) const;
 
 private:

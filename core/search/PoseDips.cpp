@@ -312,6 +312,7 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
     }
     if (films_.areJobs() && laid) {
         const NumericalErrorEstimate error = estimateNumericalError(*laid, batch.coarser[item]);
+        pose.pale = body_.pale(*laid);
         pose.verdict =
             afterRefinement(verdictOf(*laid, &error, pose.tankFaults), laid->film(), subject_.film);
         if (error.failure.isEmpty()) {
