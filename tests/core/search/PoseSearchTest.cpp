@@ -178,10 +178,12 @@ private slots:
         QCOMPARE(reason.kind, VerdictReason::Kind::Air);
     }
 
-    // Ink makes up for stretched film where the part is light grey, but not where it is black.
+    // Film that is held at its edges stretches over a ball. Ink makes up for it where the ball is
+    // light grey, but not where it is black.
     void searchPoses_stretchThatInkCannotCover_isInTheVerdict() {
         const auto isPale = [&](int grey) {
-            SearchSubject subject = subjectOf(ellipsoidMesh({14, 22, 10}, 40, 60));
+            SearchSubject subject = subjectOf(sphereMesh(20, 40, 60));
+            subject.film.edges = {true, true, true, true};
             auto model = std::make_shared<TexturedMesh>(*subject.model);
             model->materials[0].colour = QColor(grey, grey, grey);
             subject.model = model;
