@@ -10,8 +10,8 @@
 
 namespace dipwright {
 
-// Level L (1, 2, …) has cells of 1/2^L of the usual size. A level is built when it is first needed,
-// and kept. Any thread.
+// The cells of level L (1, 2, …) are 2^L times smaller than the usual ones. A level is built when
+// it is first needed, and kept. Any thread.
 class FinerFields {
 public:
     // `usual` is the grid of the body's usual field.

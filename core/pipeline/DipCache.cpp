@@ -4,10 +4,10 @@
 #include "base/Error.h"
 #include "base/ProgramName.h"
 #include "base/Sha256.h"
+#include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "disk/AtomicFile.h"
 #include "disk/ZipWriter.h"
-#include "film/FilmGrid.h"
 #include "pipeline/CachedDip.h"
 #include "pipeline/SolverChoice.h"
 #include "project/ZipReader.h"
@@ -104,9 +104,7 @@ void restore(ImmersionResult& dip, const Project& project, const QByteArray& byt
             throw damagedDips(where);
         }
         try {
-            return isGraded(film) ? filmUnderBody(film, undersideOf(*dip.body, project.process),
-                                                  dip.immersion.offset)
-                                  : filmGrid(film);
+            return dipGrid(*dip.body, dip.immersion, film, project.process);
         } catch (const Error&) { // too many points
             throw damagedDips(where);
         }

@@ -40,8 +40,9 @@ ProcessSettings withDoubleStep(ProcessSettings process) {
     return withDoubleTimeStep(std::move(process));
 }
 
-// Returns the field for the coarser films of a dip with film cells of `cell` mm. Its cells are
-// twice those of the dip's own field, so that the comparison also shows the error of the field.
+// Returns the field for the coarser films of a dip whose own film has cells of `cell` mm. This
+// field has cells twice as wide as the field of the dip. So the films also differ by the error of
+// the field.
 const DistanceField& coarserField(const DistanceField& usual, double cell) {
     return fieldAtLevel(usual, std::max(fieldLevel(usual, cell) - 1, 0), {});
 }
