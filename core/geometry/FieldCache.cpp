@@ -1,4 +1,4 @@
-#include "geometry/DistanceField.h"
+#include "geometry/FieldCache.h"
 
 #include "base/Sha256.h"
 #include "disk/AtomicFile.h"
@@ -18,7 +18,9 @@ namespace dipwright {
 
 namespace {
 
-constexpr qint64 cacheBytes = mostFieldBytes;
+constexpr qint64 cacheBytes = qint64(1) << 30;
+// A larger field would take the place of too many others.
+constexpr qint64 mostStoredBytes = cacheBytes / 4;
 
 QString cacheFolder() {
     const QString chosen = qEnvironmentVariable("DIPWRIGHT_CACHE");
@@ -60,7 +62,7 @@ void makeRoom(const QDir& folder, qint64 bytes) {
 void store(const QString& path, const DistanceField& field) {
     const qint64 bytes = bytesOf(field.distance).size();
     const QDir folder = QFileInfo(path).dir();
-    if (bytes > cacheBytes || !folder.mkpath(QStringLiteral("."))) {
+    if (bytes > mostStoredBytes || !folder.mkpath(QStringLiteral("."))) {
         return;
     }
     makeRoom(folder, bytes);
@@ -83,20 +85,28 @@ void markUsed(const QString& path) {
 
 } // namespace
 
-std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
-                                                         const Progress& progress) {
-    const QString name = QString::fromLatin1(contentHash(body, resolution).toHex());
+std::shared_ptr<DistanceField> fieldFromCache(const QString& name,
+                                              const std::function<DistanceField()>& build) {
     const QString path = QDir(cacheFolder()).filePath(name + QStringLiteral(".field"));
     std::shared_ptr<DistanceField> field = load(path);
     if (field) {
         markUsed(path);
     } else {
-        const SurfaceQuery query(body);
-        const FieldGrid grid = fieldGrid(body, resolution, thinnestPart(body, query));
-        field = std::make_shared<DistanceField>(buildDistanceField(body, query, grid, progress));
+        field = std::make_shared<DistanceField>(build());
         store(path, *field);
     }
-    field->finer = std::make_shared<const FinerFields>(body, *field);
+    return field;
+}
+
+std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
+                                                         const Progress& progress) {
+    const QString name = QString::fromLatin1(contentHash(body, resolution).toHex());
+    const std::shared_ptr<DistanceField> field = fieldFromCache(name, [&] {
+        const SurfaceQuery query(body);
+        const FieldGrid grid = fieldGrid(body, resolution, thinnestPart(body, query));
+        return buildDistanceField(body, query, grid, progress);
+    });
+    field->finer = std::make_shared<const FinerFields>(body, *field, name);
     return field;
 }
 

@@ -5,7 +5,6 @@
 
 #include "geometry/DistanceField.h"
 
-#include <mutex>
 #include <vector>
 
 namespace dipwright {
@@ -14,35 +13,37 @@ namespace dipwright {
 // it is first needed, and kept. Any thread.
 class FinerFields {
 public:
-    // `usual` is the grid of the body's usual field.
-    FinerFields(TriangleMesh body, const FieldGrid& usual);
+    // `usual` is the grid of the body's usual field, `name` that field's name in the cache on disk,
+    // which also keeps the levels.
+    FinerFields(TriangleMesh body, const FieldGrid& usual, const QString& name);
+    ~FinerFields();
 
     // Returns the number of levels: those with at most mostFinerSamples.
     int count() const { return int(levels_.size()); }
-    double spacing(int level) const { return levels_[std::size_t(level - 1)].grid.spacing; }
+    double spacing(int level) const;
     // Uses all cores. Throws Cancelled.
     const DistanceField& level(int level, const Progress& progress) const;
 
 private:
-    struct Level {
-        FieldGrid grid;
-        std::unique_ptr<const DistanceField> field; // null until it is needed
-    };
+    struct Level;
 
     TriangleMesh body_;
-    mutable std::mutex building_;
-    mutable std::vector<Level> levels_;
+    QString name_;
+    std::vector<std::unique_ptr<Level>> levels_;
 };
 
 // The largest number of samples of a level; they take 512 MiB.
 inline constexpr std::size_t mostFinerSamples = std::size_t(1) << 27;
 // The largest cell of the field for a film, relative to the film's smallest cell.
-inline constexpr double mostFieldCell = 1.0 / 3;
+inline constexpr double mostFieldCell = 1.0 / 2;
 
 // Returns the level for a film whose smallest cells are `filmCell` mm wide: the first one with
 // cells of at most mostFieldCell of that, or the last one. 0 stands for `usual` itself, also if it
 // has no finer fields.
 int fieldLevel(const DistanceField& usual, double filmCell);
+// Returns the level for the coarser films of a dip whose own film has cells of `filmCell` mm: the
+// one below fieldLevel(), so that the films also differ by the error of the field.
+int coarserFieldLevel(const DistanceField& usual, double filmCell);
 // Returns the field of a level. `usual` must outlive the result.
 const DistanceField& fieldAtLevel(const DistanceField& usual, int level, const Progress& progress);
 

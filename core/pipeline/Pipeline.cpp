@@ -309,9 +309,9 @@ void compare(Comparison& comparison, const Run& run, const ImmersionResult& resu
         // Without runIsolated(), a parallel loop of this task could start another task that waits
         // for this task.
         runIsolated([&] {
-            comparison.films = coarserFilms({{body, immersion}}, field, film, run.project.process,
-                                            run.registry.module(solver), isCancelled)
-                                   .front();
+            const CoarserDips dips({body, immersion}, field, film, run.project.process,
+                                   Progress{nullptr, run.user});
+            comparison.films = coarserFilms(dips, run.registry.module(solver), isCancelled);
         });
     });
 }

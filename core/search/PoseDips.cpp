@@ -1,6 +1,7 @@
 #include "search/PoseDips.h"
 
 #include "accuracy/verdict/FinerFilm.h"
+#include "base/Error.h"
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "dip/TankFit.h"
@@ -119,17 +120,20 @@ double PoseFilms::cellUnder(const PosedBody& body) const {
                : automaticCell(undersideOf(body, subject_.process), film_).value();
 }
 
+int fieldResolution(const SearchSubject& subject, const DipDetail& detail) {
+    return std::min(subject.fieldResolution, detail.field);
+}
+
 PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
                    const solver::SolverModule& module, const DipDetail& detail,
-                   const Progress& progress)
-    : subject_(subject), body_(body), module_(module), cancelToken_(progress.cancelToken),
-      films_(subject, detail), process_(subject.process), residual_(detail.residual) {
+                   std::shared_ptr<const DistanceField> field, const CancelToken& cancelToken)
+    : subject_(subject), body_(body), module_(module), cancelToken_(cancelToken),
+      films_(subject, detail), process_(subject.process), residual_(detail.residual),
+      field_(std::move(field)) {
     if (detail.predicts) {
         jobFilms_ = std::make_unique<const PoseFilms>(subject, jobDetail);
     }
     process_.contactTravel = std::max(process_.contactTravel, detail.travel);
-    field_ = cachedDistanceField(subject.model->mesh,
-                                 std::min(subject.fieldResolution, detail.field), progress);
 }
 
 void PoseDips::dip(const std::vector<Immersion>& immersions,
@@ -156,7 +160,7 @@ void PoseDips::dip(const std::vector<Immersion>& immersions,
         }
         const std::exception_ptr ofSolver = failureOf([&] {
             cancelToken_.throwIfCancelled();
-            simulate(immersions, present);
+            simulate(present);
         });
         const std::exception_ptr ofOthers = failureOf([&] { aside.wait(); });
         if (ofSolver || ofOthers) {
@@ -240,6 +244,7 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
     batch.bodies.resize(count);
     batch.fields.resize(count);
     batch.items.resize(count);
+    batch.comparisons.resize(count);
     parallelFor(std::size_t(0), count, [&](std::size_t item) {
         const Immersion& immersion = immersions[batch.places[item]];
         batch.bodies[item] = std::make_shared<const PosedBody>(posed(immersion));
@@ -250,40 +255,52 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
         batch.items[item].setup =
             dipSetup(body, *batch.fields[item], immersion, films_.film(), grid, process_);
         batch.items[item].setup.settings.residual = residual_;
+        if (films_.areJobs()) {
+            CoarserDips coarser({batch.bodies[item], immersion}, *field_, films_.film(), process_,
+                                Progress{nullptr, cancelToken_});
+            std::vector<solver::BatchItem> items = coarser.items();
+            batch.comparisons[item] = std::make_shared<Comparison>(
+                Comparison{std::move(coarser), std::move(items), {}});
+        }
     });
     return batch;
 }
 
-void PoseDips::simulate(const std::vector<Immersion>& immersions, Batch& batch) const {
+void PoseDips::simulate(Batch& batch) const {
     const auto isCancelled = [this] { return cancelToken_.isCancelled(); };
-    simulateDips(batch.items, module_, isCancelled);
     if (films_.areJobs()) {
-        batch.coarser = coarserFilmsOf(immersions, batch);
+        try {
+            simulateWithComparisons(batch);
+        } catch (const Error& error) {
+            // Perhaps only a coarser dip fails.
+            for (const std::shared_ptr<Comparison>& comparison : batch.comparisons) {
+                comparison->failure = error.message();
+            }
+            simulateDips(batch.items, module_, isCancelled);
+        }
+    } else {
+        simulateDips(batch.items, module_, isCancelled);
     }
     batch.fields.clear(); // only the solver needs them; a batch that waits to be judged is smaller
 }
 
-// A dip that failed gets no coarser dips, which could fail in the solver and with them the coarser
-// dips of the whole batch.
-std::vector<CoarserFilms> PoseDips::coarserFilmsOf(const std::vector<Immersion>& immersions,
-                                                   const Batch& batch) const {
-    std::vector<PosedDip> dips;
-    std::vector<std::size_t> stable; // item of each of `dips`
-    for (std::size_t item = 0; item < batch.items.size(); ++item) {
-        const Immersion& immersion = immersions[batch.places[item]];
-        if (isStable(dippedFilm(batch.items[item], immersion),
-                     batch.items[item].setup.motion.travel)) {
-            dips.push_back({batch.bodies[item], immersion});
-            stable.push_back(item);
-        }
+// Simulates the dips and their coarser dips as one batch, which keeps all cores busy.
+void PoseDips::simulateWithComparisons(Batch& batch) const {
+    std::vector<solver::BatchItem> all = batch.items;
+    for (const std::shared_ptr<Comparison>& comparison : batch.comparisons) {
+        all.insert(all.end(), comparison->items.begin(), comparison->items.end());
     }
-    std::vector<CoarserFilms> found = coarserFilms(dips, *field_, films_.film(), process_, module_,
-                                                   [this] { return cancelToken_.isCancelled(); });
-    std::vector<CoarserFilms> coarser(batch.items.size());
-    for (std::size_t dip = 0; dip < stable.size(); ++dip) {
-        coarser[stable[dip]] = std::move(found[dip]);
+    simulateDips(all, module_, [this] { return cancelToken_.isCancelled(); });
+    auto next = all.begin();
+    const auto take = [&](std::vector<solver::BatchItem>& items) {
+        const auto end = next + std::ptrdiff_t(items.size());
+        std::move(next, end, items.begin());
+        next = end;
+    };
+    take(batch.items);
+    for (const std::shared_ptr<Comparison>& comparison : batch.comparisons) {
+        take(comparison->items);
     }
-    return coarser;
 }
 
 void PoseDips::judge(const std::vector<Immersion>& immersions, Batch& batch,
@@ -311,7 +328,14 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
         pose.verdict = verdictOf(*laid, nullptr, pose.tankFaults);
     }
     if (films_.areJobs() && laid) {
-        const NumericalErrorEstimate error = estimateNumericalError(*laid, batch.coarser[item]);
+        const Comparison& comparison = *batch.comparisons[item];
+        CoarserFilms coarser;
+        if (comparison.failure.isEmpty()) {
+            coarser = comparison.dips.laid(comparison.items);
+        } else {
+            coarser.failure = comparison.failure;
+        }
+        const NumericalErrorEstimate error = estimateNumericalError(*laid, coarser);
         pose.pale = body_.pale(*laid);
         pose.verdict =
             afterRefinement(verdictOf(*laid, &error, pose.tankFaults), laid->film(), subject_.film);

@@ -68,10 +68,16 @@ private:
     std::unique_ptr<const SurfaceQuery> query_; // of the model; null unless areChosen()
 };
 
+// Returns the resolution of the body's usual distance field (cachedDistanceField()) for dips with
+// this detail.
+int fieldResolution(const SearchSubject& subject, const DipDetail& detail);
+
 class PoseDips {
 public:
+    // `field` must be the body's distance field of fieldResolution().
     PoseDips(const SearchSubject& subject, const JudgedBody& body,
-             const solver::SolverModule& module, const DipDetail& detail, const Progress& progress);
+             const solver::SolverModule& module, const DipDetail& detail,
+             std::shared_ptr<const DistanceField> field, const CancelToken& cancelToken);
 
     // Simulates a dip with each of `immersions` and stores its result in `judged` at the same
     // index; both have the same length. After an exception the results of all batches that the
@@ -87,13 +93,19 @@ public:
              std::size_t first = std::numeric_limits<std::size_t>::max()) const;
 
 private:
+    // The coarser dips of a dip.
+    struct Comparison {
+        CoarserDips dips;
+        std::vector<solver::BatchItem> items;
+        QString failure; // of the solver
+    };
     // Dips that are simulated together, in their places in the list of immersions.
     struct Batch {
         std::vector<std::size_t> places;
         std::vector<std::shared_ptr<const PosedBody>> bodies;
         std::vector<std::optional<FilledField>> fields; // empty after simulate()
         std::vector<solver::BatchItem> items;
-        std::vector<CoarserFilms> coarser; // of the job's stable films; empty for other films
+        std::vector<std::shared_ptr<Comparison>> comparisons; // of the job's films only
     };
 
     // PoseFilms::fineCellsOf() of each pose.
@@ -109,9 +121,8 @@ private:
                                                   std::size_t first) const;
     Batch setUp(const std::vector<Immersion>& immersions, const FineCells& fineCells,
                 std::vector<std::size_t> places) const;
-    void simulate(const std::vector<Immersion>& immersions, Batch& batch) const;
-    std::vector<CoarserFilms> coarserFilmsOf(const std::vector<Immersion>& immersions,
-                                             const Batch& batch) const;
+    void simulate(Batch& batch) const;
+    void simulateWithComparisons(Batch& batch) const;
     void judge(const std::vector<Immersion>& immersions, Batch& batch,
                std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
     PosedBody posed(const Immersion& immersion) const;

@@ -348,7 +348,7 @@ public:
            const solver::SolverModule& module, const Progress& progress)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
           body_(subject, settings.aims.zoneWeights),
-          coarse_(subject, body_, module, coarseDetail, progress.part(0, fieldShare)),
+          coarse_(dipsOf(coarseDetail, progress.part(0, fieldShare))),
           common_(commonPath(subject)),
           preview_(meshForRating(subject.model->mesh, progress.cancelToken)) {
         if (settings.paths || !common_.isStraightDown()) {
@@ -515,6 +515,15 @@ private:
                 cost_[resolution] = PoseFilms(subject_, details[resolution]).cost(body, pose);
             }
         }
+    }
+
+    PoseDips dipsOf(const DipDetail& detail, const Progress& progress) {
+        const int resolution = fieldResolution(subject_, detail);
+        std::shared_ptr<const DistanceField>& field = fields_[resolution];
+        if (!field) {
+            field = cachedDistanceField(subject_.model->mesh, resolution, progress);
+        }
+        return {subject_, body_, module_, detail, field, progress.cancelToken};
     }
 
     std::vector<Judged> dipped(const PoseDips& dips, Resolution resolution,
@@ -827,8 +836,7 @@ private:
         }
         left_[Coarse] = 0;
         left_[resolution] = int(immersions.size());
-        const PoseDips dips(subject_, body_, module_, isConfirmed ? jobDetail : finerDetail,
-                            progress_.silent());
+        const PoseDips dips = dipsOf(isConfirmed ? jobDetail : finerDetail, progress_.silent());
         std::vector<Judged> judged = dipped(dips, resolution, immersions);
         for (const auto& [before, place] : places) {
             judged[place] = withPrediction(*before, *judged[place], resolution);
@@ -877,7 +885,7 @@ private:
             return;
         }
         Entry best = distinctFirst(best_, isBetterToConfirm).front();
-        const PoseDips finer(subject_, body_, module_, finerDetail, progress_.silent());
+        const PoseDips finer = dipsOf(finerDetail, progress_.silent());
         for (std::size_t member = 0; member < std::size_t(settings_.immersions); ++member) {
             const Judged before = best.dips[member];
             const std::vector<Immersion> trials = neighbours(before->immersion, lastTilt);
@@ -1048,6 +1056,8 @@ private:
     const Progress& progress_;
     const SearchWatch* watch_ = nullptr;
     JudgedBody body_;
+    // The body's distance fields, by resolution; dips share them and their finer fields.
+    std::map<int, std::shared_ptr<const DistanceField>> fields_;
     PoseDips coarse_;
     DipPath common_;
     CoveragePreview preview_;    // of meshForRating()

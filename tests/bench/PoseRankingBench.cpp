@@ -193,7 +193,9 @@ private:
     }
 
     Dips dipped(const DipDetail& detail) const {
-        const PoseDips poses(subject_, body_, module_, detail, {});
+        const PoseDips poses(
+            subject_, body_, module_, detail,
+            cachedDistanceField(subject_.model->mesh, fieldResolution(subject_, detail), {}), {});
         Dips dips;
         std::vector<std::shared_ptr<const JudgedPose>>& all = dips.poses;
         all.resize(immersions_.size());

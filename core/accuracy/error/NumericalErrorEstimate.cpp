@@ -40,13 +40,6 @@ ProcessSettings withDoubleStep(ProcessSettings process) {
     return withDoubleTimeStep(std::move(process));
 }
 
-// Returns the field for the coarser films of a dip whose own film has cells of `cell` mm. This
-// field has cells twice as wide as the field of the dip. So the films also differ by the error of
-// the field.
-const DistanceField& coarserField(const DistanceField& usual, double cell) {
-    return fieldAtLevel(usual, std::max(fieldLevel(usual, cell) - 1, 0), {});
-}
-
 bool hasLaidFilm(const DippedFilm& film) {
     return std::find(film.states.begin(), film.states.end(), solver::PointState::Adhered) !=
            film.states.end();
@@ -109,60 +102,63 @@ SheetChange scaled(SheetChange change, double share) {
 
 } // namespace
 
-std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
-                                       const DistanceField& field, const FilmSettings& film,
-                                       const ProcessSettings& process,
-                                       const solver::SolverModule& module,
-                                       const std::function<bool()>& isCancelled) {
-    std::vector<CoarserFilms> coarser(dips.size());
-    std::vector<std::optional<FilledField>> filled(dips.size());
-    std::vector<solver::BatchItem> items; // two for each dip that can be compared
-    std::vector<std::size_t> compared;    // the dips of each pair of items
-    for (std::size_t dip = 0; dip < dips.size(); ++dip) {
-        const PosedDip& posed = dips[dip];
-        const double cell = dipGrid(*posed.body, posed.immersion, film, process).leastSpacing();
-        filled[dip].emplace(*posed.body, coarserField(field, cell));
-        const auto setup = [&](const FilmSettings& cells, const ProcessSettings& steps) {
-            return dipSetup(*posed.body, *filled[dip], posed.immersion, cells, steps);
-        };
-        const FilmSettings coarse = withDoubleSpacing(film);
-        const ProcessSettings slow = withDoubleTimeStep(process);
-        const solver::DipSetup spacing = setup(coarse, slow);
-        if (std::min(spacing.film.columns, spacing.film.rows) <= leastCells) {
-            coarser[dip].failure =
-                Text::tr("the film has too few points to be compared with a film of half as many");
-            continue;
-        }
-        compared.push_back(dip);
-        items.emplace_back().setup = spacing;
-        items.emplace_back().setup = setup(coarse, withDoubleStep(slow));
+CoarserDips::CoarserDips(PosedDip dip, const DistanceField& field, const FilmSettings& film,
+                         const ProcessSettings& process, const Progress& progress)
+    : dip_(std::move(dip)), process_(process) {
+    const PosedBody& body = *dip_.body;
+    const double cell = dipGrid(body, dip_.immersion, film, process).leastSpacing();
+    const FilmSettings coarse = withDoubleSpacing(film);
+    const ProcessSettings slow = withDoubleTimeStep(process);
+    const solver::FilmGrid grid = dipGrid(body, dip_.immersion, coarse, slow);
+    if (std::min(grid.columns, grid.rows) <= leastCells) {
+        return;
     }
+    field_.emplace(body, fieldAtLevel(field, coarserFieldLevel(field, cell), progress));
+    for (const ProcessSettings& steps : {slow, withDoubleStep(slow)}) {
+        setups_.push_back(dipSetup(body, *field_, dip_.immersion, coarse, grid, steps));
+    }
+}
+
+std::vector<solver::BatchItem> CoarserDips::items() const {
+    std::vector<solver::BatchItem> items;
+    for (const solver::DipSetup& setup : setups_) {
+        items.emplace_back().setup = setup;
+    }
+    return items;
+}
+
+CoarserFilms CoarserDips::laid(std::span<const solver::BatchItem> simulated) const {
+    CoarserFilms films;
+    if (simulated.empty()) {
+        films.failure =
+            Text::tr("the film has too few points to be compared with a film of half as many");
+        return films;
+    }
+    const auto lay = [&](const solver::BatchItem& item) -> std::shared_ptr<const LaidFilm> {
+        DippedFilm dipped = dippedFilm(item, dip_.immersion);
+        if (!isStable(dipped, item.setup.motion.travel) || !hasLaidFilm(dipped)) {
+            return nullptr;
+        }
+        return layFilm(dip_.body, std::move(dipped), process_);
+    };
+    films = {lay(simulated[0]), lay(simulated[1]), {}};
+    if (!films.doubleSpacing || !films.doubleStep) {
+        return {nullptr, nullptr, Text::tr("the film with coarser cells does not follow the part")};
+    }
+    return films;
+}
+
+CoarserFilms coarserFilms(const CoarserDips& dips, const solver::SolverModule& module,
+                          const std::function<bool()>& isCancelled) {
+    std::vector<solver::BatchItem> items = dips.items();
     try {
         simulateDips(items, module, isCancelled);
     } catch (const Error& error) {
-        for (const std::size_t dip : compared) {
-            coarser[dip].failure = error.message();
-        }
-        return coarser;
+        return {nullptr, nullptr, error.message()};
     }
-    for (std::size_t pair = 0; pair < compared.size(); ++pair) {
-        const std::size_t dip = compared[pair];
-        const auto laid = [&](const solver::BatchItem& item) -> std::shared_ptr<const LaidFilm> {
-            DippedFilm dipped = dippedFilm(item, dips[dip].immersion);
-            if (!isStable(dipped, item.setup.motion.travel) || !hasLaidFilm(dipped)) {
-                return nullptr;
-            }
-            return layFilm(dips[dip].body, std::move(dipped), process);
-        };
-        CoarserFilms films{laid(items[2 * pair]), laid(items[2 * pair + 1]), {}};
-        throwIf(isCancelled());
-        if (films.doubleSpacing && films.doubleStep) {
-            coarser[dip] = std::move(films);
-        } else {
-            coarser[dip].failure = Text::tr("the film with coarser cells does not follow the part");
-        }
-    }
-    return coarser;
+    CoarserFilms films = dips.laid(items);
+    throwIf(isCancelled());
+    return films;
 }
 
 SheetChange NumericalErrorEstimate::halfSpacing() const {

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace dipwright {
 
@@ -25,15 +26,31 @@ struct PosedDip {
     Immersion immersion;
 };
 
-// Simulates both coarser dips of each of `dips` as one batch, with the settings of the dips
-// themselves. If a coarser dip fails, only the comparison fails, not the job. Any thread.
-// `isCancelled` is called from one thread at a time. Throws Cancelled soon after `isCancelled`
-// returns true.
-std::vector<CoarserFilms> coarserFilms(const std::vector<PosedDip>& dips,
-                                       const DistanceField& field, const FilmSettings& film,
-                                       const ProcessSettings& process,
-                                       const solver::SolverModule& module,
-                                       const std::function<bool()>& isCancelled);
+// Both coarser dips of a dip.
+class CoarserDips {
+public:
+    // Sets the dips up with the settings of the dip itself. `field` must outlive this object.
+    // Throws Cancelled.
+    CoarserDips(PosedDip dip, const DistanceField& field, const FilmSettings& film,
+                const ProcessSettings& process, const Progress& progress);
+
+    // Returns the dips to be simulated (simulateDips()) while this object exists: two, or none if
+    // the film has too few cells.
+    std::vector<solver::BatchItem> items() const;
+    // Lays the simulated dips of items().
+    CoarserFilms laid(std::span<const solver::BatchItem> simulated) const;
+
+private:
+    PosedDip dip_;
+    ProcessSettings process_;
+    std::optional<FilledField> field_;
+    std::vector<solver::DipSetup> setups_;
+};
+
+// Simulates and lays the dips. If one of them fails, only the comparison fails, not the job. Any
+// thread. Throws Cancelled soon after `isCancelled` returns true.
+CoarserFilms coarserFilms(const CoarserDips& dips, const solver::SolverModule& module,
+                          const std::function<bool()>& isCancelled);
 
 // Change expected from a finer dip, divided by the change measured with the coarser dips. Both
 // constants assume an error of first order. The cells of the coarser dips are twice the dip's own;

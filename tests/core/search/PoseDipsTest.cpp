@@ -52,7 +52,8 @@ private slots:
                 progress.cancelToken.cancel();
             }
         };
-        const PoseDips dips(subject_, body_, registry_->module("auto"), coarseDetail, progress);
+        const PoseDips dips(subject_, body_, registry_->module("auto"), coarseDetail, field_,
+                            progress.cancelToken);
         QVERIFY_EXCEPTION_THROWN(dips.dip(immersions, judged, cancelSecond, 2), Cancelled);
         QCOMPARE(batches, 2);
         QCOMPARE(doneOf(judged), 2 + batchSize);
@@ -67,7 +68,7 @@ private slots:
         std::vector<Immersion> immersions = turned(2 + 2 * batchSize);
         immersions.back().path.kind = PathKind::Poses; // without any pose
         std::vector<std::shared_ptr<const JudgedPose>> judged(immersions.size());
-        const PoseDips dips(subject, body_, registry_->module("auto"), coarseDetail, {});
+        const PoseDips dips(subject, body_, registry_->module("auto"), coarseDetail, field_, {});
         QVERIFY_EXCEPTION_THROWN(dips.dip(
                                      immersions, judged, [](std::size_t) {}, 2),
                                  Error);
@@ -78,6 +79,8 @@ private:
     std::unique_ptr<SolverRegistry> registry_;
     SearchSubject subject_ = subjectOf(boxMesh({6, 40, 40}));
     JudgedBody body_{subject_, {1, 1, 1}};
+    std::shared_ptr<const DistanceField> field_ =
+        cachedDistanceField(subject_.model->mesh, subject_.fieldResolution, {});
 };
 
 QTEST_GUILESS_MAIN(PoseDipsTest)

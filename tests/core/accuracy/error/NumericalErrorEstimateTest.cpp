@@ -11,25 +11,6 @@
 
 using namespace dipwright;
 
-namespace {
-
-// Keeps the setups of a batch, and does not simulate it.
-class KeepingModule : public solver::SolverModule {
-public:
-    const char* unavailableReason() const override { return nullptr; }
-    const char* device() const override { return "none"; }
-    std::unique_ptr<solver::FilmSolver> create() const override { return nullptr; }
-    bool runBatch(std::span<solver::BatchItem> dips, solver::CancelFunction, void*) const override {
-        for (const solver::BatchItem& dip : dips) {
-            kept.push_back(dip.setup);
-        }
-        return false;
-    }
-    mutable std::vector<solver::DipSetup> kept;
-};
-
-} // namespace
-
 class NumericalErrorEstimateTest : public QObject {
     Q_OBJECT
 
@@ -47,13 +28,11 @@ private Q_SLOTS:
         const double cell = filmGrid(film).leastSpacing();
         const int level = fieldLevel(*field, cell);
         QVERIFY(level > 0);
-        const KeepingModule module;
-        QVERIFY_THROWS_EXCEPTION(
-            Cancelled, coarserFilms({{body, {}}}, *field, film, {}, module, [] { return false; }));
-        QCOMPARE(module.kept.size(), std::size_t(2));
-        for (const solver::DipSetup& setup : module.kept) {
-            QCOMPARE(setup.field.spacing, field->spacing / std::exp2(level - 1));
-            QVERIFY(setup.film.leastSpacing() > 1.9 * cell);
+        const CoarserDips dips({body, {}}, *field, film, {}, {});
+        QCOMPARE(dips.items().size(), std::size_t(2));
+        for (const solver::BatchItem& item : dips.items()) {
+            QCOMPARE(item.setup.field.spacing, field->spacing / std::exp2(level - 1));
+            QVERIFY(item.setup.film.leastSpacing() > 1.9 * cell);
         }
     }
 };
