@@ -4,7 +4,7 @@
 #include "geometry/SurfacePieces.h"
 #include "parallel/ParallelFor.h"
 #include "pipeline/JobVerdict.h"
-#include "texture/Ink.h"
+#include "texture/PalePlaces.h"
 #include "texture/ReverseTexture.h"
 #include "texture/SurfaceColours.h"
 
@@ -50,18 +50,11 @@ std::vector<std::uint8_t> paleTriangles(const ImmersionResult& dip, const Textur
     for (std::uint32_t triangle = 0; triangle < middles.size(); ++triangle) {
         middles[triangle] = middleOf(triangle);
     }
-    const std::vector<LinearColour> colours = surfaceColours(painted, middles);
     const InkCompensation compensation(ink);
-    dip.laid->prepareAreas(); // before several threads need them
-    std::vector<std::uint8_t> pale(middles.size());
-    parallelFor(std::size_t(0), pale.size(), [&](std::size_t triangle) {
-        const std::optional<FilmPlace> place = dip.laid->place(middles[triangle]);
-        pale[triangle] =
-            place &&
-            compensation.print(compensation.toned(colours[triangle]), dip.laid->areaStretch(*place))
-                .fallsShort;
-    });
-    return pale;
+    std::vector<LinearColour> wanted = surfaceColours(painted, middles);
+    std::transform(wanted.begin(), wanted.end(), wanted.begin(),
+                   [&](const LinearColour& colour) { return compensation.toned(colour); });
+    return palePlaces(*dip.laid, middles, wanted, compensation);
 }
 
 void addNotReached(std::vector<JobWarning>& warnings, const JobResult& result) {

@@ -6,6 +6,7 @@
 #include "search/Objective.h"
 #include "search/PlaceWeights.h"
 #include "share/FadeOverlap.h"
+#include "texture/PalePlaces.h"
 #include "texture/SurfaceColours.h"
 
 #include <QCoreApplication>
@@ -223,13 +224,7 @@ JudgedPose JudgedBody::judged(const LaidFilm& laid, const Immersion& immersion) 
 }
 
 std::vector<std::uint8_t> JudgedBody::pale(const LaidFilm& laid) const {
-    std::vector<std::uint8_t> pale(samples_.size(), 0);
-    for (std::size_t index = 0; index < samples_.size(); ++index) {
-        if (const std::optional<FilmPlace> place = laid.place(samples_[index])) {
-            pale[index] = ink_.print(wanted_[index], laid.areaStretch(*place)).fallsShort;
-        }
-    }
-    return pale;
+    return palePlaces(laid, samples_, wanted_, ink_);
 }
 
 PredictedSheet JudgedBody::predicted(const JudgedPose& coarse, const JudgedPose& finer) const {

@@ -323,31 +323,33 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
         pose = body_.judged(*laid, immersion);
     }
     pose.tankFaults = tankFaultsOf(subject_, body->mesh, body->path, immersion);
-    if (laid && jobFilms_) {
+    if (laid && films_.areJobs()) {
+        judgeAsJob(pose, *laid, *batch.comparisons[item]);
+    } else if (laid && jobFilms_) {
         pose.jobCell = jobFilms_->cellUnder(*body);
         pose.verdict = verdictOf(*laid, nullptr, pose.tankFaults);
-    }
-    if (films_.areJobs() && laid) {
-        const Comparison& comparison = *batch.comparisons[item];
-        CoarserFilms coarser;
-        if (comparison.failure.isEmpty()) {
-            coarser = comparison.dips.laid(comparison.items);
-        } else {
-            coarser.failure = comparison.failure;
-        }
-        const NumericalErrorEstimate error = estimateNumericalError(*laid, coarser);
-        pose.pale = body_.pale(*laid);
-        pose.verdict =
-            afterRefinement(verdictOf(*laid, &error, pose.tankFaults), laid->film(), subject_.film);
-        if (error.failure.isEmpty()) {
-            pose.doublings = neededDoublings(pose.verdict, laid->film());
-        }
-    } else if (films_.areJobs()) {
+    } else if (!laid) {
         ReasonList reasons;
         reasons.add({VerdictReason::Kind::Unpainted, Advice::DoNotPrint});
         pose.verdict = std::move(reasons).verdict();
     }
     return pose;
+}
+
+void PoseDips::judgeAsJob(JudgedPose& pose, const LaidFilm& laid,
+                          const Comparison& comparison) const {
+    CoarserFilms coarser;
+    coarser.failure = comparison.failure;
+    if (coarser.failure.isEmpty()) {
+        coarser = comparison.dips.laid(comparison.items);
+    }
+    const NumericalErrorEstimate error = estimateNumericalError(laid, coarser);
+    pose.pale = body_.pale(laid);
+    pose.verdict =
+        afterRefinement(verdictOf(laid, &error, pose.tankFaults), laid.film(), subject_.film);
+    if (error.failure.isEmpty()) {
+        pose.doublings = neededDoublings(pose.verdict, laid.film());
+    }
 }
 
 // Judges a dip as the job would, but for its ink. Without an estimate of the numerical error, the

@@ -105,7 +105,7 @@ private:
         std::vector<std::shared_ptr<const PosedBody>> bodies;
         std::vector<std::optional<FilledField>> fields; // empty after simulate()
         std::vector<solver::BatchItem> items;
-        std::vector<std::shared_ptr<Comparison>> comparisons; // of the job's films only
+        std::vector<std::shared_ptr<Comparison>> comparisons; // null for films that are not the job's
     };
 
     // PoseFilms::fineCellsOf() of each pose.
@@ -127,6 +127,8 @@ private:
                std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
     PosedBody posed(const Immersion& immersion) const;
     JudgedPose judgedDip(Batch& batch, std::size_t item, const Immersion& immersion) const;
+    // Sets what only the job's own film tells.
+    void judgeAsJob(JudgedPose& pose, const LaidFilm& laid, const Comparison& comparison) const;
     Verdict verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
                       const QString& tankFaults) const;
 

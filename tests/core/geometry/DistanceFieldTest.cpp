@@ -119,6 +119,7 @@ private Q_SLOTS:
     void fieldAtLevel_cancelled_canBeBuiltLater();
 
     void fieldCache_secondRequest_readsTheSameField();
+    void fieldCache_finerFields_areReadToo();
     void fieldCache_damagedFile_isRebuilt();
     void fieldCache_unwritable_buildsTheField();
     void fieldCache_pipe_doesNotBlock();
@@ -413,7 +414,7 @@ void DistanceFieldTest::fieldAtLevel_manyThreads_buildOneField() {
 }
 
 void DistanceFieldTest::fieldAtLevel_cancelled_canBeBuiltLater() {
-    const auto field = cachedDistanceField(boxMesh({30, 20, 40}), 48, {});
+    const auto field = cachedDistanceField(boxMesh({30, 20, 41}), 48, {});
     Progress stopped;
     stopped.cancelToken.cancel();
     QVERIFY_THROWS_EXCEPTION(Cancelled, fieldAtLevel(*field, 1, stopped));
@@ -438,6 +439,21 @@ void DistanceFieldTest::fieldCache_secondRequest_readsTheSameField() {
     QVERIFY(cachedDistanceField(sphereMesh(34, 20, 40), 64, progress)->distance != built.distance);
     QCOMPARE(cachedDistanceField(body, 65, progress)->size[0], 65);
     QCOMPARE(builds, 3);
+}
+
+void DistanceFieldTest::fieldCache_finerFields_areReadToo() {
+    const TriangleMesh body = boxMesh({31, 22, 43});
+    int builds = 0;
+    Progress progress;
+    progress.report = [&](double share, const QString&) { builds += share == 0; };
+    std::vector<float> distance;
+    for (int round = 0; round < 2; ++round) {
+        const auto field = cachedDistanceField(body, 48, {});
+        const DistanceField& finer = fieldAtLevel(*field, 1, progress);
+        QVERIFY(round == 0 || finer.distance == distance);
+        distance = finer.distance;
+    }
+    QCOMPARE(builds, 1);
 }
 
 void DistanceFieldTest::fieldCache_damagedFile_isRebuilt() {
@@ -498,8 +514,8 @@ void DistanceFieldTest::fieldCache_full_removesLeastRecentlyUsed() {
                file.setFileTime(QDateTime::currentDateTime().addDays(-daysAgo),
                                 QFileDevice::FileModificationTime);
     };
-    QVERIFY(addFile(QStringLiteral("old.field"), 300, 20));
-    QVERIFY(addFile(QStringLiteral("recent.field"), 300, 10));
+    QVERIFY(addFile(QStringLiteral("old.field"), 700, 20));
+    QVERIFY(addFile(QStringLiteral("recent.field"), 700, 10));
     QVERIFY(addFile(QStringLiteral("other.txt"), 1, 30));
     cachedDistanceField(boxMesh({17, 18, 19}), 64, Progress());
     QVERIFY(!QFile::exists(cache_.filePath(QStringLiteral("old.field"))));
