@@ -259,8 +259,8 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
             CoarserDips coarser({batch.bodies[item], immersion}, *field_, films_.film(), process_,
                                 Progress{nullptr, cancelToken_});
             std::vector<solver::BatchItem> items = coarser.items();
-            batch.comparisons[item] = std::make_shared<Comparison>(
-                Comparison{std::move(coarser), std::move(items), {}});
+            batch.comparisons[item] =
+                std::make_shared<Comparison>(Comparison{std::move(coarser), std::move(items), {}});
         }
     });
     return batch;

@@ -105,7 +105,8 @@ private:
         std::vector<std::shared_ptr<const PosedBody>> bodies;
         std::vector<std::optional<FilledField>> fields; // empty after simulate()
         std::vector<solver::BatchItem> items;
-        std::vector<std::shared_ptr<Comparison>> comparisons; // null for films that are not the job's
+        std::vector<std::shared_ptr<Comparison>>
+            comparisons; // null for films that are not the job's
     };
 
     // PoseFilms::fineCellsOf() of each pose.

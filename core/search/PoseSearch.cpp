@@ -348,8 +348,7 @@ public:
            const solver::SolverModule& module, const Progress& progress)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
           body_(subject, settings.aims.zoneWeights),
-          coarse_(dipsOf(coarseDetail, progress.part(0, fieldShare))),
-          common_(commonPath(subject)),
+          coarse_(dipsOf(coarseDetail, progress.part(0, fieldShare))), common_(commonPath(subject)),
           preview_(meshForRating(subject.model->mesh, progress.cancelToken)) {
         if (settings.paths || !common_.isStraightDown()) {
             requirePaths();
