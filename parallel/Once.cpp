@@ -1,15 +1,14 @@
 #include "parallel/Once.h"
 
-#include <tbb/collaborative_call_once.h>
+#include "parallel/ForkAndJoin.h"
 
-#include <atomic>
+#include <tbb/collaborative_call_once.h>
 
 namespace dipwright {
 
 struct Once::State {
     tbb::collaborative_once_flag flag;
-    // For the thread sanitizer, which does not see how TBB orders memory accesses.
-    std::atomic<bool> isDone = false;
+    parallel::Handover result;
 };
 
 Once::Once() : state_(new State) {}
@@ -19,9 +18,9 @@ Once::~Once() = default;
 void Once::call(const std::function<void()>& work) {
     tbb::collaborative_call_once(state_->flag, [&] {
         work();
-        state_->isDone = true;
+        state_->result.give();
     });
-    state_->isDone.load();
+    state_->result.take();
 }
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// Work that several threads may need, but only one does.
+// Does a piece of work once, although several threads ask for it.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,10 @@ public:
     Once(const Once&) = delete;
     Once& operator=(const Once&) = delete;
 
-    // Calls `work` unless an earlier call has returned from it. Meanwhile, other threads that call
-    // this function help with the loops in `work`. If `work` throws, the caller gets the exception,
-    // and the next thread calls its own `work`. The caller sees everything that `work` wrote.
+    // Calls `work`, unless an earlier call did so without an exception. If another thread is doing
+    // the work, waits for it and helps with its loops. If `work` throws, its caller gets the
+    // exception, and another caller does its own `work`. The caller sees everything that the work
+    // wrote. `work` must not call the same object.
     void call(const std::function<void()>& work);
 
 private:

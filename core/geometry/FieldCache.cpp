@@ -12,15 +12,11 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
-#include <span>
-
 namespace dipwright {
 
 namespace {
 
 constexpr qint64 cacheBytes = qint64(1) << 30;
-// A larger field would take the place of too many others.
-constexpr qint64 mostStoredBytes = cacheBytes / 4;
 
 QString cacheFolder() {
     const QString chosen = qEnvironmentVariable("DIPWRIGHT_CACHE");
@@ -62,7 +58,7 @@ void makeRoom(const QDir& folder, qint64 bytes) {
 void store(const QString& path, const DistanceField& field) {
     const qint64 bytes = bytesOf(field.distance).size();
     const QDir folder = QFileInfo(path).dir();
-    if (bytes > mostStoredBytes || !folder.mkpath(QStringLiteral("."))) {
+    if (bytes > mostFieldBytes || !folder.mkpath(QStringLiteral("."))) {
         return;
     }
     makeRoom(folder, bytes);

@@ -8,7 +8,8 @@
 
 namespace dipwright {
 
-// Increased when the result of buildDistanceField or its storage changes.
+// Increased when the result of buildDistanceField, its storage, or the grids of the cached fields
+// change.
 inline constexpr quint32 fieldFileVersion = 2;
 
 // Returns false if the device cannot take all bytes.

@@ -13,8 +13,8 @@ namespace dipwright {
 // it is first needed, and kept. Any thread.
 class FinerFields {
 public:
-    // `usual` is the grid of the body's usual field, `name` that field's name in the cache on disk,
-    // which also keeps the levels.
+    // `usual` is the grid of the body's usual field. `name` is that field's name in the cache on
+    // disk, which also keeps the levels.
     FinerFields(TriangleMesh body, const FieldGrid& usual, const QString& name);
     ~FinerFields();
 

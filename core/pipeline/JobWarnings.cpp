@@ -52,8 +52,8 @@ std::vector<std::uint8_t> paleTriangles(const ImmersionResult& dip, const Textur
     }
     const InkCompensation compensation(ink);
     std::vector<LinearColour> wanted = surfaceColours(painted, middles);
-    std::transform(wanted.begin(), wanted.end(), wanted.begin(),
-                   [&](const LinearColour& colour) { return compensation.toned(colour); });
+    parallelFor(std::size_t(0), wanted.size(),
+                [&](std::size_t at) { wanted[at] = compensation.toned(wanted[at]); });
     return palePlaces(*dip.laid, middles, wanted, compensation);
 }
 

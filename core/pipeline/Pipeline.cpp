@@ -309,9 +309,10 @@ void compare(Comparison& comparison, const Run& run, const ImmersionResult& resu
         // Without runIsolated(), a parallel loop of this task could start another task that waits
         // for this task.
         runIsolated([&] {
-            const CoarserDips dips({body, immersion}, field, film, run.project.process,
-                                   Progress{nullptr, run.user});
-            comparison.films = coarserFilms(dips, run.registry.module(solver), isCancelled);
+            CoarserDips dips({body, immersion}, field, film, run.project.process,
+                             Progress{nullptr, run.user});
+            CoarserDips::simulate({&dips}, run.registry.module(solver), isCancelled);
+            comparison.films = dips.laid();
         });
     });
 }

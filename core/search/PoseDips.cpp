@@ -1,7 +1,6 @@
 #include "search/PoseDips.h"
 
 #include "accuracy/verdict/FinerFilm.h"
-#include "base/Error.h"
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "dip/TankFit.h"
@@ -160,7 +159,7 @@ void PoseDips::dip(const std::vector<Immersion>& immersions,
         }
         const std::exception_ptr ofSolver = failureOf([&] {
             cancelToken_.throwIfCancelled();
-            simulate(present);
+            simulate(immersions, present);
         });
         const std::exception_ptr ofOthers = failureOf([&] { aside.wait(); });
         if (ofSolver || ofOthers) {
@@ -244,7 +243,7 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
     batch.bodies.resize(count);
     batch.fields.resize(count);
     batch.items.resize(count);
-    batch.comparisons.resize(count);
+    batch.coarser.resize(count);
     parallelFor(std::size_t(0), count, [&](std::size_t item) {
         const Immersion& immersion = immersions[batch.places[item]];
         batch.bodies[item] = std::make_shared<const PosedBody>(posed(immersion));
@@ -256,51 +255,29 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
             dipSetup(body, *batch.fields[item], immersion, films_.film(), grid, process_);
         batch.items[item].setup.settings.residual = residual_;
         if (films_.areJobs()) {
-            CoarserDips coarser({batch.bodies[item], immersion}, *field_, films_.film(), process_,
-                                Progress{nullptr, cancelToken_});
-            std::vector<solver::BatchItem> items = coarser.items();
-            batch.comparisons[item] =
-                std::make_shared<Comparison>(Comparison{std::move(coarser), std::move(items), {}});
+            batch.coarser[item] = std::make_unique<CoarserDips>(
+                PosedDip{batch.bodies[item], immersion}, *field_, films_.film(), process_,
+                Progress{nullptr, cancelToken_});
         }
     });
     return batch;
 }
 
-void PoseDips::simulate(Batch& batch) const {
+// A dip that failed gets no coarser dips, which could fail in the solver and with them the coarser
+// dips of the whole batch.
+void PoseDips::simulate(const std::vector<Immersion>& immersions, Batch& batch) const {
     const auto isCancelled = [this] { return cancelToken_.isCancelled(); };
-    if (films_.areJobs()) {
-        try {
-            simulateWithComparisons(batch);
-        } catch (const Error& error) {
-            // Perhaps only a coarser dip fails.
-            for (const std::shared_ptr<Comparison>& comparison : batch.comparisons) {
-                comparison->failure = error.message();
-            }
-            simulateDips(batch.items, module_, isCancelled);
-        }
-    } else {
-        simulateDips(batch.items, module_, isCancelled);
-    }
+    simulateDips(batch.items, module_, isCancelled);
     batch.fields.clear(); // only the solver needs them; a batch that waits to be judged is smaller
-}
-
-// Simulates the dips and their coarser dips as one batch, which keeps all cores busy.
-void PoseDips::simulateWithComparisons(Batch& batch) const {
-    std::vector<solver::BatchItem> all = batch.items;
-    for (const std::shared_ptr<Comparison>& comparison : batch.comparisons) {
-        all.insert(all.end(), comparison->items.begin(), comparison->items.end());
+    std::vector<CoarserDips*> coarser;
+    for (std::size_t item = 0; item < batch.items.size(); ++item) {
+        const solver::BatchItem& dip = batch.items[item];
+        if (batch.coarser[item] &&
+            isStable(dippedFilm(dip, immersions[batch.places[item]]), dip.setup.motion.travel)) {
+            coarser.push_back(batch.coarser[item].get());
+        }
     }
-    simulateDips(all, module_, [this] { return cancelToken_.isCancelled(); });
-    auto next = all.begin();
-    const auto take = [&](std::vector<solver::BatchItem>& items) {
-        const auto end = next + std::ptrdiff_t(items.size());
-        std::move(next, end, items.begin());
-        next = end;
-    };
-    take(batch.items);
-    for (const std::shared_ptr<Comparison>& comparison : batch.comparisons) {
-        take(comparison->items);
-    }
+    CoarserDips::simulate(coarser, module_, isCancelled);
 }
 
 void PoseDips::judge(const std::vector<Immersion>& immersions, Batch& batch,
@@ -324,7 +301,7 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
     }
     pose.tankFaults = tankFaultsOf(subject_, body->mesh, body->path, immersion);
     if (laid && films_.areJobs()) {
-        judgeAsJob(pose, *laid, *batch.comparisons[item]);
+        judgeAsJob(pose, *laid, *batch.coarser[item]);
     } else if (laid && jobFilms_) {
         pose.jobCell = jobFilms_->cellUnder(*body);
         pose.verdict = verdictOf(*laid, nullptr, pose.tankFaults);
@@ -337,13 +314,8 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
 }
 
 void PoseDips::judgeAsJob(JudgedPose& pose, const LaidFilm& laid,
-                          const Comparison& comparison) const {
-    CoarserFilms coarser;
-    coarser.failure = comparison.failure;
-    if (coarser.failure.isEmpty()) {
-        coarser = comparison.dips.laid(comparison.items);
-    }
-    const NumericalErrorEstimate error = estimateNumericalError(laid, coarser);
+                          const CoarserDips& coarser) const {
+    const NumericalErrorEstimate error = estimateNumericalError(laid, coarser.laid());
     pose.pale = body_.pale(laid);
     pose.verdict =
         afterRefinement(verdictOf(laid, &error, pose.tankFaults), laid.film(), subject_.film);

@@ -9,7 +9,6 @@
 
 #include <functional>
 #include <limits>
-#include <span>
 
 namespace dipwright {
 
@@ -25,7 +24,7 @@ struct DipDetail {
 };
 // coarseDetail finds poses worth refining; their dips get measures only. finerDetail ranks them and
 // predicts. jobDetail is the job's own: its dips get the verdict that the job is expected to give
-// after refinement, and JudgedPose::doublings. If such a dip fails, it must not be printed.
+// after refinement, and JudgedPose::doublings. A dip that fails must not be printed.
 inline constexpr DipDetail coarseDetail{20, 128, 0.5, 3e-3},
     finerDetail{40, 128, 0.5, solver::Settings().residual, true},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0,
@@ -93,20 +92,13 @@ public:
              std::size_t first = std::numeric_limits<std::size_t>::max()) const;
 
 private:
-    // The coarser dips of a dip.
-    struct Comparison {
-        CoarserDips dips;
-        std::vector<solver::BatchItem> items;
-        QString failure; // of the solver
-    };
     // Dips that are simulated together, in their places in the list of immersions.
     struct Batch {
         std::vector<std::size_t> places;
         std::vector<std::shared_ptr<const PosedBody>> bodies;
         std::vector<std::optional<FilledField>> fields; // empty after simulate()
         std::vector<solver::BatchItem> items;
-        std::vector<std::shared_ptr<Comparison>>
-            comparisons; // null for films that are not the job's
+        std::vector<std::unique_ptr<CoarserDips>> coarser; // null if the film is not the job's
     };
 
     // PoseFilms::fineCellsOf() of each pose.
@@ -122,14 +114,13 @@ private:
                                                   std::size_t first) const;
     Batch setUp(const std::vector<Immersion>& immersions, const FineCells& fineCells,
                 std::vector<std::size_t> places) const;
-    void simulate(Batch& batch) const;
-    void simulateWithComparisons(Batch& batch) const;
+    void simulate(const std::vector<Immersion>& immersions, Batch& batch) const;
     void judge(const std::vector<Immersion>& immersions, Batch& batch,
                std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
     PosedBody posed(const Immersion& immersion) const;
     JudgedPose judgedDip(Batch& batch, std::size_t item, const Immersion& immersion) const;
-    // Sets what only the job's own film tells.
-    void judgeAsJob(JudgedPose& pose, const LaidFilm& laid, const Comparison& comparison) const;
+    // Sets the pale places, the verdict with the numerical error, and the doublings.
+    void judgeAsJob(JudgedPose& pose, const LaidFilm& laid, const CoarserDips& coarser) const;
     Verdict verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
                       const QString& tankFaults) const;
 

@@ -33,6 +33,7 @@ private Q_SLOTS:
     void tasks_destroyedAfterException_deletesIt();
     void runIsolated_loop_runsNoOtherTask();
     void once_inALoop_worksOnce();
+    void once_exceptionInALoop_letsAnotherCallerWork();
     void once_exception_letsTheNextCallerWork();
     void threadLimit_inScope_limitsTheThreads();
     void threadTeam_run_finishesBeforeItReturns();
@@ -224,6 +225,27 @@ void ParallelTest::once_inALoop_worksOnce() {
     });
     QCOMPARE(calls, 1);
     QCOMPARE(std::count(seen.begin(), seen.end(), 9'999 * 9'999), 64);
+}
+
+void ParallelTest::once_exceptionInALoop_letsAnotherCallerWork() {
+    Once once;
+    std::atomic<int> begun = 0, failed = 0;
+    int value = 0;
+    parallelFor(0, 64, [&](int) {
+        try {
+            once.call([&] {
+                if (++begun == 1) {
+                    throw std::runtime_error("stopped");
+                }
+                value = 5;
+            });
+        } catch (const std::runtime_error&) {
+            ++failed;
+        }
+    });
+    QCOMPARE(int(begun), 2);
+    QCOMPARE(int(failed), 1);
+    QCOMPARE(value, 5);
 }
 
 void ParallelTest::once_exception_letsTheNextCallerWork() {

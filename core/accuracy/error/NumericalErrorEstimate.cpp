@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace dipwright {
@@ -43,12 +44,6 @@ ProcessSettings withDoubleStep(ProcessSettings process) {
 bool hasLaidFilm(const DippedFilm& film) {
     return std::find(film.states.begin(), film.states.end(), solver::PointState::Adhered) !=
            film.states.end();
-}
-
-void throwIf(bool isCancelled) {
-    if (isCancelled) {
-        throw Cancelled();
-    }
 }
 
 // Returns the larger move of each place. Where the steps were not compared, because the film with
@@ -111,28 +106,42 @@ CoarserDips::CoarserDips(PosedDip dip, const DistanceField& field, const FilmSet
     const ProcessSettings slow = withDoubleTimeStep(process);
     const solver::FilmGrid grid = dipGrid(body, dip_.immersion, coarse, slow);
     if (std::min(grid.columns, grid.rows) <= leastCells) {
+        failure_ =
+            Text::tr("the film has too few points to be compared with a film of half as many");
         return;
     }
     field_.emplace(body, fieldAtLevel(field, coarserFieldLevel(field, cell), progress));
     for (const ProcessSettings& steps : {slow, withDoubleStep(slow)}) {
-        setups_.push_back(dipSetup(body, *field_, dip_.immersion, coarse, grid, steps));
+        items_.emplace_back().setup = dipSetup(body, *field_, dip_.immersion, coarse, grid, steps);
     }
 }
 
-std::vector<solver::BatchItem> CoarserDips::items() const {
-    std::vector<solver::BatchItem> items;
-    for (const solver::DipSetup& setup : setups_) {
-        items.emplace_back().setup = setup;
+void CoarserDips::simulate(const std::vector<CoarserDips*>& coarser,
+                           const solver::SolverModule& module,
+                           const std::function<bool()>& isCancelled) {
+    std::vector<solver::BatchItem> all;
+    for (CoarserDips* dips : coarser) {
+        std::move(dips->items_.begin(), dips->items_.end(), std::back_inserter(all));
     }
-    return items;
+    QString failure;
+    try {
+        simulateDips(all, module, isCancelled);
+    } catch (const Error& error) {
+        failure = error.message();
+    }
+    auto next = all.begin();
+    for (CoarserDips* dips : coarser) {
+        const auto end = next + std::ptrdiff_t(dips->items_.size());
+        std::move(next, end, dips->items_.begin());
+        next = end;
+        dips->field_.reset();
+        dips->failure_ = dips->failure_.isEmpty() ? failure : dips->failure_;
+    }
 }
 
-CoarserFilms CoarserDips::laid(std::span<const solver::BatchItem> simulated) const {
-    CoarserFilms films;
-    if (simulated.empty()) {
-        films.failure =
-            Text::tr("the film has too few points to be compared with a film of half as many");
-        return films;
+CoarserFilms CoarserDips::laid() const {
+    if (!failure_.isEmpty()) {
+        return {nullptr, nullptr, failure_};
     }
     const auto lay = [&](const solver::BatchItem& item) -> std::shared_ptr<const LaidFilm> {
         DippedFilm dipped = dippedFilm(item, dip_.immersion);
@@ -141,23 +150,10 @@ CoarserFilms CoarserDips::laid(std::span<const solver::BatchItem> simulated) con
         }
         return layFilm(dip_.body, std::move(dipped), process_);
     };
-    films = {lay(simulated[0]), lay(simulated[1]), {}};
+    CoarserFilms films{lay(items_[0]), lay(items_[1]), {}};
     if (!films.doubleSpacing || !films.doubleStep) {
         return {nullptr, nullptr, Text::tr("the film with coarser cells does not follow the part")};
     }
-    return films;
-}
-
-CoarserFilms coarserFilms(const CoarserDips& dips, const solver::SolverModule& module,
-                          const std::function<bool()>& isCancelled) {
-    std::vector<solver::BatchItem> items = dips.items();
-    try {
-        simulateDips(items, module, isCancelled);
-    } catch (const Error& error) {
-        return {nullptr, nullptr, error.message()};
-    }
-    CoarserFilms films = dips.laid(items);
-    throwIf(isCancelled());
     return films;
 }
 

@@ -8,7 +8,6 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 
 namespace dipwright {
 
@@ -29,28 +28,26 @@ struct PosedDip {
 // Both coarser dips of a dip.
 class CoarserDips {
 public:
-    // Sets the dips up with the settings of the dip itself. `field` must outlive this object.
-    // Throws Cancelled.
+    // Sets the dips up with the settings of the dip itself. `field` must outlive the simulation.
+    // Throws Error like filmUnderBody(). Throws Cancelled.
     CoarserDips(PosedDip dip, const DistanceField& field, const FilmSettings& film,
                 const ProcessSettings& process, const Progress& progress);
 
-    // Returns the dips to be simulated (simulateDips()) while this object exists: two, or none if
-    // the film has too few cells.
-    std::vector<solver::BatchItem> items() const;
-    // Lays the simulated dips of items().
-    CoarserFilms laid(std::span<const solver::BatchItem> simulated) const;
+    // Simulates the dips of all `coarser` as one batch. If one of them fails, the comparisons fail,
+    // but not the job. Throws Cancelled soon after `isCancelled` returns true.
+    static void simulate(const std::vector<CoarserDips*>& coarser,
+                         const solver::SolverModule& module,
+                         const std::function<bool()>& isCancelled);
+    // Lays the simulated dips.
+    CoarserFilms laid() const;
 
 private:
     PosedDip dip_;
     ProcessSettings process_;
-    std::optional<FilledField> field_;
-    std::vector<solver::DipSetup> setups_;
+    std::optional<FilledField> field_;     // until the simulation has ended
+    std::vector<solver::BatchItem> items_; // two, or none if there is a failure
+    QString failure_;
 };
-
-// Simulates and lays the dips. If one of them fails, only the comparison fails, not the job. Any
-// thread. Throws Cancelled soon after `isCancelled` returns true.
-CoarserFilms coarserFilms(const CoarserDips& dips, const solver::SolverModule& module,
-                          const std::function<bool()>& isCancelled);
 
 // Change expected from a finer dip, divided by the change measured with the coarser dips. Both
 // constants assume an error of first order. The cells of the coarser dips are twice the dip's own;
