@@ -37,27 +37,12 @@ private:
     mutable char fork_ = 0, join_ = 0; // only their addresses matter
 };
 
-// Whoever takes sees what was written before giving.
-class Handover {
-public:
-    void give() { __tsan_release(&place_); }
-    void take() { __tsan_acquire(&place_); }
-
-private:
-    char place_ = 0; // only its address matters
-};
-
 #else
 
 struct ForkAndJoin {
     struct Piece {
         explicit Piece(const ForkAndJoin&) {}
     };
-};
-
-struct Handover {
-    void give() {}
-    void take() {}
 };
 
 #endif

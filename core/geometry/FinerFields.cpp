@@ -2,15 +2,16 @@
 
 #include "geometry/FieldCache.h"
 #include "geometry/SurfaceQuery.h"
-#include "parallel/Once.h"
+#include "parallel/Tasks.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace dipwright {
 
 struct FinerFields::Level {
     FieldGrid grid;
-    Once building;
+    std::mutex building;
     std::shared_ptr<const DistanceField> field; // null until it is needed
 };
 
@@ -33,11 +34,15 @@ double FinerFields::spacing(int level) const {
 
 const DistanceField& FinerFields::level(int level, const Progress& progress) const {
     Level& wanted = *levels_[std::size_t(level - 1)];
-    wanted.building.call([&] {
-        wanted.field = fieldFromCache(QStringLiteral("%1-%2").arg(name_).arg(level), [&] {
-            return buildDistanceField(body_, SurfaceQuery(body_), wanted.grid, progress);
+    const std::lock_guard lock(wanted.building);
+    if (!wanted.field) {
+        // Without runIsolated(), the loops here could start a task that waits for this lock.
+        runIsolated([&] {
+            wanted.field = fieldFromCache(QStringLiteral("%1-%2").arg(name_).arg(level), [&] {
+                return buildDistanceField(body_, SurfaceQuery(body_), wanted.grid, progress);
+            });
         });
-    });
+    }
     return *wanted.field;
 }
 

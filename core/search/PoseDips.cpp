@@ -5,6 +5,7 @@
 #include "dip/FilmUnderBody.h"
 #include "dip/TankFit.h"
 #include "film/FilmGrid.h"
+#include "geometry/FinerFields.h"
 #include "parallel/ParallelFor.h"
 #include "parallel/Tasks.h"
 
@@ -244,15 +245,20 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
     batch.fields.resize(count);
     batch.items.resize(count);
     batch.coarser.resize(count);
+    std::vector<solver::FilmGrid> grids(count);
+    parallelFor(std::size_t(0), count, [&](std::size_t item) {
+        const std::size_t place = batch.places[item];
+        batch.bodies[item] = std::make_shared<const PosedBody>(posed(immersions[place]));
+        grids[item] = films_.gridOf(*batch.bodies[item], immersions[place], fineCells[place]);
+    });
+    buildFields(grids);
     parallelFor(std::size_t(0), count, [&](std::size_t item) {
         const Immersion& immersion = immersions[batch.places[item]];
-        batch.bodies[item] = std::make_shared<const PosedBody>(posed(immersion));
         const PosedBody& body = *batch.bodies[item];
-        const solver::FilmGrid grid = films_.gridOf(body, immersion, fineCells[batch.places[item]]);
-        batch.fields[item].emplace(body,
-                                   fieldForFilm(*field_, grid, Progress{nullptr, cancelToken_}));
+        batch.fields[item].emplace(
+            body, fieldForFilm(*field_, grids[item], Progress{nullptr, cancelToken_}));
         batch.items[item].setup =
-            dipSetup(body, *batch.fields[item], immersion, films_.film(), grid, process_);
+            dipSetup(body, *batch.fields[item], immersion, films_.film(), grids[item], process_);
         batch.items[item].setup.settings.residual = residual_;
         if (films_.areJobs()) {
             batch.coarser[item] = std::make_unique<CoarserDips>(
@@ -261,6 +267,18 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
         }
     });
     return batch;
+}
+
+// Builds the distance fields for these films. All cores build each field; in a parallel loop, other
+// threads would wait for it.
+void PoseDips::buildFields(const std::vector<solver::FilmGrid>& grids) const {
+    const Progress progress{nullptr, cancelToken_};
+    for (const solver::FilmGrid& grid : grids) {
+        fieldForFilm(*field_, grid, progress);
+        if (films_.areJobs()) {
+            fieldAtLevel(*field_, coarserFieldLevel(*field_, grid.leastSpacing()), progress);
+        }
+    }
 }
 
 // A dip that failed gets no coarser dips, which could fail in the solver and with them the coarser

@@ -114,6 +114,7 @@ private:
                                                   std::size_t first) const;
     Batch setUp(const std::vector<Immersion>& immersions, const FineCells& fineCells,
                 std::vector<std::size_t> places) const;
+    void buildFields(const std::vector<solver::FilmGrid>& grids) const;
     void simulate(const std::vector<Immersion>& immersions, Batch& batch) const;
     void judge(const std::vector<Immersion>& immersions, Batch& batch,
                std::vector<std::shared_ptr<const JudgedPose>>& judged) const;

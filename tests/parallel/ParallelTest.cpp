@@ -1,5 +1,4 @@
 // Loops, sorting, tasks and teams of threads.
-#include "parallel/Once.h"
 #include "parallel/ParallelFor.h"
 #include "parallel/ParallelSort.h"
 #include "parallel/Tasks.h"
@@ -32,9 +31,6 @@ private Q_SLOTS:
     void tasks_destroyedWithoutWait_finish();
     void tasks_destroyedAfterException_deletesIt();
     void runIsolated_loop_runsNoOtherTask();
-    void once_inALoop_worksOnce();
-    void once_exceptionInALoop_letsAnotherCallerWork();
-    void once_exception_letsTheNextCallerWork();
     void threadLimit_inScope_limitsTheThreads();
     void threadTeam_run_finishesBeforeItReturns();
     void threadTeam_exception_reachesTheCaller();
@@ -210,52 +206,6 @@ void ParallelTest::runIsolated_loop_runsNoOtherTask() {
     });
     tasks.wait();
     QCOMPARE(int(disturbances), 0);
-}
-
-void ParallelTest::once_inALoop_worksOnce() {
-    Once once;
-    int calls = 0;
-    std::vector<int> squares(10'000, 0), seen(64, 0);
-    parallelFor(std::size_t(0), seen.size(), [&](std::size_t caller) {
-        once.call([&] {
-            ++calls;
-            parallelFor(0, 10'000, [&](int index) { squares[std::size_t(index)] = index * index; });
-        });
-        seen[caller] = squares[9'999];
-    });
-    QCOMPARE(calls, 1);
-    QCOMPARE(std::count(seen.begin(), seen.end(), 9'999 * 9'999), 64);
-}
-
-void ParallelTest::once_exceptionInALoop_letsAnotherCallerWork() {
-    Once once;
-    std::atomic<int> begun = 0, failed = 0;
-    int value = 0;
-    parallelFor(0, 64, [&](int) {
-        try {
-            once.call([&] {
-                if (++begun == 1) {
-                    throw std::runtime_error("stopped");
-                }
-                value = 5;
-            });
-        } catch (const std::runtime_error&) {
-            ++failed;
-        }
-    });
-    QCOMPARE(int(begun), 2);
-    QCOMPARE(int(failed), 1);
-    QCOMPARE(value, 5);
-}
-
-void ParallelTest::once_exception_letsTheNextCallerWork() {
-    Once once;
-    QVERIFY_THROWS_EXCEPTION(std::runtime_error,
-                             once.call([] { throw std::runtime_error("stopped"); }));
-    int calls = 0;
-    once.call([&] { ++calls; });
-    once.call([&] { ++calls; });
-    QCOMPARE(calls, 1);
 }
 
 void ParallelTest::threadLimit_inScope_limitsTheThreads() {
