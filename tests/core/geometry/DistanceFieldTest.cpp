@@ -414,6 +414,7 @@ void DistanceFieldTest::fieldAtLevel_manyThreads_buildOneField() {
 }
 
 void DistanceFieldTest::fieldAtLevel_cancelled_canBeBuiltLater() {
+    // Not a body of another test, because its fields would be cached.
     const auto field = cachedDistanceField(boxMesh({30, 20, 41}), 48, {});
     Progress stopped;
     stopped.cancelToken.cancel();
