@@ -2,8 +2,8 @@
 // per dip.
 //
 //   models_bench [points=COLUMNSxROWS | automatic] [unrefined | work=MILLIONS] [found | foundonly]
-//   [turned] [quarter] [unchecked] [times] [set=PATH:VALUE,…] [keep=FOLDER] [solver=ID]
-//   [against=ID] JOB.dipw …
+//   [turned] [quarter] [unchecked] [times] [shift=MM] [set=PATH:VALUE,…] [keep=FOLDER]
+//   [solver=ID] [against=ID] JOB.dipw …
 //
 // unrefined: keeps the first cells; no dip is repeated with smaller ones. work: film.work_million.
 // turned: measures the first dip also turned by 35°, 20° and −15°, a pose that nobody chose.
@@ -14,6 +14,8 @@
 // unchecked: leaves out half the step and half the cell.
 // times: prints only how long each dip takes if it runs alone: the median of three, in seconds and
 // relative to the first line.
+// shift: prints only how far the sheet moves if the part lies so far along X on the water (median,
+// 95th percentile and largest, mm). More than the shift itself is noise.
 // against: also dips with another solver, and prints how many pixels of the sheets differ.
 // The times of dips in the table are in seconds and relative to the first line; the coarser films
 // of the verdict may run at the same time. A verdict is wrong if it says "print", but the full
@@ -42,6 +44,7 @@ struct Options {
     int columns = 0, rows = 0; // 0: the job's own numbers
     bool isAutomatic = false, isUnrefined = false, areFound = false, isTurned = false;
     bool areOnlyFound = false, withQuarter = false, isUnchecked = false, areTimed = false;
+    double shift = 0;                    // mm
     QString solver, against, work, keep; // names (ids) of solvers
 };
 
@@ -55,6 +58,7 @@ Options parsed(int argc, char** argv) {
     options.areTimed = arguments.take("times");
     options.work = QString::fromStdString(arguments.value("work"));
     options.keep = QString::fromStdString(arguments.value("keep"));
+    options.shift = std::atof(arguments.value("shift").c_str());
     options.isTurned = arguments.take("turned");
     options.isAutomatic = arguments.take("automatic");
     options.isUnrefined = arguments.take("unrefined");
@@ -214,6 +218,24 @@ double quarterMove(Project job, const ImmersionResult& said, const SolverRegistr
         .distance.percentile95;
 }
 
+void printShifted(const Project& job, double shift, const SolverRegistry& registry) {
+    for (const Immersion& immersion : job.immersions) {
+        Immersion shifted = immersion;
+        shifted.offset[0] = shifted.offset[0] + Millimetres(shift);
+        const auto own = laidAlone(job, immersion, registry);
+        std::vector<float> moves =
+            sheetMoves(*own, *laidAlone(job, shifted, registry), comparedPlaces(own->body().mesh));
+        std::erase_if(moves, [](float move) { return move < 0; });
+        std::sort(moves.begin(), moves.end());
+        const auto at = [&](double share) {
+            return double(moves.at(std::size_t(share * double(moves.size() - 1))));
+        };
+        std::printf("%s, %s: %.4f, %.4f, %.4f mm\n", qPrintable(job.name),
+                    qPrintable(immersion.name), at(0.5), at(0.95), at(1));
+        std::fflush(stdout);
+    }
+}
+
 void printTimes(const Project& job, const SolverRegistry& registry) {
     for (const Immersion& immersion : job.immersions) {
         std::array<double, 3> seconds{};
@@ -231,6 +253,10 @@ void printTimes(const Project& job, const SolverRegistry& registry) {
 void judge(const Project& job, const Options& options, const SolverRegistry& registry) {
     if (options.areTimed) {
         printTimes(job, registry);
+        return;
+    }
+    if (options.shift != 0) {
+        printShifted(job, options.shift, registry);
         return;
     }
     const JobResult said = runJob(job, registry, {}, nullptr, {});

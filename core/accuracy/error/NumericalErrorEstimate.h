@@ -63,7 +63,7 @@ struct NumericalErrorEstimate {
     // Numerical error in mm: the larger of both changes, at evenly spread points of the body that
     // the dip and the dip with double cells paint. For an error of first order, the first is the
     // distance to the sheet of an infinitely fine film, and the second is twice the distance to
-    // infinitely short steps.
+    // infinitely short steps. At least 0.15 of the film's cell.
     Distribution offBy;
     // Numerical error of each film point on the body; NaN where not all dips paint, 0 off the body.
     std::vector<float> pointErrors;

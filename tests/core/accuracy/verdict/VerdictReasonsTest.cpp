@@ -125,6 +125,13 @@ private slots:
         QCOMPARE(judged(*laid, &estimate).reasons.front().kind, VerdictReason::Kind::Step);
     }
 
+    void estimate_filmsThatAgreeByChance_leaveAShareOfTheCell() {
+        const auto laid = filmWith({});
+        const auto same = test::laid(laid->body().mesh, laid->film());
+        const double offBy = estimateNumericalError(*laid, {same, same, {}}, {}).offBy.percentile95;
+        QVERIFY(std::abs(offBy - 0.15 * laid->film().grid.leastSpacing()) < 1e-6);
+    }
+
     // The film before lies 0.4 mm to the side. Its cells are 1.5 times as large, so its move counts
     // twice, but not more than its own error.
     void estimate_filmBefore_countsWithItsMoveAndAtMostItsOwnError() {
