@@ -14,8 +14,8 @@
 // unchecked: leaves out half the step and half the cell.
 // times: prints only how long each dip takes if it runs alone: the median of three, in seconds and
 // relative to the first line.
-// shift: prints only how far the sheet moves if the part lies so far along X on the water (median,
-// 95th percentile and largest, mm). More than the shift itself is noise.
+// shift: prints only how far the sheet moves if the part is shifted so far along X on the water
+// (median, 95th percentile and largest, mm). What exceeds the shift itself is noise.
 // against: also dips with another solver, and prints how many pixels of the sheets differ.
 // The times of dips in the table are in seconds and relative to the first line; the coarser films
 // of the verdict may run at the same time. A verdict is wrong if it says "print", but the full
@@ -226,6 +226,9 @@ void printShifted(const Project& job, double shift, const SolverRegistry& regist
         std::vector<float> moves =
             sheetMoves(*own, *laidAlone(job, shifted, registry), comparedPlaces(own->body().mesh));
         std::erase_if(moves, [](float move) { return move < 0; });
+        if (moves.empty()) {
+            continue;
+        }
         std::sort(moves.begin(), moves.end());
         const auto at = [&](double share) {
             return double(moves.at(std::size_t(share * double(moves.size() - 1))));

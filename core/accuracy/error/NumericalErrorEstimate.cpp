@@ -22,9 +22,6 @@ struct Text {
 // the sheet depends on where the grid's points happen to lie (docs/film-validation.md, "The
 // verdict").
 constexpr double mostLeft = 2;
-// Least error of a place that both films paint, in cells. Films that agree more closely do so by
-// chance (docs/film-validation.md, "The verdict").
-constexpr double leastError = 0.15;
 constexpr int leastCells = 4; // per side; fewer cells give no meaningful comparison
 
 // Doubling the cells also doubles the steps, because the production film's steps are given in
@@ -181,14 +178,17 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
     const auto stepMoves = [&](const std::vector<SurfacePoint>& places) {
         return sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, places);
     };
-    const auto least = float(leastError * own.film().grid.leastSpacing());
+    const auto least = float(leastErrorCells * own.film().grid.leastSpacing());
     const auto errorsOf = [&](const std::vector<float>& spacing, const std::vector<float>& step,
                               const std::vector<SurfacePoint>& places) {
         std::vector<float> errors = largest(spacing, step);
         if (before) {
             errors = largest(std::move(errors), errorsLeft(own, *before, places));
         }
-        return largest(std::move(errors), std::vector<float>(places.size(), least));
+        for (float& error : errors) {
+            error = error < 0 ? error : std::max(error, least);
+        }
+        return errors;
     };
     const std::vector<SurfacePoint> places = comparedPlaces(own.body().mesh);
     const std::vector<float> spacing = spacingMoves(places), step = stepMoves(places);
