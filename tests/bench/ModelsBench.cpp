@@ -15,7 +15,7 @@
 // times: prints only how long each dip takes if it runs alone: the median of three, in seconds and
 // relative to the first line.
 // shift: prints only how far the sheet moves if the part is shifted so far along X on the water
-// (median, 95th percentile and largest, mm). What exceeds the shift itself is noise.
+// (mean, 95th percentile and largest, mm). What exceeds the shift itself is noise.
 // against: also dips with another solver, and prints how many pixels of the sheets differ.
 // The times of dips in the table are in seconds and relative to the first line; the coarser films
 // of the verdict may run at the same time. A verdict is wrong if it says "print", but the full
@@ -223,18 +223,11 @@ void printShifted(const Project& job, double shift, const SolverRegistry& regist
         Immersion shifted = immersion;
         shifted.offset[0] = shifted.offset[0] + Millimetres(shift);
         const auto own = laidAlone(job, immersion, registry);
-        std::vector<float> moves =
-            sheetMoves(*own, *laidAlone(job, shifted, registry), comparedPlaces(own->body().mesh));
-        std::erase_if(moves, [](float move) { return move < 0; });
-        if (moves.empty()) {
-            continue;
-        }
-        std::sort(moves.begin(), moves.end());
-        const auto at = [&](double share) {
-            return double(moves.at(std::size_t(share * double(moves.size() - 1))));
-        };
+        const Distribution moved = sheetChange(sheetMoves(*own, *laidAlone(job, shifted, registry),
+                                                          comparedPlaces(own->body().mesh)))
+                                       .distance;
         std::printf("%s, %s: %.4f, %.4f, %.4f mm\n", qPrintable(job.name),
-                    qPrintable(immersion.name), at(0.5), at(0.95), at(1));
+                    qPrintable(immersion.name), moved.mean, moved.percentile95, moved.maximum);
         std::fflush(stdout);
     }
 }
