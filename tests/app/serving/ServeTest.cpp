@@ -218,7 +218,6 @@ private slots:
         for (int i = 0; i < 2; ++i) { // the second time, nothing is sent
             QVERIFY_EXCEPTION_THROWN(connected().submit(path("wait.dipw"), "a", cancelToken),
                                      Cancelled);
-            QTRY_VERIFY(spool_->jobs().empty());
             requireNothing();
         }
     }
@@ -436,11 +435,12 @@ private:
         server_.reset();
         spool_.reset();
     }
+    // Waits, since a server may end what it does with a request after its client has left.
     void requireNothing() const {
-        QVERIFY(spool_->jobs().empty());
-        QCOMPARE(filesBelow(path("jobs/incoming")), QStringList());
-        QCOMPARE(filesBelow(path("jobs/queued")), QStringList());
-        QCOMPARE(filesBelow(path("jobs/records")), QStringList());
+        QTRY_VERIFY(spool_->jobs().empty());
+        for (const char* folder : {"jobs/incoming", "jobs/queued", "jobs/records"}) {
+            QTRY_COMPARE(filesBelow(path(folder)), QStringList());
+        }
     }
 
     std::unique_ptr<QTemporaryDir> folder_;
