@@ -117,7 +117,6 @@ FilmReadoutPoint FilmReadout::at(const SurfacePoint& onFilm) const {
     FilmReadoutPoint reading;
     reading.place = position(mesh_, onFilm);
     reading.stretch = laid_->stretches()[onFilm.triangle];
-    reading.adhered = true;
     Eigen::Index nearest = 0;
     onFilm.weights.maxCoeff(&nearest);
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -127,8 +126,10 @@ FilmReadoutPoint FilmReadout::at(const SurfacePoint& onFilm) const {
         for (std::size_t quantity = 0; quantity < filmQuantityCount; ++quantity) {
             reading.values[quantity] += weight * values_[quantity][point];
         }
-        reading.adhered = reading.adhered && film().adhered(point);
     }
+    reading.onPart = laid_->contact().painted[onFilm.triangle] ||
+                     std::all_of(triangle.begin(), triangle.end(),
+                                 [&](auto point) { return film().adhered(point); });
     reading.body = laid_->contact().surface[triangle[std::size_t(nearest)]];
     if (reading.body.isValid()) {
         reading.outward = triangleNormal(laid_->body().mesh, reading.body.triangle);

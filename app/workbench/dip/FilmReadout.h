@@ -19,8 +19,8 @@ struct FilmReadoutPoint {
     Eigen::Vector3f place = Eigen::Vector3f::Zero(); // pose frame, mm
     std::array<float, filmQuantityCount> values{};
     PrincipalStretch stretch; // of the triangle at this place
-    bool adhered = false;
-    SurfacePoint body; // invalid where the film does not lie on the body
+    bool onPart = false;      // the triangle paints the part, or all its corners adhere to it
+    SurfacePoint body;        // invalid where the film does not lie on the body
     // Normal of the body at this place, pose frame.
     Eigen::Vector3f outward = Eigen::Vector3f::Zero();
 };

@@ -60,7 +60,7 @@ QString FilmProbe::describe(const FilmReadoutPoint& point) const {
     return tr("Sheet at %1, %2 · %3 · stretch %4 and %5, area stretch %6")
         .arg(shownLength((double(point.rest.x()) / grid.width + 0.5) * film.width.value(), unit_),
              shownLength((double(point.rest.y()) / grid.depth + 0.5) * film.height.value(), unit_),
-             point.adhered ? tr("on the part") : tr("on the water"), number(point.stretch.larger),
+             point.onPart ? tr("on the part") : tr("on the water"), number(point.stretch.larger),
              number(point.stretch.smaller), number(point.stretch.area()));
 }
 

@@ -178,21 +178,26 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
     const auto stepMoves = [&](const std::vector<SurfacePoint>& places) {
         return sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, places);
     };
-    const auto withBefore = [&](std::vector<float> errors,
-                                const std::vector<SurfacePoint>& places) {
-        if (!before) {
-            return errors;
+    const auto least = float(leastErrorCells * own.film().grid.leastSpacing());
+    const auto errorsOf = [&](const std::vector<float>& spacing, const std::vector<float>& step,
+                              const std::vector<SurfacePoint>& places) {
+        std::vector<float> errors = largest(spacing, step);
+        if (before) {
+            errors = largest(std::move(errors), errorsLeft(own, *before, places));
         }
-        return largest(std::move(errors), errorsLeft(own, *before, places));
+        for (float& error : errors) {
+            error = error < 0 ? error : std::max(error, least);
+        }
+        return errors;
     };
     const std::vector<SurfacePoint> places = comparedPlaces(own.body().mesh);
     const std::vector<float> spacing = spacingMoves(places), step = stepMoves(places);
     estimate.doubleSpacing = sheetChange(spacing);
     estimate.doubleStep = sheetChange(step);
-    estimate.offBy = sheetChange(withBefore(largest(spacing, step), places)).distance;
+    estimate.offBy = sheetChange(errorsOf(spacing, step, places)).distance;
 
     const std::vector<SurfacePoint>& points = own.contact().surface;
-    estimate.pointErrors = withBefore(largest(spacingMoves(points), stepMoves(points)), points);
+    estimate.pointErrors = errorsOf(spacingMoves(points), stepMoves(points), points);
     for (std::size_t point = 0; point < points.size(); ++point) {
         float& offBy = estimate.pointErrors[point];
         if (offBy < 0) {

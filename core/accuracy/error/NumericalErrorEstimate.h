@@ -56,6 +56,10 @@ private:
 inline constexpr double halfSpacingShare = 0.5;
 inline constexpr double halfStepShare = 0.25;
 
+// Least numerical error of a place that both films paint, in the film's smallest cells. Films that
+// agree more closely do so by chance (docs/film-validation.md, "The least error").
+inline constexpr double leastErrorCells = 0.15;
+
 // The estimated numerical error of one sheet.
 struct NumericalErrorEstimate {
     // Measured changes: from the dip itself to double cells, and between both coarser dips.
@@ -63,7 +67,8 @@ struct NumericalErrorEstimate {
     // Numerical error in mm: the larger of both changes, at evenly spread points of the body that
     // the dip and the dip with double cells paint. For an error of first order, the first is the
     // distance to the sheet of an infinitely fine film, and the second is twice the distance to
-    // infinitely short steps.
+    // infinitely short steps. The film before the refinement counts, too (FilmBefore). At least
+    // `leastErrorCells`, here and in pointErrors.
     Distribution offBy;
     // Numerical error of each film point on the body; NaN where not all dips paint, 0 off the body.
     std::vector<float> pointErrors;

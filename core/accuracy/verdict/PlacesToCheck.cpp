@@ -44,7 +44,7 @@ struct Piece {
 // A triangle of painted film that needs a check.
 struct PieceToCheck {
     FilmTriangle corners;
-    double area = 0, limit = 0;
+    double offBy = 0, area = 0, limit = 0;
 };
 
 class PaintedFilm {
@@ -77,12 +77,14 @@ public:
             const bool isFirst = place.area == 0;
             place.area += piece.area;
             place.limit = isFirst ? piece.limit : std::min(place.limit, piece.limit);
-            for (const std::uint32_t point : piece.corners) {
-                if ((isFirst && point == piece.corners[0]) || offBy(point) > place.offBy) {
-                    place.offBy = offBy(point);
-                    place.rest = restPosition(laid_.film().grid, point);
-                    place.place = onModel(point);
-                }
+            if (isFirst || piece.offBy > place.offBy) {
+                place.offBy = piece.offBy;
+                const auto& [a, b, c] = piece.corners;
+                const solver::FilmGrid& grid = laid_.film().grid;
+                const std::vector<Eigen::Vector3f>& points = laid_.contact().places;
+                place.rest =
+                    (restPosition(grid, a) + restPosition(grid, b) + restPosition(grid, c)) / 3;
+                place.place = onModel((points[a] + points[b] + points[c]) / 3);
             }
         }
         std::vector<PlaceToCheck> places;
@@ -125,7 +127,7 @@ private:
             pieces_[std::size_t(zone)].push_back({worst, here});
         }
         if (worst > limit || has(laid_.marks(triangle), solver::PointMark::Unbalanced)) {
-            uncertain_.push_back({corners, here, limit});
+            uncertain_.push_back({corners, worst, here, limit});
             parts_.join(corners[0], corners[1]);
             parts_.join(corners[0], corners[2]);
         }
@@ -168,8 +170,8 @@ private:
         return offBy_.empty() || std::isnan(offBy_[point]) ? 0 : double(offBy_[point]);
     }
 
-    Eigen::Vector3f onModel(std::uint32_t point) const {
-        return laid_.body().modelToPose.inverse().cast<float>() * laid_.contact().places[point];
+    Eigen::Vector3f onModel(const Eigen::Vector3f& place) const {
+        return laid_.body().modelToPose.inverse().cast<float>() * place;
     }
 
     const LaidFilm& laid_;

@@ -22,7 +22,10 @@ VerdictReason numericalErrorReason(const ZoneError& error, const NumericalErrorE
                          error.percentile95 > error.limit ? Advice::DoNotPrint : Advice::CheckFirst,
                          error.percentile95, allowed};
     const double finer = allowed / error.percentile95;
-    if (estimate.halfStep().distance.percentile95 > estimate.halfSpacing().distance.percentile95) {
+    // Shorter steps do not reduce the least error.
+    const bool isLeast = error.percentile95 <= 1.000001 * leastErrorCells * grid.leastSpacing();
+    if (!isLeast &&
+        estimate.halfStep().distance.percentile95 > estimate.halfSpacing().distance.percentile95) {
         reason.kind = Kind::Step;
     } else if (finer < finestCellNamed) {
         reason.kind = Kind::OffByMuch;

@@ -57,11 +57,11 @@ struct VerdictReason {
 // A connected part of the painted film to check: its numerical error exceeds the limit of its zone,
 // or a step ended there without equilibrium.
 struct PlaceToCheck {
-    Eigen::Vector2f rest;  // worst point of this part, on the flat film, mm
-    Eigen::Vector3f place; // the same point on the body, model coordinates, mm
+    Eigen::Vector2f rest;  // middle of the part's worst film triangle, on the flat film, mm
+    Eigen::Vector3f place; // the same place on the body, model coordinates, mm
     double area = 0;       // mm² of the body
-    double limit = 0;      // allowed numerical error at the worst point, mm
-    double offBy = 0;      // numerical error at the worst point, mm
+    double limit = 0;      // least allowed numerical error of the part, mm
+    double offBy = 0;      // largest numerical error of the part, mm
 };
 
 // The verdict on one dip, or on all dips together.

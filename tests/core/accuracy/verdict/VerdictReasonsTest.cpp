@@ -125,6 +125,23 @@ private slots:
         QCOMPARE(judged(*laid, &estimate).reasons.front().kind, VerdictReason::Kind::Step);
     }
 
+    void estimate_filmsThatAgreeByChance_leaveAShareOfTheCell() {
+        const auto laid = filmWith({});
+        const auto same = test::laid(laid->body().mesh, laid->film());
+        const NumericalErrorEstimate estimate = estimateNumericalError(*laid, {same, same, {}}, {});
+        const double least = 0.15 * laid->film().grid.leastSpacing();
+        QVERIFY(std::abs(estimate.offBy.percentile95 - least) < 1e-6);
+        for (std::size_t point = 0; point < estimate.pointErrors.size(); ++point) {
+            const bool isOnBody = laid->contact().surface[point].isValid();
+            QVERIFY(estimate.pointErrors[point] == (isOnBody ? float(least) : 0.0F));
+        }
+        ToleranceSettings strict; // a third of it is less than the least error
+        strict.limits.fill(Millimetres(2 * least));
+        const Verdict verdict = judged(*laid, &estimate, nullptr, strict);
+        QCOMPARE(verdict.advice, Advice::CheckFirst);
+        QVERIFY(verdict.reasons.front().kind != VerdictReason::Kind::Step);
+    }
+
     // The film before lies 0.4 mm to the side. Its cells are 1.5 times as large, so its move counts
     // twice, but not more than its own error.
     void estimate_filmBefore_countsWithItsMoveAndAtMostItsOwnError() {
