@@ -90,10 +90,10 @@ std::pair<std::size_t, double> leastKnown(const JointSolution& solution,
 class Search {
 public:
     Search(const Project& project, const DistanceField& field, const FitPairs& pairs,
-           const FitRequest& wish, const solver::SolverModule& module)
+           const FitRequest& wish, const solver::SolverModule& module, const Progress& progress)
         : pairs_(pairs), wish_(wish), seen_{pairs.printed, pairs.body, pairs.picture},
           camera_(firstCamera(pairs, wish.lens)),
-          places_(project, field, pairs.printed, module, pairs.where),
+          places_(project, field, pairs.printed, module, pairs.where, progress),
           unknowns_(unknownsOf(project, places_.dips(), pairs.printed, wish, pairs.where)),
           isFree_(unknowns_.size(), true),
           centre_(Eigen::VectorXd::Zero(Eigen::Index(unknowns_.size()))) {
@@ -313,7 +313,7 @@ void apply(FilmFit& fit, const FittedQuantity& found, const FittedDips& dips,
 FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPairs& pairs,
                 const FitRequest& wish, const solver::SolverModule& module,
                 const Progress& progress) {
-    Search search(project, field, pairs, wish, module);
+    Search search(project, field, pairs, wish, module, progress.part(0, 0));
     search.run(progress);
     const JointSolution& solution = search.after();
     FilmFit fit;

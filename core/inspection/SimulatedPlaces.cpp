@@ -27,12 +27,12 @@ std::vector<std::shared_ptr<const PosedBody>> bodiesOf(const Project& project) {
 
 std::vector<FilledField> fieldsOf(const Project& project,
                                   const std::vector<std::shared_ptr<const PosedBody>>& bodies,
-                                  const DistanceField& own) {
+                                  const DistanceField& own, const Progress& progress) {
     std::vector<FilledField> fields;
     for (std::size_t dip = 0; dip < bodies.size(); ++dip) {
         const solver::FilmGrid grid =
             dipGrid(*bodies[dip], project.immersions[dip], project.film, project.process);
-        fields.emplace_back(*bodies[dip], fieldForFilm(own, grid, {}));
+        fields.emplace_back(*bodies[dip], fieldForFilm(own, grid, progress));
     }
     return fields;
 }
@@ -52,9 +52,10 @@ setupsOf(const Project& project, const std::vector<FilledField>& fields,
 
 SimulatedPlaces::SimulatedPlaces(const Project& project, const DistanceField& field,
                                  const std::vector<PrintedPlace>& printed,
-                                 const solver::SolverModule& module, const QString& where)
+                                 const solver::SolverModule& module, const QString& where,
+                                 const Progress& progress)
     : project_(project), printed_(printed), module_(module), bodies_(bodiesOf(project)),
-      fields_(fieldsOf(project, bodies_, field)),
+      fields_(fieldsOf(project, bodies_, field, progress)),
       dips_(project, setupsOf(project, fields_, bodies_)) {
     for (const PrintedPlace& place : printed) {
         if (place.dip < 0 || place.dip >= int(project.immersions.size())) {

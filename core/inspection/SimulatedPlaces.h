@@ -13,10 +13,11 @@ struct Project;
 
 class SimulatedPlaces {
 public:
-    // Keeps references. Throws Error if a place names a dip that does not exist.
+    // Keeps references. Builds the distance fields that the films need; this may take seconds.
+    // Throws Error if a place names a dip that does not exist; Cancelled.
     SimulatedPlaces(const Project& project, const DistanceField& field,
                     const std::vector<PrintedPlace>& printed, const solver::SolverModule& module,
-                    const QString& where);
+                    const QString& where, const Progress& progress);
 
     const FittedDips& dips() const { return dips_; }
     // Simulates at `centre` and with each free unknown moved by its step to either side. Uses all

@@ -195,7 +195,7 @@ private slots:
         const int photos = test::sampleOf(50, 200);
         const FitPairs perfect = part_->pairs(cameras(), 8, 12, 0, 1);
         SimulatedPlaces places(part_->project(), part_->field(), perfect.printed, solverModule(),
-                               perfect.where);
+                               perfect.where, {});
         std::vector<FitUnknown> unknowns;
         for (const FitQuantity quantity : usualQuantities()) {
             unknowns.push_back({quantity, 0});
