@@ -182,16 +182,4 @@ void CpuBackend::addToStep(int count) {
     });
 }
 
-double CpuBackend::linearResidual(float drag, numerics::Tangent tangent) {
-    PlaneVector& residual = basis_.front();
-    const int columns = film_.columns();
-    std::vector<numerics::SquareSum> squares(static_cast<std::size_t>(film_.rows()));
-    film_.hessian(step_, tangent, residual, [&](int row) {
-        addDrag(row, drag, step_, residual);
-        add(1, gradient_, residual, row * columns, (row + 1) * columns);
-        squares[std::size_t(row)] = rowSquares(rowOf(residual, row), std::size_t(columns));
-    });
-    return sumOf(squares).root();
-}
-
 } // namespace dipwright::cpu

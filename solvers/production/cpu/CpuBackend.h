@@ -79,7 +79,6 @@ public:
     void startBasis(float factor);
     void extendBasis(int count, float drag, numerics::Tangent tangent);
     void addToStep(int count);
-    double linearResidual(float drag, numerics::Tangent tangent);
 
 private:
     // Triangles that one thread unfolds at a time.

@@ -271,18 +271,6 @@ public:
             thisBlock.block.dip.newtonStep[point] = step;
         });
     }
-    __device__ double linearResidual(float drag, numerics::Tangent tangent) const {
-        thisBlock.block.team.barrier();
-        numerics::SquareSum squares;
-        multiply(thisBlock.block.model, thisBlock.block.dip, drag, tangent,
-                 thisBlock.block.dip.newtonStep, thisBlock.block.team,
-                 [&](int point, float2 product) {
-                     const float2 left = thisBlock.block.dip.forces[point] + product;
-                     thisBlock.block.dip.basis[0][point] = left;
-                     squares.add(double(left.x * left.x + left.y * left.y));
-                 });
-        return rootOf(squares);
-    }
 
 private:
     __device__ __noinline__ static void smoothBasis(int count) {

@@ -41,13 +41,21 @@ DIPWRIGHT_TEAM DIPWRIGHT_CALLED bool searchAlongStep(Film& film, typename Film::
 // Takes one Newton step with the true derivative. This can fail, because film that gathers or
 // rotates gives way in some directions. Then the film is made stiffer step by step, as if it stuck
 // to the water. Stiffening shortens the step and turns it downhill (Levenberg–Marquardt).
-// `stiffening` is relative to the film's shear stiffness and is kept between steps.
+// `stiffening` is relative to the film's shear stiffness and is kept between steps. `prepared` is
+// the stiffening for which the linear solver was prepared last; negative: for none.
 template <FilmEquilibrium Film>
 DIPWRIGHT_TEAM inline void newtonStep(Film& film, typename Film::Real drag, double tolerance,
-                                      double& stiffening, FilmForce& now) {
+                                      double& stiffening, double& prepared, FilmForce& now) {
     using Real = typename Film::Real;
     const double before = now.left;
+    const auto prepare = [&](double stiffer) {
+        if (prepared != stiffer) {
+            film.prepareLinear(drag + Real(stiffer));
+            prepared = stiffer;
+        }
+    };
     for (;;) {
+        prepare(stiffening);
         film.solveLinear(drag + Real(stiffening), Tangent::True, before, tolerance);
         if (searchAlongStep(film, drag, now)) {
             stiffening = stiffening > leastStiffening ? stiffening / stiffeningFactor : 0;
@@ -61,6 +69,7 @@ DIPWRIGHT_TEAM inline void newtonStep(Film& film, typename Film::Real drag, doub
     }
     // If that fails too, takes the whole step downhill. To get past a crease, the film may have
     // to pass through states with larger forces.
+    prepare(0);
     film.solveLinear(drag, Tangent::Projected, before, tolerance);
     searchAlongStep(film, drag, now);
 }
@@ -87,7 +96,7 @@ DIPWRIGHT_TEAM DIPWRIGHT_CALLED EquilibriumResult findEquilibrium(Film& film,
     const double floor =
         limits.flatForce * std::fmax(1.0, farthest) * std::sqrt(double(pointCount(film.model())));
     FilmForce now = film.force(drag), best = now;
-    double stiffening = 0;
+    double stiffening = 0, prepared = -1;
     int sinceBest = 0;
     film.keepBest();
     for (int iteration = 0;
@@ -97,13 +106,10 @@ DIPWRIGHT_TEAM DIPWRIGHT_CALLED EquilibriumResult findEquilibrium(Film& film,
         if (now.left <= allowed) {
             return {now.elastic > 0 ? now.left / now.elastic : 0, true};
         }
-        if (iteration == 0) {
-            film.prepareLinear(drag);
-        }
         detail::newtonStep(film, drag,
                            std::fmax(limits.linearShareOfAllowed * allowed,
                                      limits.linearShareOfRemaining * now.left),
-                           stiffening, now);
+                           stiffening, prepared, now);
         if (!std::isfinite(now.left)) {
             break;
         }
@@ -155,8 +161,8 @@ DIPWRIGHT_HOST_DEVICE inline double solveTriangular(GmresProblem& problem, int c
 
 } // namespace detail
 
-// Solves H · step = −forces by restarted GMRES to a residual of `tolerance`, or as far as the
-// iteration limit allows. Preconditioning from the right (Saad, Iterative Methods for Sparse Linear
+// Solves H · step = −forces by GMRES to a residual of `tolerance`, or as far as mostBasisVectors
+// allow. Preconditioning from the right (Saad, Iterative Methods for Sparse Linear
 // Systems, algorithm 9.5) makes the residual of GMRES the true residual. `start` is the residual of
 // a zero step.
 template <GmresBackend Film>
@@ -164,28 +170,24 @@ DIPWRIGHT_TEAM inline void solveGmres(Film& film, typename Film::Real drag, Tang
                                       double start, double tolerance) {
     using Real = typename Film::Real;
     film.startLinear();
-    double left = start;
-    for (int restart = 0; restart <= mostRestarts && left > tolerance; ++restart) {
-        film.inSmallProblem([&](GmresProblem& problem) { return problem.right[0] = left; });
-        film.startBasis(Real(1 / left));
-        int count = 0;
-        while (count < mostBasisVectors && left > tolerance) {
-            film.extendBasis(count, drag, tangent);
-            ++film.state().equilibrium.linearIterations;
-            left = film.inSmallProblem(
-                [&](GmresProblem& problem) { return detail::takeColumn(problem, count); });
-            ++count;
-            if (!std::isfinite(left)) {
-                return;
-            }
-        }
-        film.inSmallProblem(
-            [&](GmresProblem& problem) { return detail::solveTriangular(problem, count); });
-        film.addToStep(count);
-        if (left > tolerance && restart < mostRestarts) {
-            left = film.linearResidual(drag, tangent);
+    if (!(start > tolerance)) {
+        return;
+    }
+    film.inSmallProblem([&](GmresProblem& problem) { return problem.right[0] = start; });
+    film.startBasis(Real(1 / start));
+    int count = 0;
+    for (double left = start; count < mostBasisVectors && left > tolerance; ++count) {
+        film.extendBasis(count, drag, tangent);
+        ++film.state().equilibrium.linearIterations;
+        left = film.inSmallProblem(
+            [&](GmresProblem& problem) { return detail::takeColumn(problem, count); });
+        if (!std::isfinite(left)) {
+            return;
         }
     }
+    film.inSmallProblem(
+        [&](GmresProblem& problem) { return detail::solveTriangular(problem, count); });
+    film.addToStep(count);
 }
 
 } // namespace dipwright::numerics

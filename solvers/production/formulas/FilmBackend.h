@@ -169,7 +169,7 @@ concept FilmEquilibrium = requires(Film& film, Real drag, Real length, double nu
     // Returns the remaining force on a point at the last force computation; zero for a held point.
     { film.forceOn(0) } -> std::same_as<Vector2<Real>>;
     // Prepares solveLinear() for the film's stiffness at the last force computation. solveLinear()
-    // may be called at that displacement or near it.
+    // may be called at that displacement or near it. With another drag it takes more iterations.
     film.prepareLinear(drag);
     // Solves H · step = −(the last forces) for the Newton step; H is the derivative of the forces.
     // The first number is the residual of a zero step. The second is the residual at which the
@@ -205,8 +205,6 @@ concept GmresBackend = requires(Film& film, Real value, int count, double* colum
     // Subtracts the first `count` smoothed vectors, times their weights in the small problem, from
     // the step.
     film.addToStep(count);
-    // Sets the residual to forces + H · step. Returns the root of its sum of squares.
-    { film.linearResidual(value, Tangent::True) } -> std::same_as<double>;
 };
 
 } // namespace dipwright::numerics

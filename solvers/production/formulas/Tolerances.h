@@ -36,9 +36,9 @@ inline constexpr int mostHolds = 4;
 inline constexpr double longestNewtonStep = 2;
 inline constexpr double shortestNewtonStep = 1e-30; // mm: only avoids a division by zero
 
-// GMRES: number of basis vectors before a restart, and number of restarts.
+// GMRES: largest number of basis vectors. A search that needs more gains nothing from an exact
+// linear solution, because its film folds.
 inline constexpr int mostBasisVectors = 12;
-inline constexpr int mostRestarts = 4;
 
 // The number of halvings of the step in the search for the time of contact (Adhesion.h).
 inline constexpr int contactTimeHalvings = 24;

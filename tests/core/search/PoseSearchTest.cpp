@@ -366,7 +366,7 @@ private slots:
         const auto fineSubjectOf = [](const TriangleMesh& mesh) {
             SearchSubject subject = subjectOf(mesh);
             // So fine that the direction of the cells does not matter.
-            subject.film.columns = subject.film.rows = 60;
+            subject.film.columns = subject.film.rows = 90;
             return subject;
         };
         const RankedPoses straight = search(fineSubjectOf(body), settings).ranking.front();

@@ -143,11 +143,6 @@ struct Matrix {
             add(-problem.weights[i], smoothed[std::size_t(i)], step);
         }
     }
-    double linearResidual(double drag, Tangent) {
-        residual = times(step, drag);
-        add(1, forces, residual);
-        return std::sqrt(dot(residual, residual));
-    }
 
     std::vector<Vector> entries, basis, smoothed;
     Vector forces, step, residual;
@@ -173,7 +168,7 @@ private Q_SLOTS:
     void findEquilibrium_farFromRest_acceptsRounding();
     void findEquilibrium_result_hasResidualAndConvergence();
     void solveGmres_unsymmetricSystem_isSolved();
-    void solveGmres_manyEquations_restarts();
+    void solveGmres_manyEquations_reducesTheResidual();
     void solveGmres_smallSystem_isExact();
 };
 
@@ -286,18 +281,12 @@ void EquilibriumTest::solveGmres_unsymmetricSystem_isSolved() {
 }
 
 // There are more equations than basis vectors.
-void EquilibriumTest::solveGmres_manyEquations_restarts() {
-    Matrix film(40, 12);
-    solveGmres(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
-    QVERIFY(film.state().equilibrium.linearIterations > mostBasisVectors);
-    QVERIFY(film.left(0) <= 1.001e-9);
-    // This system stops at the limit of restarts.
-    Matrix never(40, 0.5);
-    const double start = std::sqrt(Matrix::dot(never.forces, never.forces));
-    solveGmres(never, 0, Tangent::True, start, 0);
-    QCOMPARE(never.state().equilibrium.linearIterations,
-             std::int64_t(mostBasisVectors * (mostRestarts + 1)));
-    QVERIFY(never.left(0) <= start);
+void EquilibriumTest::solveGmres_manyEquations_reducesTheResidual() {
+    Matrix film(40, 0.5);
+    const double start = std::sqrt(Matrix::dot(film.forces, film.forces));
+    solveGmres(film, 0, Tangent::True, start, 0);
+    QCOMPARE(film.state().equilibrium.linearIterations, std::int64_t(mostBasisVectors));
+    QVERIFY(film.left(0) < start);
 }
 
 // With as many vectors as equations, the residual is zero.
