@@ -195,10 +195,6 @@
         <source>the film has too few points to be compared with a film of half as many</source>
         <translation>der Film hat zu wenige Punkte für den Vergleich mit einem Film, der halb so viele Punkte hat</translation>
     </message>
-    <message>
-        <source>the film with coarser cells does not follow the part</source>
-        <translation>der Film mit gröberen Zellen folgt dem Teil nicht</translation>
-    </message>
 </context>
 <context>
     <name>CheckedSolver</name>

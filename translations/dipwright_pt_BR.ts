@@ -195,10 +195,6 @@
         <source>the film has too few points to be compared with a film of half as many</source>
         <translation>a película tem poucos pontos para ser comparada com uma película com metade dos pontos</translation>
     </message>
-    <message>
-        <source>the film with coarser cells does not follow the part</source>
-        <translation>a película com células maiores não acompanha a peça</translation>
-    </message>
 </context>
 <context>
     <name>CheckedSolver</name>

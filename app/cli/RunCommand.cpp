@@ -337,7 +337,8 @@ public:
         syntax.addOption({workOption,
                           QStringLiteral("The limit for smaller cells: film points times steps of "
                                          "one dip, in millions (film.work_million). %1 takes about "
-                                         "20 s on two cores. 0: the cells stay as they are.")
+                                         "20 s on two cores, and longer where film folds. 0: the "
+                                         "cells stay as they are.")
                               .arg(int(newProjectFilmWork)),
                           QStringLiteral("N")});
         syntax.addOption(

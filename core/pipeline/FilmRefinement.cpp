@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dipwright {
 namespace {
@@ -33,6 +34,18 @@ std::optional<double> neededCell(const ImmersionResult& dip, const Verdict& verd
     return settings.wantedError && offBy > settings.wantedError->value()
                ? std::optional(film.grid.leastSpacing() * settings.wantedError->value() / offBy)
                : std::nullopt;
+}
+
+// Returns the smallest numerical error that a reason of the verdict allows, mm.
+double leastAllowedError(const Verdict& verdict) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const VerdictReason& reason : verdict.reasons) {
+        const bool limitsError = reason.kind == VerdictReason::Kind::OffBy ||
+                                 reason.kind == VerdictReason::Kind::OffByMuch ||
+                                 reason.kind == VerdictReason::Kind::Step;
+        least = limitsError ? std::min(least, reason.limit) : least;
+    }
+    return least;
 }
 
 } // namespace
@@ -74,8 +87,14 @@ QStringList refinementNotes(const JobResult& result) {
         if (!cell || !isRefinable(settings) || dip.finer) {
             continue;
         }
+        const double finer = own / *cell;
+        // Such a film would have too many points, or its least error would be too large.
+        if (double(film.grid.pointCount()) * finer * finer > maximumFilmGrid ||
+            leastErrorCells * *cell > leastAllowedError(dip.verdict)) {
+            continue;
+        }
         const double work =
-            double(film.grid.pointCount()) * double(film.steps) / 1e6 * std::pow(own / *cell, 3);
+            double(film.grid.pointCount()) * double(film.steps) / 1e6 * std::pow(finer, 3);
         if (work > settings.work) {
             const bool isPrintable = !wantedCell(dip.verdict, film);
             notes.append(

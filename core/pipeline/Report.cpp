@@ -128,7 +128,7 @@ QJsonObject numericalErrorJson(const ImmersionResult& result) {
                      {"reasons", sentencesOf(verdict)},
                      {"places", places},
                      {"uncertain_area_mm2", verdict.areaToCheck}};
-    if (result.numericalError && result.numericalError->failure.isEmpty()) {
+    if (result.numericalError && result.numericalError->isKnown()) {
         const NumericalErrorEstimate& estimate = *result.numericalError;
         json["off_by_mm"] = toJson(estimate.offBy);
         json["double_step"] = toJson(estimate.doubleStep);

@@ -68,7 +68,7 @@ Field<Project> filmPoints() {
 
 Field<Project> filmCell() {
     return {QStringLiteral("film.cell_mm"),
-            {FieldKind::Number, 1, false, 0.1, 20, {}, 0, QStringLiteral("mm")},
+            {FieldKind::Number, 1, false, leastFilmCell, 20, {}, 0, QStringLiteral("mm")},
             [](const Project& project) { return QJsonValue(project.film.cell.value()); },
             [](Project& project, const QJsonValue& value) {
                 project.film.cell = Millimetres(value.toDouble());

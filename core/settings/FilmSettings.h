@@ -43,6 +43,7 @@ struct FilmBehaviour {
 };
 
 inline constexpr int maximumFilmGrid = 4'000'000; // most points of a film
+inline constexpr double leastFilmCell = 0.1;      // mm: smallest FilmSettings::cell
 inline constexpr double defaultFilmWork = 60;     // FilmSettings::work of a file that has none
 inline constexpr double mostFilmWork = 100'000;
 

@@ -150,11 +150,11 @@ CoarserFilms CoarserDips::laid() const {
         }
         return layFilm(dip_.body, std::move(dipped), process_);
     };
-    CoarserFilms films{lay(items_[0]), lay(items_[1]), {}};
-    if (!films.doubleSpacing || !films.doubleStep) {
-        return {nullptr, nullptr, Text::tr("the film with coarser cells does not follow the part")};
-    }
-    return films;
+    return {lay(items_[0]), lay(items_[1]), {}};
+}
+
+bool NumericalErrorEstimate::isKnown() const {
+    return failure.isEmpty() && doubleSpacing.painted > 0 && doubleStep.painted > 0;
 }
 
 SheetChange NumericalErrorEstimate::halfSpacing() const {
@@ -172,15 +172,20 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
     if (!coarser.failure.isEmpty()) {
         return estimate;
     }
-    const auto spacingMoves = [&](const std::vector<SurfacePoint>& places) {
-        return sheetMoves(own, *coarser.doubleSpacing, places);
+    using Places = std::vector<SurfacePoint>;
+    const auto moves = [](const LaidFilm* from, const LaidFilm* to, const Places& places) {
+        return from && to ? sheetMoves(*from, *to, places)
+                          : std::vector<float>(places.size(), -1.0F);
     };
-    const auto stepMoves = [&](const std::vector<SurfacePoint>& places) {
-        return sheetMoves(*coarser.doubleSpacing, *coarser.doubleStep, places);
+    const auto spacingMoves = [&](const Places& places) {
+        return moves(&own, coarser.doubleSpacing.get(), places);
+    };
+    const auto stepMoves = [&](const Places& places) {
+        return moves(coarser.doubleSpacing.get(), coarser.doubleStep.get(), places);
     };
     const auto least = float(leastErrorCells * own.film().grid.leastSpacing());
     const auto errorsOf = [&](const std::vector<float>& spacing, const std::vector<float>& step,
-                              const std::vector<SurfacePoint>& places) {
+                              const Places& places) {
         std::vector<float> errors = largest(spacing, step);
         if (before) {
             errors = largest(std::move(errors), errorsLeft(own, *before, places));
@@ -190,13 +195,13 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
         }
         return errors;
     };
-    const std::vector<SurfacePoint> places = comparedPlaces(own.body().mesh);
+    const Places places = comparedPlaces(own.body().mesh);
     const std::vector<float> spacing = spacingMoves(places), step = stepMoves(places);
     estimate.doubleSpacing = sheetChange(spacing);
     estimate.doubleStep = sheetChange(step);
     estimate.offBy = sheetChange(errorsOf(spacing, step, places)).distance;
 
-    const std::vector<SurfacePoint>& points = own.contact().surface;
+    const Places& points = own.contact().surface;
     estimate.pointErrors = errorsOf(spacingMoves(points), stepMoves(points), points);
     for (std::size_t point = 0; point < points.size(); ++point) {
         float& offBy = estimate.pointErrors[point];

@@ -15,7 +15,8 @@ namespace dipwright {
 // other has these cells and steps four times as long. Their distance field has cells twice as wide
 // as the dip's own, unless it has its usual cells (geometry/FinerFields.h).
 struct CoarserFilms {
-    std::shared_ptr<const LaidFilm> doubleSpacing, doubleStep; // null if `failure` is set
+    // Null if `failure` is set, or if that film does not follow the part.
+    std::shared_ptr<const LaidFilm> doubleSpacing, doubleStep;
     QString failure; // tells the user why there are no films: too few cells, or a solver failed
 };
 
@@ -74,6 +75,8 @@ struct NumericalErrorEstimate {
     std::vector<float> pointErrors;
     QString failure; // why the comparison failed; all other members are then empty
 
+    // Whether the dip and the coarser dips paint places in common. If not, `offBy` says nothing.
+    bool isKnown() const;
     // Returns the change expected from cells and steps half as long.
     SheetChange halfSpacing() const;
     // Returns the change expected from steps half as long.

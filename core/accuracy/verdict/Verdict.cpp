@@ -58,10 +58,8 @@ void addZoneReasons(ReasonList& found, const ZoneError& error,
 
 void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimate,
                         const std::vector<ZoneError>& zones, const solver::FilmGrid& grid,
-                        bool namesZones, bool isMasked) {
-    const SheetChange& spacing = estimate.doubleSpacing;
-    const SheetChange& step = estimate.doubleStep;
-    if (spacing.painted == 0 || step.painted == 0 || zones.empty()) {
+                        bool namesZones) {
+    if (!estimate.isKnown() || zones.empty()) {
         found.add({Kind::NothingAlike, Advice::DoNotPrint});
         return;
     }
@@ -70,17 +68,17 @@ void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimat
                        namesZones ? std::optional(zone.zone) : std::nullopt);
     }
     // The border moves by about one film cell, and the compared films have double cells.
-    const double once = halfSpacingShare * std::max(spacing.paintedOnce, step.paintedOnce);
+    const double once = halfSpacingShare * std::max(estimate.doubleSpacing.paintedOnce,
+                                                    estimate.doubleStep.paintedOnce);
     if (once > mostPaintedOnce) {
         found.add({Kind::Border, once > spoiltPaintedOnce ? Advice::DoNotPrint : Advice::CheckFirst,
                    once, mostPaintedOnce});
     }
     if (found.isEmpty()) {
-        // With a mask, the estimate includes places that do not count.
         const double worst = std::max_element(zones.begin(), zones.end(), [](auto& a, auto& b) {
                                  return a.percentile95 < b.percentile95;
                              })->percentile95;
-        found.add({Kind::Certain, Advice::Print, isMasked ? worst : estimate.offBy.percentile95});
+        found.add({Kind::Certain, Advice::Print, worst});
     }
 }
 
@@ -104,8 +102,7 @@ PlacesToCheck addNumericalReasons(ReasonList& found, const LaidFilm& laid,
     } else if (!estimate->failure.isEmpty()) {
         found.add({Kind::NotCompared, Advice::CheckFirst, 0, 0, estimate->failure});
     } else {
-        addEstimateReasons(found, *estimate, uncertain.zones, laid.film().grid, zones != nullptr,
-                           mask != nullptr);
+        addEstimateReasons(found, *estimate, uncertain.zones, laid.film().grid, zones != nullptr);
     }
     return uncertain;
 }

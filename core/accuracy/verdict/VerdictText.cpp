@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <cmath>
+
 namespace dipwright {
 namespace {
 
@@ -14,6 +16,11 @@ using Kind = VerdictReason::Kind;
 
 QString percent(double share) {
     return QLocale().toString(100 * share, 'f', share < 0.1 ? 1 : 0);
+}
+
+// Returns a proposed cell as the user may type it in: a larger one would not suffice.
+double roundedDown(double cell) {
+    return std::floor(100 * cell) / 100;
 }
 
 QString errorText(const VerdictReason& reason, const LengthText& length) {
@@ -30,14 +37,17 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("Numerical error: at most %1 on 95 % of the sheet.")
             .arg(length(reason.value));
     case Kind::OffBy:
-        return reason.most > 0
-                   ? Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit "
-                              "is %2. Set Film > Cells to %3, turn the part, or dip it twice.")
-                         .arg(length(reason.value), length(reason.limit), length(reason.most))
-                   : Text::tr(
-                         "Numerical error: at most %1 on 95 % of the painted area; the limit is "
-                         "%2. Set more points (Film > Points), turn the part, or dip it twice.")
-                         .arg(length(reason.value), length(reason.limit));
+        if (reason.most == 0) {
+            return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is "
+                            "%2. Set more points (Film > Points), turn the part, or dip it twice.")
+                .arg(length(reason.value), length(reason.limit));
+        }
+        if (roundedDown(reason.most) >= leastFilmCell) {
+            return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit "
+                            "is %2. Set Film > Cells to %3, turn the part, or dip it twice.")
+                .arg(length(reason.value), length(reason.limit), length(roundedDown(reason.most)));
+        }
+        [[fallthrough]];
     case Kind::OffByMuch:
         return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
                         "Turn the part, dip it twice, or set much smaller cells or more points "

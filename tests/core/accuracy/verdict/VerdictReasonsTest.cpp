@@ -87,13 +87,36 @@ private slots:
     // In zone C, the unmarked area, the numerical error may be a third of 1.5 mm.
     void verdictText_coarseFilm_namesTheSettingToChange() {
         QVERIFY(verdictTextOf(0.75, false).contains(QStringLiteral("Film > Points")));
-        QVERIFY(verdictTextOf(0.75, true).contains(QStringLiteral("Set Film > Cells to 0.67 mm")));
+        QVERIFY(verdictTextOf(0.75, true).contains(QStringLiteral("Set Film > Cells to 0.66 mm")));
         for (const bool isGraded : {false, true}) {
             const QString line = verdictTextOf(4, isGraded);
             QVERIFY2(line.startsWith(QStringLiteral("Top: Do not print")), qPrintable(line));
             QVERIFY(line.contains(QStringLiteral("much smaller cells or more points")));
             QVERIFY(!line.contains(QStringLiteral("to 0.")));
         }
+    }
+
+    void verdictText_cellThatCannotBeSet_isNotProposed() {
+        for (const double cell : {0.2, 0.09}) {
+            Verdict needsCell;
+            needsCell.advice = Advice::CheckFirst;
+            needsCell.reasons = {
+                {VerdictReason::Kind::OffBy, Advice::CheckFirst, 1, 0.5, {}, cell}};
+            const QString text = verdictText(QStringLiteral("Top"), needsCell);
+            QCOMPARE(text.contains(QStringLiteral("Set Film > Cells to")), cell == 0.2);
+            QCOMPARE(text.contains(QStringLiteral("much smaller cells")), cell == 0.09);
+        }
+    }
+
+    void verdict_coarserFilmDoesNotFollow_forbidsAndAsksForHalfTheCell() {
+        const auto laid = filmWith({});
+        const NumericalErrorEstimate estimate =
+            estimateNumericalError(*laid, {nullptr, nullptr, {}});
+        QVERIFY(estimate.failure.isEmpty() && !estimate.isKnown());
+        const Verdict found = judged(*laid, &estimate);
+        QCOMPARE(found.advice, Advice::DoNotPrint);
+        QCOMPARE(found.reasons.front().kind, VerdictReason::Kind::NothingAlike);
+        QCOMPARE(wantedCell(found, laid->film()), laid->film().grid.leastSpacing() / 2);
     }
 
     void verdict_markedZone_usesItsOwnLimit() {
