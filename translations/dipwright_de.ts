@@ -1502,6 +1502,10 @@
 <context>
     <name>Pipeline</name>
     <message>
+        <source>a film with coarser cells does not follow the part</source>
+        <translation>ein Film mit gröberen Zellen folgt dem Teil nicht</translation>
+    </message>
+    <message>
         <source>Writing the sheet of %1</source>
         <translation>Blatt von %1 wird geschrieben</translation>
     </message>
@@ -5192,6 +5196,10 @@
     <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
         <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte), drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, or dip it twice.</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
     </message>
     <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>

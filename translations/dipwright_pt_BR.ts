@@ -1502,6 +1502,10 @@
 <context>
     <name>Pipeline</name>
     <message>
+        <source>a film with coarser cells does not follow the part</source>
+        <translation>uma película com células maiores não acompanha a peça</translation>
+    </message>
+    <message>
         <source>Writing the sheet of %1</source>
         <translation>Gravando a folha de %1</translation>
     </message>
@@ -5192,6 +5196,10 @@
     <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
         <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha mais pontos (Película &gt; Pontos), gire a peça ou mergulhe-a duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, or dip it twice.</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Gire a peça ou mergulhe-a duas vezes.</translation>
     </message>
     <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>

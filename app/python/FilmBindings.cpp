@@ -208,12 +208,13 @@ void bindFilm(py::module_& module) {
                 return valueArray(object, object.estimate().pointErrors);
             },
             "Numerical error of each film point: (points,) float32, mm; 0 off the body, NaN where\n"
-            "unknown. Empty if the estimate failed.")
+            "unknown: everywhere if the coarser films do not follow the part. Empty if the\n"
+            "estimate failed.")
         .def_property_readonly(
             "failure", [](const Certainty& object) { return object.estimate().failure; },
             "Why there is no estimate; empty if there is one.")
         .def("__repr__", [](const Certainty& object) {
-            return object.estimate().failure.isEmpty()
+            return object.estimate().isKnown()
                        ? QStringLiteral("<Certainty: 95 % within %1 mm>")
                              .arg(object.estimate().offBy.percentile95, 0, 'f', 2)
                        : QStringLiteral("<Certainty: %1>").arg(object.estimate().failure);

@@ -17,6 +17,8 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
 };
 
+constexpr double almostEqual = 1.00001; // film points' errors are floats
+
 QString millimetresText(double length) {
     return QLocale().toString(length, 'f', 2);
 }
@@ -90,7 +92,7 @@ QStringList refinementNotes(const JobResult& result) {
         const double finer = own / *cell;
         // Such a film would have too many points, or its least error would be too large.
         if (double(film.grid.pointCount()) * finer * finer > maximumFilmGrid ||
-            leastErrorCells * *cell > leastAllowedError(dip.verdict)) {
+            leastErrorCells * *cell > almostEqual * leastAllowedError(dip.verdict)) {
             continue;
         }
         const double work =

@@ -201,7 +201,7 @@ std::vector<FilmPointValues> valuesOf(const JobResult& result, Between between,
 }
 
 bool isJudged(const ImmersionResult& dip) {
-    return dip.numericalError && dip.numericalError->failure.isEmpty();
+    return dip.numericalError && dip.numericalError->isKnown();
 }
 
 void addMapLayers(std::vector<Layer>& layers, const JobResult& result) {

@@ -372,6 +372,10 @@ ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Ru
     if (!next.numericalError->failure.isEmpty()) {
         throw Error(next.numericalError->failure, next.immersion.name);
     }
+    if (now.numericalError->isKnown() && !next.numericalError->isKnown()) {
+        throw Error(Text::tr("a film with coarser cells does not follow the part"),
+                    next.immersion.name);
+    }
     next.solverNotes = now.solverNotes + next.solverNotes;
     return next;
 }

@@ -335,9 +335,9 @@ void PoseDips::judgeAsJob(JudgedPose& pose, const LaidFilm& laid,
                           const CoarserDips& coarser) const {
     const NumericalErrorEstimate error = estimateNumericalError(laid, coarser.laid());
     pose.pale = body_.pale(laid);
-    pose.verdict =
-        afterRefinement(verdictOf(laid, &error, pose.tankFaults), laid.film(), subject_.film);
-    if (error.failure.isEmpty()) {
+    pose.verdict = verdictOf(laid, &error, pose.tankFaults);
+    if (error.isKnown()) { // otherwise nobody knows what refinement would gain
+        pose.verdict = afterRefinement(std::move(pose.verdict), laid.film(), subject_.film);
         pose.doublings = neededDoublings(pose.verdict, laid.film());
     }
 }

@@ -131,7 +131,7 @@ void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, 
                         ? paragraph(tr("This is a draft. The verdict follows with the result."))
                         : html(*outcome.result, result, unit));
     const NumericalErrorEstimate* estimate = result.numericalError.get();
-    if (estimate && estimate->failure.isEmpty()) {
+    if (estimate && estimate->isKnown()) {
         const QImage map = numericalErrorMap(
             *result.laid, estimate->pointErrors,
             allowedError(Zone::C, outcome.result->project.tolerance), mapEdge, unit);

@@ -71,7 +71,7 @@ struct NumericalErrorEstimate {
     // infinitely short steps. The film before the refinement counts, too (FilmBefore). At least
     // `leastErrorCells`, here and in pointErrors.
     Distribution offBy;
-    // Numerical error of each film point on the body; NaN where not all dips paint, 0 off the body.
+    // Numerical error of each film point on the body; NaN where unknown, 0 off the body.
     std::vector<float> pointErrors;
     QString failure; // why the comparison failed; all other members are then empty
 

@@ -164,8 +164,8 @@ private:
         return Zone::C;
     }
 
-    // An unknown error counts as 0, because it occurs only at the border of the paint, which
-    // Kind::Border judges.
+    // An unknown error counts as 0. At the border of the paint, Kind::Border judges it; if it is
+    // unknown everywhere, Kind::NothingAlike forbids the sheet.
     double offBy(std::uint32_t point) const {
         return offBy_.empty() || std::isnan(offBy_[point]) ? 0 : double(offBy_[point]);
     }

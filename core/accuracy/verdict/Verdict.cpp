@@ -23,8 +23,8 @@ VerdictReason numericalErrorReason(const ZoneError& error, const NumericalErrorE
                          error.percentile95, allowed};
     const double finer = allowed / error.percentile95;
     // Shorter steps do not reduce the least error.
-    const bool isLeast = error.percentile95 <= 1.000001 * leastErrorCells * grid.leastSpacing();
-    if (!isLeast &&
+    const bool canStepsSuffice = leastErrorCells * grid.leastSpacing() < allowed;
+    if (canStepsSuffice &&
         estimate.halfStep().distance.percentile95 > estimate.halfSpacing().distance.percentile95) {
         reason.kind = Kind::Step;
     } else if (finer < finestCellNamed) {

@@ -47,7 +47,9 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
                             "is %2. Set Film > Cells to %3, turn the part, or dip it twice.")
                 .arg(length(reason.value), length(reason.limit), length(roundedDown(reason.most)));
         }
-        [[fallthrough]];
+        return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
+                        "Turn the part, or dip it twice.")
+            .arg(length(reason.value), length(reason.limit));
     case Kind::OffByMuch:
         return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
                         "Turn the part, dip it twice, or set much smaller cells or more points "

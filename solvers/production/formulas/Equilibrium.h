@@ -162,9 +162,9 @@ DIPWRIGHT_HOST_DEVICE inline double solveTriangular(GmresProblem& problem, int c
 } // namespace detail
 
 // Solves H · step = −forces by GMRES to a residual of `tolerance`, or as far as mostBasisVectors
-// allow. Preconditioning from the right (Saad, Iterative Methods for Sparse Linear
-// Systems, algorithm 9.5) makes the residual of GMRES the true residual. `start` is the residual of
-// a zero step.
+// allow. Preconditioning from the right (Saad, Iterative Methods for Sparse Linear Systems,
+// algorithm 9.5) makes the residual of GMRES the true residual. `start` is the residual of a zero
+// step.
 template <GmresBackend Film>
 DIPWRIGHT_TEAM inline void solveGmres(Film& film, typename Film::Real drag, Tangent tangent,
                                       double start, double tolerance) {

@@ -189,7 +189,7 @@ concept FilmBackend = FilmStorage<Film> && FilmTeam<Film> && FilmEquilibrium<Fil
 // Defines what GMRES requires of a device: basis vectors and smoothed basis vectors. Smoothing
 // means multiplication by M⁻¹, a multigrid cycle (GalerkinCycle.h).
 template <typename Film, typename Real = typename Film::Real>
-concept GmresBackend = requires(Film& film, Real value, int count, double* column) {
+concept GmresBackend = requires(Film& film, Real value, int count) {
     // Lets one thread call work(problem) → double on the small problem, for all threads that share
     // it.
     { film.inSmallProblem(detail::SmallWork{}) } -> std::same_as<double>;

@@ -114,13 +114,10 @@ struct Matrix {
     double inSmallProblem(const Work& work) {
         return work(problem);
     }
-    void startLinear() {
-        step.assign(forces.size(), 0);
-        residual = forces;
-    }
+    void startLinear() { step.assign(forces.size(), 0); }
     void startBasis(double factor) {
         basis[0].assign(forces.size(), 0);
-        add(factor, residual, basis[0]);
+        add(factor, forces, basis[0]);
     }
     void extendBasis(int count, double drag, Tangent) {
         const auto newest = std::size_t(count);
@@ -145,7 +142,7 @@ struct Matrix {
     }
 
     std::vector<Vector> entries, basis, smoothed;
-    Vector forces, step, residual;
+    Vector forces, step;
     GmresProblem problem;
 
 private:
@@ -282,11 +279,15 @@ void EquilibriumTest::solveGmres_unsymmetricSystem_isSolved() {
 
 // There are more equations than basis vectors.
 void EquilibriumTest::solveGmres_manyEquations_reducesTheResidual() {
-    Matrix film(40, 0.5);
+    Matrix film(40, 12); // well conditioned
     const double start = std::sqrt(Matrix::dot(film.forces, film.forces));
-    solveGmres(film, 0, Tangent::True, start, 0);
-    QCOMPARE(film.state().equilibrium.linearIterations, std::int64_t(mostBasisVectors));
-    QVERIFY(film.left(0) < start);
+    solveGmres(film, 0, Tangent::True, start, 1e-4 * start);
+    QVERIFY(film.state().equilibrium.linearIterations <= mostBasisVectors);
+    QVERIFY(film.left(0) <= 1.001e-4 * start);
+    Matrix never(40, 0.5);
+    solveGmres(never, 0, Tangent::True, start, 0);
+    QCOMPARE(never.state().equilibrium.linearIterations, std::int64_t(mostBasisVectors));
+    QVERIFY(never.left(0) < start);
 }
 
 // With as many vectors as equations, the residual is zero.
