@@ -212,12 +212,16 @@ void bindFilm(py::module_& module) {
             "estimate failed.")
         .def_property_readonly(
             "failure", [](const Certainty& object) { return object.estimate().failure; },
-            "Why there is no estimate; empty if there is one.")
+            "Why there is no estimate; empty if there is one, or if the coarser films do not\n"
+            "follow the part.")
         .def("__repr__", [](const Certainty& object) {
-            return object.estimate().isKnown()
-                       ? QStringLiteral("<Certainty: 95 % within %1 mm>")
-                             .arg(object.estimate().offBy.percentile95, 0, 'f', 2)
-                       : QStringLiteral("<Certainty: %1>").arg(object.estimate().failure);
+            const NumericalErrorEstimate& estimate = object.estimate();
+            if (estimate.isKnown()) {
+                return QStringLiteral("<Certainty: 95 % within %1 mm>")
+                    .arg(estimate.offBy.percentile95, 0, 'f', 2);
+            }
+            return QStringLiteral("<Certainty: %1>")
+                .arg(estimate.failure.isEmpty() ? QStringLiteral("not known") : estimate.failure);
         });
 }
 
