@@ -43,7 +43,7 @@ py::array drawn(int longEdge, const Draw& draw) {
 }
 
 py::object certaintyMap(const Dip& dip, int longEdge) {
-    if (!dip->numericalError || !dip->numericalError->isKnown()) {
+    if (!dip->knownError()) {
         return py::none();
     }
     const double limit = allowedError(Zone::C, dip.run->project.tolerance);

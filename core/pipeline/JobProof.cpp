@@ -200,10 +200,6 @@ std::vector<FilmPointValues> valuesOf(const JobResult& result, Between between,
     return dips;
 }
 
-bool isJudged(const ImmersionResult& dip) {
-    return dip.numericalError && dip.numericalError->isKnown();
-}
-
 void addMapLayers(std::vector<Layer>& layers, const JobResult& result) {
     constexpr double leastRange = 0.02; // mm
     const std::vector<FilmPointValues> stretch =
@@ -212,7 +208,7 @@ void addMapLayers(std::vector<Layer>& layers, const JobResult& result) {
     layers.push_back(mapLayer("stretch", Text::tr("Stretch"),
                               Text::tr("How many times longer the film becomes on the part"),
                               stretch, stretchScale(paintedValues(stretch))));
-    if (std::ranges::all_of(result.immersions, isJudged)) {
+    if (std::ranges::all_of(result.immersions, &ImmersionResult::knownError)) {
         const std::vector<FilmPointValues> errors =
             valuesOf(result, Between::Largest, [&](std::size_t i) {
                 return result.immersions[i].numericalError->pointErrors;
@@ -278,8 +274,8 @@ ProofSection dipSection(const JobResult& result, std::size_t i) {
     const auto within = [&](const QString& name, double length) {
         section.figures.push_back({name, millimetres(length)});
     };
-    if (isJudged(dip)) {
-        within(Text::tr("Numerical error, 95 % within"), dip.numericalError->offBy.percentile95);
+    if (const NumericalErrorEstimate* estimate = dip.knownError()) {
+        within(Text::tr("Numerical error, 95 % within"), estimate->offBy.percentile95);
     }
     if (dip.readBack) {
         within(Text::tr("Read-back error, 95 % within"), dip.readBack->percentile95);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "accuracy/error/LawChange.h"
+#include "accuracy/error/NumericalErrorEstimate.h"
 #include "accuracy/tolerance/Zones.h"
 #include "accuracy/verdict/Verdict.h"
 #include "cradle/Cradle.h"
@@ -48,6 +49,11 @@ struct ImmersionResult {
     // (sheet/prepress/Separation.h). None if the inks are not compensated separately.
     std::optional<double> inkShortfall;
     std::vector<InkArea> inks; // that the project's printer takes for the sheet; empty: a draft
+
+    // Returns the numerical error if it is known, else null.
+    const NumericalErrorEstimate* knownError() const {
+        return numericalError && numericalError->isKnown() ? numericalError.get() : nullptr;
+    }
 };
 
 // How far the colours of a job may land from their places.

@@ -128,11 +128,10 @@ QJsonObject numericalErrorJson(const ImmersionResult& result) {
                      {"reasons", sentencesOf(verdict)},
                      {"places", places},
                      {"uncertain_area_mm2", verdict.areaToCheck}};
-    if (result.numericalError && result.numericalError->isKnown()) {
-        const NumericalErrorEstimate& estimate = *result.numericalError;
-        json["off_by_mm"] = toJson(estimate.offBy);
-        json["double_step"] = toJson(estimate.doubleStep);
-        json["double_spacing"] = toJson(estimate.doubleSpacing);
+    if (const NumericalErrorEstimate* estimate = result.knownError()) {
+        json["off_by_mm"] = toJson(estimate->offBy);
+        json["double_step"] = toJson(estimate->doubleStep);
+        json["double_spacing"] = toJson(estimate->doubleSpacing);
     }
     return json;
 }

@@ -135,7 +135,7 @@ void addMaps(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
                           folder.write(name,
                                        pngBytes(wrinklingMap(*result.laid, filmMapEdge), name));
                       }});
-    if (result.numericalError && result.numericalError->isKnown()) {
+    if (result.knownError()) {
         pieces.push_back({text, [&result, prefix, allowedError, &folder] {
                               const QString name = prefix + QStringLiteral("certainty.png");
                               const QImage map = numericalErrorMap(

@@ -130,8 +130,7 @@ void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, 
     text_->showHtml(outcome.fineness.isDraft()
                         ? paragraph(tr("This is a draft. The verdict follows with the result."))
                         : html(*outcome.result, result, unit));
-    const NumericalErrorEstimate* estimate = result.numericalError.get();
-    if (estimate && estimate->isKnown()) {
+    if (const NumericalErrorEstimate* estimate = result.knownError()) {
         const QImage map = numericalErrorMap(
             *result.laid, estimate->pointErrors,
             allowedError(Zone::C, outcome.result->project.tolerance), mapEdge, unit);

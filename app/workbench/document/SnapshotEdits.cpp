@@ -39,8 +39,8 @@ QJsonObject snapshotMeasures(const Document& document) {
         air += immersion.coverage->trappedAir.area;
         marked += immersion.coverage->marked.any;
         pale += immersion.inkShortfall.value_or(immersion.texture->shortfallArea);
-        if (immersion.numericalError && immersion.numericalError->isKnown()) {
-            error = std::max(error, immersion.numericalError->offBy.percentile95);
+        if (const NumericalErrorEstimate* estimate = immersion.knownError()) {
+            error = std::max(error, estimate->offBy.percentile95);
         }
         for (const InkArea& plate : immersion.inks) {
             ink += plate.area;

@@ -119,15 +119,8 @@ void CpuBackend::solveLinear(float drag, numerics::Tangent tangent, double start
     numerics::solveGmres(*this, drag, tangent, start, tolerance);
 }
 
-void CpuBackend::startLinear() {
-    forBands([&](int first, int last) {
-        std::fill(step_.x.begin() + first, step_.x.begin() + last, 0.f);
-        std::fill(step_.z.begin() + first, step_.z.begin() + last, 0.f);
-        copy(gradient_, basis_.front(), first, last);
-    });
-}
-
 void CpuBackend::startBasis(float factor) {
+    forBands([&](int first, int last) { copy(gradient_, basis_.front(), first, last); });
     factors_.front() = factor;
 }
 
@@ -174,8 +167,10 @@ void CpuBackend::extendBasis(int count, float drag, numerics::Tangent tangent) {
     factors_[newest + 1] = numerics::inverseLength(column[newest + 1]);
 }
 
-void CpuBackend::addToStep(int count) {
+void CpuBackend::setStep(int count) {
     forBands([&](int first, int last) {
+        std::fill(step_.x.begin() + first, step_.x.begin() + last, 0.f);
+        std::fill(step_.z.begin() + first, step_.z.begin() + last, 0.f);
         for (int i = 0; i < count; ++i) {
             add(-float(leastResiduals_.weights[i]), smoothed_[std::size_t(i)], step_, first, last);
         }

@@ -75,10 +75,9 @@ public:
     double inSmallProblem(const Work& work) {
         return work(leastResiduals_);
     }
-    void startLinear();
     void startBasis(float factor);
     void extendBasis(int count, float drag, numerics::Tangent tangent);
-    void addToStep(int count);
+    void setStep(int count);
 
 private:
     // Triangles that one thread unfolds at a time.

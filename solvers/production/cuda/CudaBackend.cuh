@@ -198,10 +198,7 @@ public:
         __syncthreads();
         return answer;
     }
-    __device__ void startLinear() const {
-        // The first basis vector already holds the forces.
-        forPoints([&](int point) { thisBlock.block.dip.newtonStep[point] = {0, 0}; });
-    }
+    // The first basis vector already holds the forces.
     __device__ void startBasis(float factor) const {
         if (threadIdx.x == 0) {
             thisBlock.block.small.factors[0] = factor;
@@ -261,9 +258,9 @@ public:
             return 0.0;
         });
     }
-    __device__ void addToStep(int count) const {
+    __device__ void setStep(int count) const {
         forPoints([&](int point) {
-            float2 step = thisBlock.block.dip.newtonStep[point];
+            float2 step{0, 0};
             for (int i = 0; i < count; ++i) {
                 step = step - thisBlock.block.dip.smoothed[i][point] *
                                   float(thisBlock.block.small.problem.weights[i]);

@@ -169,12 +169,8 @@ template <GmresBackend Film>
 DIPWRIGHT_TEAM inline void solveGmres(Film& film, typename Film::Real drag, Tangent tangent,
                                       double start, double tolerance) {
     using Real = typename Film::Real;
-    film.startLinear();
-    if (!(start > tolerance)) {
-        return;
-    }
     film.inSmallProblem([&](GmresProblem& problem) { return problem.right[0] = start; });
-    film.startBasis(Real(1 / start));
+    film.startBasis(Real(start > 0 ? 1 / start : 0));
     int count = 0;
     for (double left = start; count < mostBasisVectors && left > tolerance; ++count) {
         film.extendBasis(count, drag, tangent);
@@ -182,12 +178,13 @@ DIPWRIGHT_TEAM inline void solveGmres(Film& film, typename Film::Real drag, Tang
         left = film.inSmallProblem(
             [&](GmresProblem& problem) { return detail::takeColumn(problem, count); });
         if (!std::isfinite(left)) {
-            return;
+            count = 0;
+            break;
         }
     }
     film.inSmallProblem(
         [&](GmresProblem& problem) { return detail::solveTriangular(problem, count); });
-    film.addToStep(count);
+    film.setStep(count);
 }
 
 } // namespace dipwright::numerics

@@ -193,18 +193,16 @@ concept GmresBackend = requires(Film& film, Real value, int count) {
     // Lets one thread call work(problem) → double on the small problem, for all threads that share
     // it.
     { film.inSmallProblem(detail::SmallWork{}) } -> std::same_as<double>;
-    // Starts with a zero step, so the residual is the forces.
-    film.startLinear();
-    // Makes the residual times `value` the first basis vector.
+    // Makes the forces times `value` the first basis vector.
     film.startBasis(value);
     // Smooths basis vector `count` and makes the next basis vector: H times the smoothed vector,
     // made orthogonal to the earlier vectors and scaled to length 1. Column `count` of the small
     // problem's matrix receives the products with the earlier vectors, and the length before
     // scaling.
     film.extendBasis(count, value, Tangent::True);
-    // Subtracts the first `count` smoothed vectors, times their weights in the small problem, from
-    // the step.
-    film.addToStep(count);
+    // Makes the step the negative sum of the first `count` smoothed vectors, times their weights in
+    // the small problem; zero if `count` is 0.
+    film.setStep(count);
 };
 
 } // namespace dipwright::numerics

@@ -114,7 +114,6 @@ struct Matrix {
     double inSmallProblem(const Work& work) {
         return work(problem);
     }
-    void startLinear() { step.assign(forces.size(), 0); }
     void startBasis(double factor) {
         basis[0].assign(forces.size(), 0);
         add(factor, forces, basis[0]);
@@ -135,7 +134,8 @@ struct Matrix {
         std::ranges::transform(next, next.begin(), [&](double v) { return v / size; });
         basis[newest + 1] = next;
     }
-    void addToStep(int count) {
+    void setStep(int count) {
+        step.assign(forces.size(), 0);
         for (int i = 0; i < count; ++i) {
             add(-problem.weights[i], smoothed[std::size_t(i)], step);
         }
