@@ -107,7 +107,7 @@ QStringList refinementNotes(const JobResult& result) {
                                 "would need about %3 million points × steps; the project allows "
                                 "%4 million. Raise this limit (Film > Work limit), or turn the "
                                 "part."))
-                    .arg(dip.immersion.name, millimetresText(*cell),
+                    .arg(dip.immersion.name, millimetresText(cellToSet(*cell)),
                          QLocale().toString(work, 'f', 0),
                          QLocale().toString(settings.work, 'f', 0)));
         }

@@ -56,6 +56,10 @@ std::optional<double> wantedCell(const Verdict& verdict, const DippedFilm& film)
     return std::min(proposed.value_or(withoutProposal * own), mostOfCell * own);
 }
 
+double cellToSet(double cell) {
+    return std::floor(100 * cell) / 100;
+}
+
 double smallestCell(const DippedFilm& film, const FilmSettings& settings) {
     const auto points = double(film.grid.pointCount());
     const auto steps = double(std::max<std::int64_t>(film.steps, 1));

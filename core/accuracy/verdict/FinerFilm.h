@@ -12,6 +12,10 @@ namespace dipwright {
 // small enough.
 std::optional<double> wantedCell(const Verdict& verdict, const DippedFilm& film);
 
+// Returns a proposed cell, in mm, as texts show it: rounded down to hundredths, because a larger
+// cell would not suffice.
+double cellToSet(double cell);
+
 // Returns the smallest cell that the limits of work and of points allow, in mm. If the cells shrink
 // by a factor, the number of points grows by its square. The number of steps grows by the factor
 // itself, because the length of a step is given in cells.

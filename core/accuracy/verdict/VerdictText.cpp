@@ -1,9 +1,7 @@
-#include "accuracy/verdict/Verdict.h"
+#include "accuracy/verdict/FinerFilm.h"
 
 #include <QCoreApplication>
 #include <QLocale>
-
-#include <cmath>
 
 namespace dipwright {
 namespace {
@@ -16,11 +14,6 @@ using Kind = VerdictReason::Kind;
 
 QString percent(double share) {
     return QLocale().toString(100 * share, 'f', share < 0.1 ? 1 : 0);
-}
-
-// Returns a proposed cell as the user may type it in: a larger one would not suffice.
-double roundedDown(double cell) {
-    return std::floor(100 * cell) / 100;
 }
 
 QString errorText(const VerdictReason& reason, const LengthText& length) {
@@ -42,10 +35,10 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
                             "%2. Set more points (Film > Points), turn the part, or dip it twice.")
                 .arg(length(reason.value), length(reason.limit));
         }
-        if (roundedDown(reason.most) >= leastFilmCell) {
+        if (cellToSet(reason.most) >= leastFilmCell) {
             return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit "
                             "is %2. Set Film > Cells to %3, turn the part, or dip it twice.")
-                .arg(length(reason.value), length(reason.limit), length(roundedDown(reason.most)));
+                .arg(length(reason.value), length(reason.limit), length(cellToSet(reason.most)));
         }
         return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
                         "Turn the part, or dip it twice.")
