@@ -344,14 +344,20 @@ void dipAndCompare(ImmersionResult& now, bool isDipped, const Run& run, std::siz
     }
 }
 
+// Waits for the coarser dips.
+std::shared_ptr<const CoarserFilms> coarserFilms(Comparison& comparison, const Run& run) {
+    comparison.dips.wait();
+    run.user.throwIfCancelled();
+    return std::make_shared<const CoarserFilms>(std::exchange(comparison.films, {}));
+}
+
 // Waits for the coarser dips and estimates the numerical error, if it is wanted.
 void judge(ImmersionResult& now, const Run& run, Comparison& comparison,
-           const std::optional<FilmBefore>& before = {}) {
+           const std::optional<FilmsBefore>& before = {}) {
     if (std::exchange(comparison.isWanted, false)) {
-        comparison.dips.wait();
-        run.user.throwIfCancelled();
+        now.coarser = coarserFilms(comparison, run);
         now.numericalError = std::make_shared<const NumericalErrorEstimate>(
-            estimateNumericalError(*now.laid, std::exchange(comparison.films, {}), before));
+            estimateNumericalError(*now.laid, *now.coarser, before));
     }
 }
 
@@ -360,6 +366,11 @@ void judge(ImmersionResult& now, const Run& run, Comparison& comparison,
 ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Run& run,
                          std::size_t number, const DistanceField& field, const Dipping& dipping,
                          const Progress& progress) {
+    std::shared_ptr<const CoarserFilms> coarser = now.coarser;
+    if (!coarser) { // a cached dip
+        compare(dipping.comparison, run, now, field, dipping.solver.solver.id, dipping.left);
+        coarser = coarserFilms(dipping.comparison, run);
+    }
     ImmersionResult next;
     next.immersion = now.immersion;
     next.body = now.body;
@@ -367,8 +378,7 @@ ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Ru
     next.refinement = refinement;
     dipping.comparison.isWanted = true;
     dipAndCompare(next, false, run, number, &field, dipping, progress);
-    judge(next, run, dipping.comparison,
-          FilmBefore{*now.laid, refinement / now.refinement, *now.numericalError});
+    judge(next, run, dipping.comparison, FilmsBefore{*now.laid, coarser->doubleSpacing.get()});
     if (!next.numericalError->failure.isEmpty()) {
         throw Error(next.numericalError->failure, next.immersion.name);
     }

@@ -18,10 +18,12 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Certainty)
 };
 
-// Largest factor for the move from a film with slightly larger cells. Such a move is mostly noise:
-// the sheet depends on where the grid's points happen to lie (docs/film-validation.md, "The
-// verdict").
-constexpr double mostLeft = 2;
+// Safety factor for an error that is fitted to three or more films (P. J. Roache, Perspective: a
+// method for uniform reporting of grid refinement studies, J. Fluids Eng. 116 (1994)).
+constexpr double fitSafety = 1.25;
+constexpr std::size_t leastFilms = 3; // for a fit with a standard deviation
+// The move from double steps to the coarser film's own leaves half of itself at the dip's steps.
+constexpr float stepErrorShare = 0.5F;
 constexpr int leastCells = 4; // per side; fewer cells give no meaningful comparison
 
 // Doubling the cells also doubles the steps, because the production film's steps are given in
@@ -46,43 +48,54 @@ bool hasLaidFilm(const DippedFilm& film) {
            film.states.end();
 }
 
-// Returns the larger move of each place. Where the steps were not compared, because the film with
-// the longest steps does not paint the place, the move with double cells counts alone.
-std::vector<float> largest(std::vector<float> spacing, const std::vector<float>& step) {
-    std::transform(spacing.begin(), spacing.end(), step.begin(), spacing.begin(),
-                   [](float one, float other) { return one < 0 ? one : std::max(one, other); });
-    return spacing;
-}
+// The places of one body's point on the flat films, as weighted samples of a line over the cell.
+struct FilmSample {
+    double cell = 1; // relative to the smallest
+    Eigen::Vector2d rest;
+};
 
-// Returns the error of the film `before` at a place that it paints, in mm. Infinite unless it is
-// known at all three corners of the film triangle there.
-float errorBefore(const FilmBefore& before, const SurfacePoint& place) {
-    const std::optional<FilmPlace> found = before.laid.place(place);
-    constexpr float unknown = std::numeric_limits<float>::infinity();
-    if (!found || before.error.pointErrors.empty()) {
-        return unknown;
-    }
-    float error = 0;
-    for (const std::uint32_t corner : before.laid.triangles()[found->triangle]) {
-        const float own = before.error.pointErrors[corner];
-        error = std::isnan(own) ? unknown : std::max(error, own);
-    }
-    return error;
-}
-
-// Returns the error that the move from the film before leaves at each place, or what sheetMoves()
-// returns for places that are not painted by both.
-std::vector<float> errorsLeft(const LaidFilm& own, const FilmBefore& before,
-                              const std::vector<SurfacePoint>& places) {
-    std::vector<float> left = sheetMoves(own, before.laid, places);
-    const auto factor = float(std::min(1 / (before.ratio - 1), mostLeft));
-    parallelFor(std::size_t(0), left.size(), [&](auto place) {
-        float& move = left[place];
-        if (move > 0) {
-            move = std::min(factor * move, std::max(move, errorBefore(before, places[place])));
+// Returns where each film with its cell relative to `own` has the place; films that do not paint
+// the place are left out.
+std::vector<FilmSample> samplesAt(const SurfacePoint& place, const LaidFilm& own,
+                                  const std::vector<const LaidFilm*>& films) {
+    std::vector<FilmSample> samples;
+    const double ownCell = own.film().grid.leastSpacing();
+    for (const LaidFilm* film : films) {
+        if (const std::optional<FilmPlace> found = film->place(place)) {
+            samples.push_back(
+                {film->film().grid.leastSpacing() / ownCell, found->rest.cast<double>()});
         }
-    });
-    return left;
+    }
+    return samples;
+}
+
+// Returns the error of the sample with the cell 1 by the line that is fitted to all samples, mm.
+double fittedError(const std::vector<FilmSample>& samples) {
+    double weights = 0, meanCell = 0;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const FilmSample& sample : samples) {
+        const double weight = 1 / (sample.cell * sample.cell);
+        weights += weight;
+        meanCell += weight * sample.cell;
+        mean += weight * sample.rest;
+    }
+    meanCell /= weights;
+    mean /= weights;
+    double spread = 0;
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+    for (const FilmSample& sample : samples) {
+        const double weight = 1 / (sample.cell * sample.cell), offset = sample.cell - meanCell;
+        spread += weight * offset * offset;
+        slope += weight * offset * (sample.rest - mean);
+    }
+    slope /= spread;
+    double squares = 0; // of the deviations, relative to the cell
+    for (const FilmSample& sample : samples) {
+        const Eigen::Vector2d line = mean + slope * (sample.cell - meanCell);
+        squares += (sample.rest - line).squaredNorm() / (sample.cell * sample.cell);
+    }
+    const double directions = 2, freedom = directions * double(samples.size() - 2);
+    return fitSafety * slope.norm() + std::sqrt(squares / freedom);
 }
 
 SheetChange scaled(SheetChange change, double share) {
@@ -166,7 +179,7 @@ SheetChange NumericalErrorEstimate::halfStep() const {
 }
 
 NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser,
-                                              const std::optional<FilmBefore>& before) {
+                                              const std::optional<FilmsBefore>& before) {
     NumericalErrorEstimate estimate;
     estimate.failure = coarser.failure;
     if (!coarser.failure.isEmpty()) {
@@ -184,15 +197,28 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
         return moves(coarser.doubleSpacing.get(), coarser.doubleStep.get(), places);
     };
     const auto least = float(leastErrorCells * own.film().grid.leastSpacing());
+    std::vector<const LaidFilm*> films;
+    if (before) {
+        for (const LaidFilm* film :
+             {&own, coarser.doubleSpacing.get(), &before->own, before->doubleSpacing}) {
+            if (film) {
+                films.push_back(film);
+            }
+        }
+    }
     const auto errorsOf = [&](const std::vector<float>& spacing, const std::vector<float>& step,
                               const Places& places) {
-        std::vector<float> errors = largest(spacing, step);
-        if (before) {
-            errors = largest(std::move(errors), errorsLeft(own, *before, places));
-        }
-        for (float& error : errors) {
-            error = error < 0 ? error : std::max(error, least);
-        }
+        std::vector<float> errors = spacing;
+        parallelFor(std::size_t(0), places.size(), [&](auto i) {
+            if (spacing[i] < 0) {
+                return;
+            }
+            const std::vector<FilmSample> samples = samplesAt(places[i], own, films);
+            errors[i] = samples.size() < leastFilms
+                            ? std::max(spacing[i], step[i])
+                            : std::max(float(fittedError(samples)), stepErrorShare * step[i]);
+            errors[i] = std::max(errors[i], least);
+        });
         return errors;
     };
     const Places places = comparedPlaces(own.body().mesh);

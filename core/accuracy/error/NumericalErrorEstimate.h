@@ -65,11 +65,9 @@ inline constexpr double leastErrorCells = 0.15;
 struct NumericalErrorEstimate {
     // Measured changes: from the dip itself to double cells, and between both coarser dips.
     SheetChange doubleSpacing, doubleStep;
-    // Numerical error in mm: the larger of both changes, at evenly spread points of the body that
-    // the dip and the dip with double cells paint. For an error of first order, the first is the
-    // distance to the sheet of an infinitely fine film, and the second is twice the distance to
-    // infinitely short steps. The film before the refinement counts, too (FilmBefore). At least
-    // `leastErrorCells`, here and in pointErrors.
+    // Numerical error in mm at evenly spread points of the body that the dip and the dip with
+    // double cells paint, by estimateNumericalError(). At least `leastErrorCells`, here and in
+    // pointErrors.
     Distribution offBy;
     // Numerical error of each film point on the body; NaN where unknown, 0 off the body.
     std::vector<float> pointErrors;
@@ -83,22 +81,33 @@ struct NumericalErrorEstimate {
     SheetChange halfStep() const;
 };
 
-// The film of the dip that was repeated with smaller cells, the ratio of its cells to the new ones
-// (> 1), and its own numerical error.
-struct FilmBefore {
-    const LaidFilm& laid;
-    double ratio;
-    const NumericalErrorEstimate& error;
+// The film of the dip that was repeated with smaller cells, and the one with double its cells.
+struct FilmsBefore {
+    const LaidFilm& own;
+    const LaidFilm* doubleSpacing; // null if that film does not follow the part
 };
 
-// Estimates the numerical error of the film `own`. A film that was repeated until its error seemed
-// small enough is also compared with the previous film: otherwise a chance agreement with the
-// coarser dips would end the repetition. For an error of first order, the move from that film times
-// 1 / (ratio − 1) is the error that is left; the factor used is at most 2. A factor above 1 does
-// not raise a place's error above that of the previous film, because smaller cells are not assumed
-// to be worse. Uses all cores; deterministic.
+// Estimates the numerical error of the film `own` at each place from how far the sheet moves
+// between films of different cells:
+//
+// - From `coarser` alone: the larger of both moves. For an error of first order, the move from
+//   double cells is the distance to the sheet of an infinitely fine film, and the move between the
+//   coarser films is twice the distance to infinitely short steps.
+// - With the films before the refinement (`before`): a place x on the flat film is assumed to
+//   depend on the film's cell h as x(h) = x(0) + a h. The line is fitted to all films that paint
+//   the place, by least squares with the weights 1 / h². The error is 1.25 |a| h of `own`, plus
+//   the standard deviation of the film with the cell h from the line, in one direction of the
+//   sheet; but at least half the move between the coarser films. If only `own` and the film with
+//   double cells paint the place, the error is as without films before.
+//
+// A film that was repeated until its error seemed small enough needs the films before: a chance
+// agreement with the coarser films would end the repetition. Source: L. Eça, M. Hoekstra, A
+// procedure for the estimation of the numerical uncertainty of CFD calculations based on grid
+// refinement studies, J. Comput. Phys. 262 (2014), eqs. 5 to 16; here the order is 1, and the
+// deviation is assumed to be proportional to the cell, which gives the weights
+// (docs/film-validation.md, "The verdict"). Uses all cores; deterministic.
 NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser,
-                                              const std::optional<FilmBefore>& before = {});
+                                              const std::optional<FilmsBefore>& before = {});
 
 // Returns the numerical error at each of `places` on the body, in mm. It is 0 where `own` does not
 // paint or the error is unknown. Uses all cores.

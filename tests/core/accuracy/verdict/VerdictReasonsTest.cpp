@@ -169,24 +169,29 @@ private slots:
         QVERIFY(verdict.reasons.front().kind != VerdictReason::Kind::Step);
     }
 
-    // The film before lies 0.4 mm to the side. Its cells are 1.5 times as large, so its move counts
-    // twice, but not more than its own error.
-    void estimate_filmBefore_countsWithItsMoveAndAtMostItsOwnError() {
-        const auto laid = filmWith({});
-        DippedFilm moved = laid->film();
-        for (Eigen::Vector3f& place : moved.positions) {
-            place.x() += 0.4f;
-        }
-        const auto before = test::laid(laid->body().mesh, moved);
-        const auto same = test::laid(laid->body().mesh, laid->film());
-        const auto offBy = [&](double ownError) {
-            const NumericalErrorEstimate own = movedBy(*before, ownError);
-            return estimateNumericalError(*laid, {same, same, {}}, FilmBefore{*before, 1.5, own})
-                .offBy.percentile95;
+    // Films with the cells 1, 2, 1.5 and 3 lie on a line over the cell, 0.2 mm to the side per
+    // cell. So the error is 1.25 times 0.2 mm. Films that lie alternately 0.3 mm per cell to one
+    // side and to the other have the slope 0.129 mm and the deviation 0.296 mm.
+    void estimate_filmsBefore_countWithSlopeAndDeviation() {
+        const auto own = filmWith({});
+        const auto offBy = [&](const std::array<double, 4>& sides) {
+            const std::array<int, 4> cells = {60, 30, 40, 20};
+            std::array<std::shared_ptr<const LaidFilm>, 4> films;
+            for (std::size_t film = 0; film < films.size(); ++film) {
+                const int points = cells[film] + 1;
+                DippedFilm dipped = test::flatUnderBox({points, points, 60, 60}, boxSize);
+                for (Eigen::Vector3f& place : dipped.positions) {
+                    place.x() += float(sides[film] * 60 / cells[film]);
+                }
+                films[film] = test::laid(own->body().mesh, dipped);
+            }
+            const std::size_t middle = 30 * 61 + 30;
+            return double(estimateNumericalError(*films[0], {films[1], films[1], {}},
+                                                 FilmsBefore{*films[2], films[3].get()})
+                              .pointErrors[middle]);
         };
-        QVERIFY(std::abs(offBy(5) - 0.8) < 0.01);
-        QVERIFY(std::abs(offBy(0.5) - 0.5) < 0.01);
-        QVERIFY(std::abs(offBy(0.1) - 0.4) < 0.01); // the move itself
+        QVERIFY(std::abs(offBy({0.2, 0.2, 0.2, 0.2}) - 0.25) < 0.001);
+        QVERIFY(std::abs(offBy({0.3, -0.3, -0.3, 0.3}) - (1.25 * 0.129 + 0.296)) < 0.001);
     }
 
     void afterRefinement_affordableCells_replaceTheNumericalReasons() {
