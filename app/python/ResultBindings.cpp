@@ -48,7 +48,7 @@ py::object certaintyMap(const Dip& dip, int longEdge) {
     }
     const double limit = allowedError(Zone::C, dip.run->project.tolerance);
     return drawn(longEdge, [&] {
-        return numericalErrorMap(*dip->laid, dip->numericalError->pointErrors, limit, longEdge);
+        return numericalErrorMap(*dip->laid, dip->knownError()->pointErrors, limit, longEdge);
     });
 }
 

@@ -183,9 +183,9 @@ void cacheDips(const JobResult& result, const QString& project, qint64 most) {
         }
         const QString key = keys.of(dip.immersion, dip.solver);
         // A failed comparison is tried again next time.
-        const bool isKnown = dip.numericalError && dip.numericalError->failure.isEmpty();
-        QByteArray bytes =
-            cachedDip({dip.laid->film(), dip.refinement, isKnown ? dip.numericalError : nullptr});
+        const bool isCompared = dip.numericalError && dip.numericalError->failure.isEmpty();
+        QByteArray bytes = cachedDip(
+            {dip.laid->film(), dip.refinement, isCompared ? dip.numericalError : nullptr});
         const auto known = std::find_if(dips.begin(), dips.end(),
                                         [&](const auto& other) { return other.first == key; });
         isNew = isNew || known == dips.end() || known->second != bytes;

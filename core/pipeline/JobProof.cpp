@@ -210,9 +210,8 @@ void addMapLayers(std::vector<Layer>& layers, const JobResult& result) {
                               stretch, stretchScale(paintedValues(stretch))));
     if (std::ranges::all_of(result.immersions, &ImmersionResult::knownError)) {
         const std::vector<FilmPointValues> errors =
-            valuesOf(result, Between::Largest, [&](std::size_t i) {
-                return result.immersions[i].numericalError->pointErrors;
-            });
+            valuesOf(result, Between::Largest,
+                     [&](std::size_t i) { return result.immersions[i].knownError()->pointErrors; });
         const double limit = allowedError(Zone::C, result.project.tolerance);
         layers.push_back(
             mapLayer("error", Text::tr("Numerical error"),

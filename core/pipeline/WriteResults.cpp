@@ -138,9 +138,9 @@ void addMaps(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
     if (result.knownError()) {
         pieces.push_back({text, [&result, prefix, allowedError, &folder] {
                               const QString name = prefix + QStringLiteral("certainty.png");
-                              const QImage map = numericalErrorMap(
-                                  *result.laid, result.numericalError->pointErrors, allowedError,
-                                  filmMapEdge);
+                              const QImage map =
+                                  numericalErrorMap(*result.laid, result.knownError()->pointErrors,
+                                                    allowedError, filmMapEdge);
                               folder.write(name, pngBytes(map, name));
                           }});
     }

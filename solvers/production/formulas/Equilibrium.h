@@ -126,7 +126,8 @@ DIPWRIGHT_TEAM DIPWRIGHT_CALLED EquilibriumResult findEquilibrium(Film& film,
 
 namespace detail {
 
-// Adds column `k` (k + 2 numbers) to the least-squares problem. Returns the new residual.
+// Adds column `k` (k + 2 numbers) to the least-squares problem. Returns the new residual; not a
+// number if the column has such a number.
 DIPWRIGHT_HOST_DEVICE inline double takeColumn(GmresProblem& problem, int k) {
     double* column = problem.matrix[k];
     DIPWRIGHT_ROLLED
@@ -136,8 +137,8 @@ DIPWRIGHT_HOST_DEVICE inline double takeColumn(GmresProblem& problem, int k) {
         column[i] = upper;
     }
     const double size = std::sqrt(column[k] * column[k] + column[k + 1] * column[k + 1]);
-    problem.cosine[k] = size > 0 ? column[k] / size : 1;
-    problem.sine[k] = size > 0 ? column[k + 1] / size : 0;
+    problem.cosine[k] = size == 0 ? 1 : column[k] / size;
+    problem.sine[k] = size == 0 ? 0 : column[k + 1] / size;
     column[k] = size;
     problem.right[k + 1] = -problem.sine[k] * problem.right[k];
     problem.right[k] *= problem.cosine[k];
@@ -178,8 +179,7 @@ DIPWRIGHT_TEAM inline void solveGmres(Film& film, typename Film::Real drag, Tang
         left = film.inSmallProblem(
             [&](GmresProblem& problem) { return detail::takeColumn(problem, count); });
         if (!std::isfinite(left)) {
-            count = 0;
-            break;
+            break; // without this column
         }
     }
     film.inSmallProblem(

@@ -129,7 +129,8 @@ struct Matrix {
             problem.matrix[count][i] = dot(next, basis[i]);
             add(-problem.matrix[count][i], basis[i], next);
         }
-        const double size = std::sqrt(dot(next, next));
+        const double size = count == brokenColumn ? std::numeric_limits<double>::quiet_NaN()
+                                                  : std::sqrt(dot(next, next));
         problem.matrix[count][count + 1] = size;
         std::ranges::transform(next, next.begin(), [&](double v) { return v / size; });
         basis[newest + 1] = next;
@@ -143,6 +144,7 @@ struct Matrix {
 
     std::vector<Vector> entries, basis, smoothed;
     Vector forces, step;
+    int brokenColumn = -1; // this column has a length that is not a number; -1: none has
     GmresProblem problem;
 
 private:
@@ -167,6 +169,8 @@ private Q_SLOTS:
     void solveGmres_unsymmetricSystem_isSolved();
     void solveGmres_manyEquations_reducesTheResidual();
     void solveGmres_smallSystem_isExact();
+    void solveGmres_noForces_takesNoStep();
+    void solveGmres_columnWithoutNumbers_isLeftOut();
 };
 
 void EquilibriumTest::findEquilibrium_filmAtRest_doesNotMove() {
@@ -296,6 +300,26 @@ void EquilibriumTest::solveGmres_smallSystem_isExact() {
     solveGmres(film, 0, Tangent::True, std::sqrt(Matrix::dot(film.forces, film.forces)), 1e-9);
     QCOMPARE(film.state().equilibrium.linearIterations, std::int64_t(5));
     QVERIFY(film.left(0) < 1e-9);
+}
+
+void EquilibriumTest::solveGmres_noForces_takesNoStep() {
+    Matrix film(5, 4);
+    film.forces.assign(5, 0);
+    solveGmres(film, 0, Tangent::True, 0, 0);
+    QCOMPARE(film.state().equilibrium.linearIterations, std::int64_t(0));
+    QCOMPARE(film.step, Matrix::Vector(5, 0));
+}
+
+// The second column, or the first, has no numbers. The step is that of the columns before.
+void EquilibriumTest::solveGmres_columnWithoutNumbers_isLeftOut() {
+    for (const int broken : {1, 0}) {
+        Matrix film(5, 4);
+        film.brokenColumn = broken;
+        const double start = std::sqrt(Matrix::dot(film.forces, film.forces));
+        solveGmres(film, 0, Tangent::True, start, 1e-9);
+        QCOMPARE(film.state().equilibrium.linearIterations, std::int64_t(broken + 1));
+        QVERIFY(broken == 0 ? film.left(0) == start : film.left(0) < start);
+    }
 }
 
 QTEST_GUILESS_MAIN(EquilibriumTest)
