@@ -4,7 +4,7 @@
 // keeps its sheet from being printed, the dip is repeated with smaller cells. It ends when the
 // sheet can be printed, or when the next dip would need more work than the film's settings allow.
 // The work is points × steps, so every computer stops at the same cells. Each choice depends only
-// on the previous film, so a job that was stopped can continue from there.
+// on the previous dip and its numerical error, so a job that was stopped can continue from there.
 #pragma once
 
 #include "pipeline/JobResult.h"

@@ -367,9 +367,12 @@ ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Ru
                          std::size_t number, const DistanceField& field, const Dipping& dipping,
                          const Progress& progress) {
     std::shared_ptr<const CoarserFilms> coarser = now.coarser;
-    if (!coarser) { // a cached dip
+    if (!coarser) {
         compare(dipping.comparison, run, now, field, dipping.solver.solver.id, dipping.left);
         coarser = coarserFilms(dipping.comparison, run);
+        if (!coarser->failure.isEmpty()) {
+            throw Error(coarser->failure, now.immersion.name);
+        }
     }
     ImmersionResult next;
     next.immersion = now.immersion;
@@ -550,6 +553,9 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     now.verdict = dipVerdict(now, run.project, run.zones.get(), run.mask.get());
     now.finer =
         run.options.refines ? std::nullopt : nextRefinement(now, now.verdict, run.project.film);
+    if (!now.finer) {
+        now.coarser.reset();
+    }
     if (run.options.finished) {
         run.options.finished(number, now);
     }

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -18,11 +19,13 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Certainty)
 };
 
-// Safety factor for an error that is fitted to three or more films (P. J. Roache, Perspective: a
-// method for uniform reporting of grid refinement studies, J. Fluids Eng. 116 (1994)).
-constexpr double fitSafety = 1.25;
-constexpr std::size_t leastFilms = 3; // for a fit with a standard deviation
-// The move from double steps to the coarser film's own leaves half of itself at the dip's steps.
+constexpr double fitSafety = 1.25; // for the slope of a line that is fitted to three films or more
+constexpr std::size_t leastFilms = 3, mostFilms = 4; // for a fit
+// Films whose cells differ by less are the same film: the film before the refinement and the film
+// with double cells, if the refinement halved the cells.
+constexpr double sameCell = 0.01;
+// The error of the dip's own steps, divided by the move between films with steps of twice and four
+// times the length (first order).
 constexpr float stepErrorShare = 0.5F;
 constexpr int leastCells = 4; // per side; fewer cells give no meaningful comparison
 
@@ -48,54 +51,77 @@ bool hasLaidFilm(const DippedFilm& film) {
            film.states.end();
 }
 
-// The places of one body's point on the flat films, as weighted samples of a line over the cell.
-struct FilmSample {
-    double cell = 1; // relative to the smallest
-    Eigen::Vector2d rest;
+// A film to compare with, and the cell of the dip's own film divided by its cell.
+struct ComparedFilm {
+    const LaidFilm* laid;
+    double inverseCell;
 };
 
-// Returns where each film with its cell relative to `own` has the place; films that do not paint
-// the place are left out.
-std::vector<FilmSample> samplesAt(const SurfacePoint& place, const LaidFilm& own,
-                                  const std::vector<const LaidFilm*>& films) {
-    std::vector<FilmSample> samples;
-    const double ownCell = own.film().grid.leastSpacing();
-    for (const LaidFilm* film : films) {
-        if (const std::optional<FilmPlace> found = film->place(place)) {
-            samples.push_back(
-                {film->film().grid.leastSpacing() / ownCell, found->rest.cast<double>()});
+// Returns `own` and the films with other cells.
+std::vector<ComparedFilm> filmsToFit(const LaidFilm& own, const CoarserFilms& coarser,
+                                     const FilmsBefore& before) {
+    std::vector<ComparedFilm> films;
+    for (const LaidFilm* film :
+         {&own, coarser.doubleSpacing.get(), &before.own, before.doubleSpacing}) {
+        if (film) {
+            const double inverseCell =
+                own.film().grid.leastSpacing() / film->film().grid.leastSpacing();
+            if (std::ranges::none_of(films, [&](const ComparedFilm& other) {
+                    return std::abs(other.inverseCell / inverseCell - 1) < sameCell;
+                })) {
+                films.push_back({film, inverseCell});
+            }
         }
     }
-    return samples;
+    return films;
 }
 
-// Returns the error of the sample with the cell 1 by the line that is fitted to all samples, mm.
-double fittedError(const std::vector<FilmSample>& samples) {
-    double weights = 0, meanCell = 0;
+// Where a film has a place of the body: the place on the flat film times `inverseCell`.
+struct FilmSample {
+    double inverseCell;
+    Eigen::Vector2d scaled;
+};
+
+// Fits the place x(h) = x(0) + a h to the samples, weighted by 1 / h², where h is the cell in own
+// cells: a line over 1 / h with the intercept a. Returns the error at h = 1 in mm.
+double fittedError(const FilmSample* begin, const FilmSample* end) {
+    const auto count = double(end - begin);
+    double meanInverse = 0;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    for (const FilmSample& sample : samples) {
-        const double weight = 1 / (sample.cell * sample.cell);
-        weights += weight;
-        meanCell += weight * sample.cell;
-        mean += weight * sample.rest;
+    for (const FilmSample* sample = begin; sample != end; ++sample) {
+        meanInverse += sample->inverseCell / count;
+        mean += sample->scaled / count;
     }
-    meanCell /= weights;
-    mean /= weights;
     double spread = 0;
-    Eigen::Vector2d slope = Eigen::Vector2d::Zero();
-    for (const FilmSample& sample : samples) {
-        const double weight = 1 / (sample.cell * sample.cell), offset = sample.cell - meanCell;
-        spread += weight * offset * offset;
-        slope += weight * offset * (sample.rest - mean);
+    Eigen::Vector2d finest = Eigen::Vector2d::Zero(); // x(0)
+    for (const FilmSample* sample = begin; sample != end; ++sample) {
+        const double offset = sample->inverseCell - meanInverse;
+        spread += offset * offset;
+        finest += offset * (sample->scaled - mean);
     }
-    slope /= spread;
-    double squares = 0; // of the deviations, relative to the cell
-    for (const FilmSample& sample : samples) {
-        const Eigen::Vector2d line = mean + slope * (sample.cell - meanCell);
-        squares += (sample.rest - line).squaredNorm() / (sample.cell * sample.cell);
+    finest /= spread;
+    const Eigen::Vector2d slope = mean - finest * meanInverse; // a
+    double squares = 0;
+    for (const FilmSample* sample = begin; sample != end; ++sample) {
+        squares += (sample->scaled - finest * sample->inverseCell - slope).squaredNorm();
     }
-    const double directions = 2, freedom = directions * double(samples.size() - 2);
+    const double freedom = 2 * (count - 2); // of two directions
     return fitSafety * slope.norm() + std::sqrt(squares / freedom);
+}
+
+// Returns the error of `own` at a place; none if too few of `films` paint the place.
+std::optional<float> fittedError(const SurfacePoint& place,
+                                 const std::vector<ComparedFilm>& films) {
+    std::array<FilmSample, mostFilms> samples;
+    std::size_t count = 0;
+    for (const ComparedFilm& film : films) {
+        if (const std::optional<FilmPlace> found = film.laid->place(place)) {
+            samples[count++] = {film.inverseCell, found->rest.cast<double>() * film.inverseCell};
+        }
+    }
+    return count < leastFilms
+               ? std::nullopt
+               : std::optional(float(fittedError(samples.data(), samples.data() + count)));
 }
 
 SheetChange scaled(SheetChange change, double share) {
@@ -197,27 +223,17 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
         return moves(coarser.doubleSpacing.get(), coarser.doubleStep.get(), places);
     };
     const auto least = float(leastErrorCells * own.film().grid.leastSpacing());
-    std::vector<const LaidFilm*> films;
-    if (before) {
-        for (const LaidFilm* film :
-             {&own, coarser.doubleSpacing.get(), &before->own, before->doubleSpacing}) {
-            if (film) {
-                films.push_back(film);
-            }
-        }
-    }
+    const auto films = before ? filmsToFit(own, coarser, *before) : std::vector<ComparedFilm>();
+    // The film with the longest steps may not paint a place; its move there is negative.
     const auto errorsOf = [&](const std::vector<float>& spacing, const std::vector<float>& step,
                               const Places& places) {
         std::vector<float> errors = spacing;
         parallelFor(std::size_t(0), places.size(), [&](auto i) {
-            if (spacing[i] < 0) {
-                return;
+            if (spacing[i] >= 0) {
+                const std::optional<float> fitted = fittedError(places[i], films);
+                errors[i] = std::max({fitted.value_or(spacing[i]),
+                                      fitted ? stepErrorShare * step[i] : step[i], least});
             }
-            const std::vector<FilmSample> samples = samplesAt(places[i], own, films);
-            errors[i] = samples.size() < leastFilms
-                            ? std::max(spacing[i], step[i])
-                            : std::max(float(fittedError(samples)), stepErrorShare * step[i]);
-            errors[i] = std::max(errors[i], least);
         });
         return errors;
     };

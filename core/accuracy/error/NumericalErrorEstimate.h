@@ -81,7 +81,7 @@ struct NumericalErrorEstimate {
     SheetChange halfStep() const;
 };
 
-// The film of the dip that was repeated with smaller cells, and the one with double its cells.
+// The film of the dip that was repeated with smaller cells, and the film with double its cells.
 struct FilmsBefore {
     const LaidFilm& own;
     const LaidFilm* doubleSpacing; // null if that film does not follow the part
@@ -90,22 +90,24 @@ struct FilmsBefore {
 // Estimates the numerical error of the film `own` at each place from how far the sheet moves
 // between films of different cells:
 //
-// - From `coarser` alone: the larger of both moves. For an error of first order, the move from
-//   double cells is the distance to the sheet of an infinitely fine film, and the move between the
-//   coarser films is twice the distance to infinitely short steps.
-// - With the films before the refinement (`before`): a place x on the flat film is assumed to
-//   depend on the film's cell h as x(h) = x(0) + a h. The line is fitted to all films that paint
-//   the place, by least squares with the weights 1 / h². The error is 1.25 |a| h of `own`, plus
-//   the standard deviation of the film with the cell h from the line, in one direction of the
-//   sheet; but at least half the move between the coarser films. If only `own` and the film with
-//   double cells paint the place, the error is as without films before.
+// - From `coarser` alone, it is the larger of both moves. For an error of first order, the move
+//   from double cells is the distance to the sheet of an infinitely fine film, and the move between
+//   the coarser films is twice the distance to infinitely short steps.
+// - With the films before the refinement (`before`), each place x on the flat film is assumed to
+//   depend on the film's cell h as x(h) = x(0) + a h. The line is fitted to the films that paint
+//   the place, by least squares with the weights 1 / h². Let h be the cell of `own`. The error is
+//   1.25 |a| h, plus the standard deviation from the line at this cell in one direction of the
+//   sheet. It is at least half the move between the coarser films. If fewer than three films with
+//   different cells paint the place, the error is as without films before.
 //
-// A film that was repeated until its error seemed small enough needs the films before: a chance
-// agreement with the coarser films would end the repetition. Source: L. Eça, M. Hoekstra, A
-// procedure for the estimation of the numerical uncertainty of CFD calculations based on grid
-// refinement studies, J. Comput. Phys. 262 (2014), eqs. 5 to 16; here the order is 1, and the
-// deviation is assumed to be proportional to the cell, which gives the weights
-// (docs/film-validation.md, "The verdict"). Uses all cores; deterministic.
+// Without the films before, a chance agreement with the coarser films could end the refinement.
+// Uses all cores; deterministic.
+//
+// Source: after L. Eça, M. Hoekstra, A procedure for the estimation of the numerical uncertainty of
+// CFD calculations based on grid refinement studies, J. Comput. Phys. 262 (2014). Here, the order
+// is always 1, the deviation is assumed to be proportional to the cell, which gives the weights,
+// and the distance of `own` from the line is not added (docs/film-validation.md, "The error of a
+// refined film").
 NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const CoarserFilms& coarser,
                                               const std::optional<FilmsBefore>& before = {});
 

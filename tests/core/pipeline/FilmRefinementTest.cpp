@@ -45,6 +45,17 @@ QStringList hashes(const JobResult& result) {
     return hashes;
 }
 
+// Returns the numerical errors of all film points; -1 where they are unknown.
+std::vector<float> errors(const JobResult& result) {
+    std::vector<float> all;
+    for (const ImmersionResult& dip : result.immersions) {
+        for (const float error : dip.knownError()->pointErrors) {
+            all.push_back(std::isnan(error) ? -1 : error);
+        }
+    }
+    return all;
+}
+
 bool notesContain(const JobResult& result, const char* text) {
     return result.notes.join(u' ').contains(QString::fromUtf8(text));
 }
@@ -79,6 +90,7 @@ private slots:
         QVERIFY(canBeRefined(*coarse_) && !canBeRefined(*refined_));
         const JobResult result = runJob(turtle_, registry_, smallPictures(), coarse_.get(), {});
         QCOMPARE(hashes(result), hashes(*refined_));
+        QCOMPARE(errors(result), errors(*refined_));
         const JobResult again = runJob(turtle_, registry_, smallPictures(), &result, {});
         QCOMPARE(again.immersions[0].laid, result.immersions[0].laid); // nothing is left to do
     }
@@ -91,8 +103,9 @@ private slots:
             const auto kept = cachedDips(turtle_, registry_, path, {});
             QVERIFY(kept && !kept->field);
             QCOMPARE(kept->immersions[0].refinement, result->immersions[0].refinement);
-            QCOMPARE(hashes(runJob(turtle_, registry_, smallPictures(), kept.get(), {})),
-                     hashes(*refined_));
+            const JobResult continued = runJob(turtle_, registry_, smallPictures(), kept.get(), {});
+            QCOMPARE(hashes(continued), hashes(*refined_));
+            QCOMPARE(errors(continued), errors(*refined_));
         }
     }
 

@@ -169,29 +169,51 @@ private slots:
         QVERIFY(verdict.reasons.front().kind != VerdictReason::Kind::Step);
     }
 
-    // Films with the cells 1, 2, 1.5 and 3 lie on a line over the cell, 0.2 mm to the side per
-    // cell. So the error is 1.25 times 0.2 mm. Films that lie alternately 0.3 mm per cell to one
-    // side and to the other have the slope 0.129 mm and the deviation 0.296 mm.
+    // Films of these cells lie `side` mm to the side per cell: the dip's own, with double the cell,
+    // before the refinement, and with double the cell of that. A line has only the error of its
+    // slope, times 1.25. The other errors are computed by hand.
+    void estimate_filmsBefore_countWithSlopeAndDeviation_data() {
+        QTest::addColumn<std::vector<int>>("cells"); // that fill the width of 60 mm
+        QTest::addColumn<std::vector<double>>("sides");
+        QTest::addColumn<double>("error");
+        using Cells = std::vector<int>;
+        using Sides = std::vector<double>;
+        const Cells all{60, 30, 40, 20}, halved{60, 30, 30, 15};
+        QTest::newRow("line") << all << Sides{0.2, 0.2, 0.2, 0.2} << 1.25 * 0.2;
+        QTest::newRow("noise") << all << Sides{0.3, -0.3, -0.3, 0.3} << 1.25 * 0.129 + 0.296;
+        QTest::newRow("three films") << Cells{60, 30, 40} << Sides{0.2, 0.2, 0.2} << 1.25 * 0.2;
+        QTest::newRow("halved cells: three films") << halved << Sides{0.2, 0.2, 0.2, 0.2} << 0.25;
+        QTest::newRow("two films: their distance")
+            << Cells{60, 30, 30} << Sides{0, 0.2, 0.2} << 0.4;
+    }
     void estimate_filmsBefore_countWithSlopeAndDeviation() {
+        QFETCH(std::vector<int>, cells);
+        QFETCH(std::vector<double>, sides);
+        QFETCH(double, error);
         const auto own = filmWith({});
-        const auto offBy = [&](const std::array<double, 4>& sides) {
-            const std::array<int, 4> cells = {60, 30, 40, 20};
-            std::array<std::shared_ptr<const LaidFilm>, 4> films;
-            for (std::size_t film = 0; film < films.size(); ++film) {
-                const int points = cells[film] + 1;
-                DippedFilm dipped = test::flatUnderBox({points, points, 60, 60}, boxSize);
-                for (Eigen::Vector3f& place : dipped.positions) {
-                    place.x() += float(sides[film] * 60 / cells[film]);
-                }
-                films[film] = test::laid(own->body().mesh, dipped);
+        std::vector<std::shared_ptr<const LaidFilm>> films;
+        for (std::size_t film = 0; film < cells.size(); ++film) {
+            const int points = cells[film] + 1;
+            DippedFilm dipped = test::flatUnderBox({points, points, 60, 60}, boxSize);
+            for (Eigen::Vector3f& place : dipped.positions) {
+                place.x() += float(sides[film] * 60 / cells[film]);
             }
-            const std::size_t middle = 30 * 61 + 30;
-            return double(estimateNumericalError(*films[0], {films[1], films[1], {}},
-                                                 FilmsBefore{*films[2], films[3].get()})
+            films.push_back(test::laid(own->body().mesh, dipped));
+        }
+        const LaidFilm* last = films.size() > 3 ? films[3].get() : nullptr;
+        const std::size_t middle = 30 * 61 + 30;
+        const auto errorWith = [&](const std::shared_ptr<const LaidFilm>& doubleStep) {
+            return double(estimateNumericalError(*films[0], {films[1], doubleStep, {}},
+                                                 FilmsBefore{*films[2], last})
                               .pointErrors[middle]);
         };
-        QVERIFY(std::abs(offBy({0.2, 0.2, 0.2, 0.2}) - 0.25) < 0.001);
-        QVERIFY(std::abs(offBy({0.3, -0.3, -0.3, 0.3}) - (1.25 * 0.129 + 0.296)) < 0.001);
+        QVERIFY(std::abs(errorWith(films[1]) - error) < 0.001);
+        DippedFilm slower = films[1]->film(); // steps twice as long move the film by 2 mm
+        for (Eigen::Vector3f& place : slower.positions) {
+            place.x() += 2;
+        }
+        const double left = cells.size() == 3 && cells[1] == cells[2] ? 2 : 1;
+        QVERIFY(std::abs(errorWith(test::laid(own->body().mesh, slower)) - left) < 0.001);
     }
 
     void afterRefinement_affordableCells_replaceTheNumericalReasons() {
