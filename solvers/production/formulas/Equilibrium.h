@@ -126,8 +126,8 @@ DIPWRIGHT_TEAM DIPWRIGHT_CALLED EquilibriumResult findEquilibrium(Film& film,
 
 namespace detail {
 
-// Adds column `k` (k + 2 numbers) to the least-squares problem. Returns the new residual; not a
-// number if the column has such a number.
+// Adds column `k` (k + 2 numbers) to the least-squares problem. Returns the new residual; NaN if
+// the column's length is NaN.
 DIPWRIGHT_HOST_DEVICE inline double takeColumn(GmresProblem& problem, int k) {
     double* column = problem.matrix[k];
     DIPWRIGHT_ROLLED
@@ -137,6 +137,7 @@ DIPWRIGHT_HOST_DEVICE inline double takeColumn(GmresProblem& problem, int k) {
         column[i] = upper;
     }
     const double size = std::sqrt(column[k] * column[k] + column[k + 1] * column[k + 1]);
+    // With `size > 0`, NaN would count as an exact solution.
     problem.cosine[k] = size == 0 ? 1 : column[k] / size;
     problem.sine[k] = size == 0 ? 0 : column[k + 1] / size;
     column[k] = size;
