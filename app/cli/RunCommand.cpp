@@ -276,7 +276,10 @@ void require(std::optional<Advice> required, const std::vector<Advice>& verdicts
     const auto failed = std::count_if(verdicts.begin(), verdicts.end(), fails);
     if (failed > 0) {
         throw VerdictError(
-            verdicts.size() == 1
+            verdicts.front() == Advice::NotJudged
+                ? QStringLiteral("Without an estimate of the numerical error (--no-certainty), no "
+                                 "sheet meets --require; the results are written")
+            : verdicts.size() == 1
                 ? QStringLiteral("The verdict is “%1”, which is worse than required; the "
                                  "results are written")
                       .arg(adviceText(verdicts.front()))
