@@ -276,7 +276,8 @@ void require(std::optional<Advice> required, const std::vector<Advice>& verdicts
     const auto failed = std::count_if(verdicts.begin(), verdicts.end(), fails);
     if (failed > 0) {
         throw VerdictError(
-            verdicts.front() == Advice::NotJudged
+            std::ranges::all_of(verdicts,
+                                [](Advice verdict) { return verdict == Advice::NotJudged; })
                 ? QStringLiteral("Without an estimate of the numerical error (--no-certainty), no "
                                  "sheet meets --require; the results are written")
             : verdicts.size() == 1

@@ -39,8 +39,8 @@ struct ImmersionResult {
     std::optional<double> finer;
     QString refinementFailure; // why a dip with smaller cells failed; empty: none has failed
     std::shared_ptr<const Coverage> coverage;
-    // The films of the coarser dips, for the numerical error of a finer dip. Null if `finer` is
-    // none, and for a cached dip; they are then dipped again if a finer dip needs them.
+    // The films of the coarser dips, for the numerical error of a finer dip. Null for a
+    // cached dip, and after a run if `finer` is none. A finer dip that needs them dips them again.
     std::shared_ptr<const CoarserFilms> coarser;
     std::shared_ptr<const NumericalErrorEstimate> numericalError; // null: not requested
     Verdict verdict;                                              // verdict on this dip alone

@@ -366,14 +366,6 @@ void judge(ImmersionResult& now, const Run& run, Comparison& comparison,
 ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Run& run,
                          std::size_t number, const DistanceField& field, const Dipping& dipping,
                          const Progress& progress) {
-    std::shared_ptr<const CoarserFilms> coarser = now.coarser;
-    if (!coarser) {
-        compare(dipping.comparison, run, now, field, dipping.solver.solver.id, dipping.left);
-        coarser = coarserFilms(dipping.comparison, run);
-        if (!coarser->failure.isEmpty()) {
-            throw Error(coarser->failure, now.immersion.name);
-        }
-    }
     ImmersionResult next;
     next.immersion = now.immersion;
     next.body = now.body;
@@ -381,7 +373,17 @@ ImmersionResult finerDip(const ImmersionResult& now, double refinement, const Ru
     next.refinement = refinement;
     dipping.comparison.isWanted = true;
     dipAndCompare(next, false, run, number, &field, dipping, progress);
-    judge(next, run, dipping.comparison, FilmsBefore{*now.laid, coarser->doubleSpacing.get()});
+    std::shared_ptr<const CoarserFilms> before = now.coarser;
+    if (!before) { // dips them again, with the solver that may have taken over
+        dipping.comparison.dips.wait();
+        Comparison again;
+        compare(again, run, now, field, dipping.solver.solver.id, dipping.left);
+        before = coarserFilms(again, run);
+    }
+    if (!before->failure.isEmpty()) {
+        throw Error(before->failure, now.immersion.name);
+    }
+    judge(next, run, dipping.comparison, FilmsBefore{*now.laid, before->doubleSpacing.get()});
     if (!next.numericalError->failure.isEmpty()) {
         throw Error(next.numericalError->failure, next.immersion.name);
     }

@@ -21,8 +21,8 @@ struct Text {
 
 constexpr double fitSafety = 1.25; // for the slope of a line that is fitted to three films or more
 constexpr std::size_t leastFilms = 3, mostFilms = 4; // for a fit
-// Films whose cells differ by less are the same film: the film before the refinement and the film
-// with double cells, if the refinement halved the cells.
+// Films whose cells differ by a smaller share count as one film. If the refinement halved the
+// cells, these are the film before it and the film with double cells.
 constexpr double sameCell = 0.01;
 // The error of the dip's own steps, divided by the move between films with steps of twice and four
 // times the length (first order).

@@ -95,10 +95,10 @@ struct FilmsBefore {
 //   the coarser films is twice the distance to infinitely short steps.
 // - With the films before the refinement (`before`), each place x on the flat film is assumed to
 //   depend on the film's cell h as x(h) = x(0) + a h. The line is fitted to the films that paint
-//   the place, by least squares with the weights 1 / h². Let h be the cell of `own`. The error is
-//   1.25 |a| h, plus the standard deviation from the line at this cell in one direction of the
-//   sheet. It is at least half the move between the coarser films. If fewer than three films with
-//   different cells paint the place, the error is as without films before.
+//   the place, by least squares with the weights 1 / h². Let h₀ be the cell of `own`. The error is
+//   1.25 |a| h₀ plus the noise: the standard deviation from the line, at this cell and in one
+//   direction of the sheet. It is at least half the move between the coarser films. If fewer than
+//   three films with different cells paint the place, the error is as without films before.
 //
 // Without the films before, a chance agreement with the coarser films could end the refinement.
 // Uses all cores; deterministic.
