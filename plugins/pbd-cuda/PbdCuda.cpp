@@ -29,9 +29,11 @@ std::unique_ptr<cuda::Dips> makeDips(const cuda::Device& device, cuda::Setups se
                                          : cuda::makePaperDips(device, setups);
 }
 
-std::size_t dipsAtOnce(const cuda::Device& device, const solver::DipSetup& setup) {
-    return isProduction(setup) ? cuda::productionDipsAtOnce(device, setup)
-                               : cuda::paperDipsAtOnce(device, setup);
+// Returns how many of the first dips, all of the production film or all of the paper's, should be
+// on the device at the same time.
+std::size_t dipsAtOnce(const cuda::Device& device, cuda::Setups setups) {
+    return isProduction(*setups.front()) ? cuda::productionDipsAtOnce(device, setups)
+                                         : cuda::paperDipsAtOnce(device, setups);
 }
 
 class CudaFilm : public solver::FilmSolver {
@@ -74,26 +76,24 @@ private:
 
 using Group = std::span<solver::BatchItem>;
 
-// Returns the index after the last of the consecutive items, beginning at `first`, that can share a
-// batch.
-std::size_t endOfAlikeItems(std::span<const solver::BatchItem> items, std::size_t first) {
-    std::size_t last = first + 1;
-    while (last < items.size() && cuda::canShareBatch(items[first].setup, items[last].setup)) {
-        ++last;
-    }
-    return last;
-}
-
-// Groups items that can share a batch, so that each group runs on one device. Distributes the items
-// evenly over the devices.
+// Groups consecutive items that run together on one device. Distributes the items evenly over the
+// devices.
 std::vector<Group> groupsOf(Group items, const std::vector<cuda::Device>& devices) {
+    std::vector<const solver::DipSetup*> setups;
+    for (const solver::BatchItem& item : items) {
+        setups.push_back(&item.setup);
+    }
     std::vector<Group> groups;
-    for (std::size_t first = 0; first < items.size();) {
-        const std::size_t last = endOfAlikeItems(items, first);
-        const std::size_t held = dipsAtOnce(devices.front(), items[first].setup);
-        const std::size_t each = (last - first + devices.size() - 1) / devices.size();
-        for (; first < last; first += groups.back().size()) {
-            groups.push_back(items.subspan(first, std::min({held, each, last - first})));
+    for (auto first = setups.begin(); first != setups.end();) {
+        const auto last = std::find_if(first, setups.end(), [&](const solver::DipSetup* setup) {
+            return isProduction(*setup) != isProduction(**first);
+        });
+        const std::size_t each = std::size_t(last - first + devices.size() - 1) / devices.size();
+        while (first != last) {
+            const cuda::Setups next(first, std::min(first + each, last));
+            const std::size_t size = dipsAtOnce(devices.front(), next);
+            groups.push_back(items.subspan(std::size_t(first - setups.begin()), size));
+            first += std::ptrdiff_t(size);
         }
     }
     return groups;

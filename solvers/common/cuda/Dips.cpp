@@ -2,9 +2,14 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <vector>
 
 namespace dipwright::cuda {
+
+Dips::Dips(const Device& device, Setups setups) : device_(device) {
+    for (const solver::DipSetup* setup : setups) {
+        films_.push_back(setup->film);
+    }
+}
 
 void Dips::read(std::size_t dip, std::span<float> positions,
                 std::span<solver::PointState> states) const {
@@ -21,16 +26,11 @@ void Dips::readMarks(std::size_t, std::span<std::uint8_t> marks) const {
 
 void Dips::unpack(std::size_t dip, const std::byte* stored, const solver::DipState& dipState,
                   std::span<float> positions, std::span<solver::PointState> states) const {
-    const std::size_t count = film_.pointCount();
+    const std::size_t count = films_[dip].pointCount();
     if (positions.size() != 3 * count || !(states.empty() || states.size() == count)) {
         throw std::invalid_argument("the arrays to read into do not match the film");
     }
     unpackPoints(dip, stored, dipState, positions, states);
-}
-
-bool canShareBatch(const solver::DipSetup& a, const solver::DipSetup& b) {
-    return a.film == b.film && a.settings == b.settings && a.motion.speed == b.motion.speed &&
-           a.field.spacing == b.field.spacing;
 }
 
 } // namespace dipwright::cuda

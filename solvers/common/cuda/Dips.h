@@ -1,4 +1,4 @@
-// Runs one or several dips together on one GPU. Their films are equal; their bodies may differ.
+// Runs one or several dips together on one GPU.
 #pragma once
 
 #include "common/cuda/Device.h"
@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace dipwright::cuda {
 
@@ -18,15 +19,17 @@ struct StoredFilm {
     std::size_t bytes = 0;
 };
 
+using Setups = std::span<const solver::DipSetup* const>;
+
 // The films stay on the device. Only one thread may use the object at a time. Device errors are
 // thrown as std::runtime_error; after that the object can only be destroyed.
 class Dips {
 public:
-    Dips(const Device& device, const solver::FilmGrid& film) : device_(device), film_(film) {}
+    Dips(const Device& device, Setups setups);
     virtual ~Dips() = default;
 
     const Device& device() const { return device_; }
-    const solver::FilmGrid& film() const { return film_; }
+    const solver::FilmGrid& film(std::size_t dip) const { return films_[dip]; }
 
     // Advances each dip that has not finished by at most `maximumSteps` steps.
     virtual void advance(int maximumSteps) = 0;
@@ -50,13 +53,7 @@ private:
                               std::span<solver::PointState> states) const = 0;
 
     Device device_;
-    solver::FilmGrid film_;
+    std::vector<solver::FilmGrid> films_;
 };
-
-using Setups = std::span<const solver::DipSetup* const>;
-
-// Returns whether one Dips object can run both dips: their films, settings, speeds and field
-// spacings are equal.
-bool canShareBatch(const solver::DipSetup& a, const solver::DipSetup& b);
 
 } // namespace dipwright::cuda

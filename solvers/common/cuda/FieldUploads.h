@@ -11,13 +11,17 @@ namespace dipwright::cuda {
 
 class FieldUploads {
 public:
+    // Returns the size of a field's samples, bytes.
+    static std::size_t bytes(const solver::FieldView& field) {
+        return std::size_t(field.size[0]) * std::size_t(field.size[1]) *
+               std::size_t(field.size[2]) * sizeof(float);
+    }
     // Returns the samples of `field` in device memory. The pointer is valid while this object
     // exists.
     const float* onDevice(const solver::FieldView& field) {
         auto found = samples_.find(field.distance);
         if (found == samples_.end()) {
-            const std::size_t count = std::size_t(field.size[0]) * std::size_t(field.size[1]) *
-                                      std::size_t(field.size[2]);
+            const std::size_t count = bytes(field) / sizeof(float);
             found = samples_
                         .emplace(field.distance,
                                  DeviceArray<float>(std::span<const float>(field.distance, count)))

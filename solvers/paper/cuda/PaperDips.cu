@@ -156,6 +156,12 @@ PaperTiling chooseTiling(const Device& device, const solver::DipSetup& setup, st
     return {*tiles, false};
 }
 
+// Returns whether one kernel can run both dips.
+bool areAlike(const solver::DipSetup& a, const solver::DipSetup& b) {
+    return a.film == b.film && a.settings == b.settings && a.motion.speed == b.motion.speed &&
+           a.field.spacing == b.field.spacing;
+}
+
 class PaperDips final : public Dips {
 public:
     PaperDips(const Device& device, Setups setups);
@@ -170,7 +176,7 @@ private:
                       std::span<solver::PointState> states) const override;
     void layFlat(Setups setups);
     void launch(int firstPass, int lastPass);
-    std::size_t pointCount() const { return film().pointCount(); }
+    std::size_t pointCount() const { return film(0).pointCount(); }
 
     PaperModel model_;
     bool allBlocksRunTogether_ = false;
@@ -182,7 +188,7 @@ private:
     int stepsDone_ = 0, mostSteps_ = 0;
 };
 
-PaperDips::PaperDips(const Device& device, Setups setups) : Dips(device, setups.front()->film) {
+PaperDips::PaperDips(const Device& device, Setups setups) : Dips(device, setups) {
     for (const solver::DipSetup* setup : setups) {
         requireKnown(*setup);
     }
@@ -277,8 +283,8 @@ void PaperDips::unpackPoints(std::size_t, const std::byte* stored, const solver:
     for (std::size_t i = 0; i < points.size(); ++i) {
         const StoredPoint& point = points[i];
         const bool isAdhered = point.hold() == Hold::Adhered;
-        const double restX = film().restX(int(i % film().columns));
-        const double restZ = film().restZ(int(i / film().columns));
+        const double restX = film(0).restX(int(i % film(0).columns));
+        const double restZ = film(0).restZ(int(i / film(0).columns));
         positions[3 * i] = float(restX + double(point.x));
         positions[3 * i + 1] = float(double(point.y) - (isAdhered ? dipState.descent : 0.0));
         positions[3 * i + 2] = float(restZ + double(point.z));
@@ -294,10 +300,11 @@ std::unique_ptr<Dips> makePaperDips(const Device& device, Setups setups) {
     return std::make_unique<PaperDips>(device, setups);
 }
 
-std::size_t paperDipsAtOnce(const Device& device, const solver::DipSetup& setup) {
+std::size_t paperDipsAtOnce(const Device& device, Setups setups) {
     use(device);
     std::size_t dips = 1;
-    while (chooseTiling(device, setup, dips + 1).allBlocksRunTogether) {
+    while (dips < setups.size() && areAlike(*setups.front(), *setups[dips]) &&
+           chooseTiling(device, *setups.front(), dips + 1).allBlocksRunTogether) {
         ++dips;
     }
     return dips;

@@ -6,9 +6,9 @@
 namespace dipwright::cuda {
 
 // Simulates the paper's film (docs/film-model.md, "The paper's model") with Jacobi sweeps. Throws
-// std::invalid_argument for invalid or unsupported settings.
+// std::invalid_argument for invalid or unsupported settings. The dips differ only in their bodies.
 std::unique_ptr<Dips> makePaperDips(const Device& device, Setups setups);
-// Returns how many dips like this one can run on the device at the same time.
-std::size_t paperDipsAtOnce(const Device& device, const solver::DipSetup& setup);
+// Returns how many of the first dips can run on the device at the same time; at least one.
+std::size_t paperDipsAtOnce(const Device& device, Setups setups);
 
 } // namespace dipwright::cuda

@@ -16,9 +16,7 @@ struct SmallProblem {
 
 // What a block knows of its film. Functions that are not inlined address it directly, because it
 // has a fixed place in shared memory.
-struct Block {
-    ProductionModel model;
-    ProductionDip dip;
+struct Block : ProductionFilm {
     Team team;
     SmallProblem small;
     int listed; // number of triangles in a list (CudaBackend::forListed)

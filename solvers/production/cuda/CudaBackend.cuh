@@ -345,24 +345,27 @@ private:
 
 static_assert(numerics::FilmBackend<CudaBackend> && numerics::GmresBackend<CudaBackend>);
 
-// Runs at most `maximumSteps` steps of each dip, with `blocksPerDip` blocks per dip.
+// Runs at most `maximumSteps` steps of each of `count` films. The blocks form teams of
+// `blocksPerTeam`; each team takes one film after another. `taken` must be 0 when the kernel starts.
 __global__ void __launch_bounds__(Team::threads, 1)
-    productionSteps(const __grid_constant__ ProductionModel model, const ProductionDip* dips,
-                    int blocksPerDip, int maximumSteps) {
-    if (threadIdx.x == 0) {
-        thisBlock.block.model = model;
-        thisBlock.block.dip = dips[int(blockIdx.x) / blocksPerDip];
-    }
-    __syncthreads();
-    thisBlock.block.team.begin(thisBlock.block.dip.team, blocksPerDip,
-                               int(blockIdx.x) % blocksPerDip);
-    CudaBackend film;
-    for (int step = 0; step < maximumSteps && !numerics::isFinished(film); ++step) {
-        numerics::step(film);
-    }
-    thisBlock.block.team.barrier(); // all threads have read the state
-    if (thisBlock.block.team.block() == 0 && threadIdx.x == 0) {
-        *thisBlock.block.dip.state = film.state();
+    productionSteps(const ProductionFilm* films, int count, TeamMemory* teams, int blocksPerTeam,
+                    int* taken, int maximumSteps) {
+    Team& team = thisBlock.block.team;
+    team.begin(teams + int(blockIdx.x) / blocksPerTeam, blocksPerTeam,
+               int(blockIdx.x) % blocksPerTeam);
+    for (int next = team.next(taken); next < count; next = team.next(taken)) {
+        if (threadIdx.x == 0) {
+            static_cast<ProductionFilm&>(thisBlock.block) = films[next];
+        }
+        __syncthreads();
+        CudaBackend film;
+        for (int step = 0; step < maximumSteps && !numerics::isFinished(film); ++step) {
+            numerics::step(film);
+        }
+        team.barrier(); // all threads have read the state
+        if (team.block() == 0 && threadIdx.x == 0) {
+            *thisBlock.block.dip.state = film.state();
+        }
     }
 }
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <set>
 #include <stdexcept>
 
 namespace dipwright::cuda {
@@ -176,13 +178,12 @@ private:
 };
 
 // Places all arrays of a dip from `start` on. Returns their total size in bytes.
-std::size_t placeArrays(ProductionDip& dip, const ProductionModel& model,
+std::size_t placeArrays(ProductionDip& dip, const solver::FilmGrid& film,
                         std::size_t pointsOfLevels, std::byte* start) {
-    const std::size_t points = std::size_t(model.columns) * std::size_t(model.rows);
-    const std::size_t triangles = 2 * std::size_t(model.columns - 1) * std::size_t(model.rows - 1);
+    const std::size_t points = film.pointCount();
+    const std::size_t triangles = 2 * std::size_t(film.columns - 1) * std::size_t(film.rows - 1);
     Layout layout(start);
     layout.place(dip.state, 1);
-    layout.place(dip.team, 1);
     layout.place(dip.displacement, points); // these three arrays form the stored film
     layout.place(dip.attached, points);
     layout.place(dip.states, points);
@@ -225,6 +226,19 @@ struct DevicePath {
     DeviceArray<solver::PathPose> onDevice;
 };
 
+// A film with the memory on the device that no array of ProductionDip holds.
+struct HeldFilm {
+    HeldFilm(const Device& device, const solver::DipSetup& setup, int blocks)
+        : columns(numerics::columnsOf<float>(setup.film)),
+          rows(numerics::rowsOf<float>(setup.film)), model(modelOf(setup, blocks, columns, rows)),
+          levels(device, model, blocks), path(setup.path) {}
+
+    DeviceLines columns, rows;
+    ProductionModel model;
+    Levels levels;
+    DevicePath path;
+};
+
 class ProductionDips final : public Dips {
 public:
     ProductionDips(const Device& device, Setups setups);
@@ -240,15 +254,15 @@ private:
                       std::span<solver::PointState> states) const override;
     void layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const;
 
-    int blocksPerDip_;
-    DeviceLines columns_, rows_;
-    ProductionModel model_;
-    Levels levels_;
+    int blocksPerTeam_;
+    std::deque<HeldFilm> held_; // in the order of films_
     FieldUploads fields_;
-    std::vector<DevicePath> paths_;
     DeviceArray<std::byte> memory_;
-    std::vector<ProductionDip> dips_;
-    DeviceArray<ProductionDip> dipsOnDevice_;
+    std::vector<ProductionFilm> films_;
+    DeviceArray<ProductionFilm> filmsOnDevice_;
+    DeviceArray<TeamMemory> teams_;
+    DeviceArray<int> taken_;
+    std::size_t sharedBytes_ = 0;
     std::vector<numerics::StepState<float>> states_;
 };
 
@@ -260,29 +274,50 @@ void requireAllValid(const Device& device, Setups setups) {
     use(device);
 }
 
-ProductionDips::ProductionDips(const Device& device, Setups setups)
-    : Dips(device, setups.front()->film),
-      blocksPerDip_(std::max(1, std::min(device.multiprocessors, TeamMemory::mostBlocks) /
-                                    int(setups.size()))),
-      columns_((requireAllValid(device, setups), numerics::columnsOf<float>(film()))),
-      rows_(numerics::rowsOf<float>(film())),
-      model_(modelOf(*setups.front(), blocksPerDip_, columns_, rows_)),
-      levels_(device, model_, blocksPerDip_) {
-    ProductionDip dip;
-    const std::size_t bytes = placeArrays(dip, model_, levels_.pointCount(), nullptr);
-    memory_ = DeviceArray<std::byte>(bytes * setups.size());
-    memory_.clear();
+int blocksAtOnce(const Device& device) {
+    return std::min(device.multiprocessors, TeamMemory::mostBlocks);
+}
+
+// Returns the number of blocks for each film. With fewer points in a block, the barriers take
+// longer than computing.
+int blocksPerTeam(const Device& device, Setups setups) {
+    constexpr std::size_t pointsPerBlock = Team::threads;
+    std::size_t most = 0;
     for (const solver::DipSetup* setup : setups) {
-        placeArrays(dip, model_, levels_.pointCount(), memory_.data() + bytes * dips_.size());
-        dip.body = numerics::contactBody<float>(*setup);
-        dip.body.field.distance = fields_.onDevice(setup->field);
-        paths_.emplace_back(setup->path);
-        dip.body.path.poses = paths_.back().onDevice.data();
-        layFlat(*setup, dip);
-        dips_.push_back(dip);
-        states_.emplace_back();
+        most = std::max(most, setup->film.pointCount());
     }
-    dipsOnDevice_ = DeviceArray<ProductionDip>(std::span<const ProductionDip>(dips_));
+    const int all = blocksAtOnce(device);
+    const int useful = int(std::min(most / pointsPerBlock + 1, std::size_t(all)));
+    return std::max(all / int(std::min(setups.size(), std::size_t(all))), useful);
+}
+
+ProductionDips::ProductionDips(const Device& device, Setups setups)
+    : Dips(device, setups),
+      blocksPerTeam_((requireAllValid(device, setups), blocksPerTeam(device, setups))),
+      teams_(std::min(setups.size(), std::size_t(blocksAtOnce(device) / blocksPerTeam_))),
+      taken_(1), states_(setups.size()) {
+    std::size_t bytes = 0;
+    for (const solver::DipSetup* setup : setups) {
+        const Levels& levels = held_.emplace_back(device, *setup, blocksPerTeam_).levels;
+        ProductionDip sized;
+        bytes += placeArrays(sized, setup->film, levels.pointCount(), nullptr);
+        sharedBytes_ = std::max(sharedBytes_, levels.sharedBytes());
+    }
+    memory_ = DeviceArray<std::byte>(bytes);
+    memory_.clear();
+    std::byte* next = memory_.data();
+    for (std::size_t number = 0; number < setups.size(); ++number) {
+        const solver::DipSetup& setup = *setups[number];
+        const HeldFilm& held = held_[number];
+        ProductionDip dip;
+        next += placeArrays(dip, setup.film, held.levels.pointCount(), next);
+        dip.body = numerics::contactBody<float>(setup);
+        dip.body.field.distance = fields_.onDevice(setup.field);
+        dip.body.path.poses = held.path.onDevice.data();
+        layFlat(setup, dip);
+        films_.push_back({held.model, dip});
+    }
+    filmsOnDevice_ = DeviceArray<ProductionFilm>(std::span<const ProductionFilm>(films_));
     // The maximum for any film, because films of other threads use the same function.
     check(cudaFuncSetAttribute(reinterpret_cast<const void*>(productionSteps),
                                cudaFuncAttributeMaxDynamicSharedMemorySize,
@@ -290,14 +325,14 @@ ProductionDips::ProductionDips(const Device& device, Setups setups)
 }
 
 void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const {
-    std::vector<float> free(film().pointCount(), 1.0f);
+    std::vector<float> free(setup.film.pointCount(), 1.0f);
     for (std::size_t point = 0; point < setup.pinned.size(); ++point) {
         free[point] = setup.pinned[point] ? 0.0f : 1.0f;
     }
     upload(dip.free, free);
     upload(dip.masked, free);
-    const std::vector<float> alongX = numerics::columnsOf<float>(film()).edges;
-    const std::vector<float> alongZ = numerics::rowsOf<float>(film()).edges;
+    const std::vector<float> alongX = numerics::columnsOf<float>(setup.film).edges;
+    const std::vector<float> alongZ = numerics::rowsOf<float>(setup.film).edges;
     std::vector<float4> shapes;
     for (const float edgeZ : alongZ) {
         for (const float edgeX : alongX) {
@@ -310,64 +345,65 @@ void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip&
 
 void ProductionDips::advance(int maximumSteps) {
     use(device());
-    for (const ProductionDip& dip : dips_) {
-        check(cudaMemset(&dip.team->arrived, 0, sizeof dip.team->arrived));
-    }
-    const ProductionDip* dips = dipsOnDevice_.data();
-    void* arguments[] = {&model_, &dips, &blocksPerDip_, &maximumSteps};
+    teams_.clear();
+    taken_.clear();
+    const ProductionFilm* films = filmsOnDevice_.data();
+    TeamMemory* teams = teams_.data();
+    int* taken = taken_.data();
+    int count = int(films_.size());
+    void* arguments[] = {&films, &count, &teams, &blocksPerTeam_, &taken, &maximumSteps};
     check(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(productionSteps),
-                                      dim3(unsigned(blocksPerDip_) * unsigned(dips_.size())),
-                                      dim3(Team::threads), arguments, levels_.sharedBytes(),
-                                      nullptr));
-    for (std::size_t dip = 0; dip < dips_.size(); ++dip) {
-        check(cudaMemcpy(&states_[dip], dips_[dip].state, sizeof states_[dip],
+                                      dim3(unsigned(blocksPerTeam_) * unsigned(teams_.size())),
+                                      dim3(Team::threads), arguments, sharedBytes_, nullptr));
+    for (std::size_t dip = 0; dip < films_.size(); ++dip) {
+        check(cudaMemcpy(&states_[dip], films_[dip].dip.state, sizeof states_[dip],
                          cudaMemcpyDeviceToHost));
     }
 }
 
 solver::DipState ProductionDips::state(std::size_t dip) const {
     const numerics::StepState<float>& state = states_[dip];
-    return {state.steps, state.descent, state.descent >= dips_[dip].body.motion.travel,
+    return {state.steps, state.descent, state.descent >= films_[dip].dip.body.motion.travel,
             state.equilibrium};
 }
 
 void ProductionDips::readMarks(std::size_t dip, std::span<std::uint8_t> marks) const {
     use(device());
     std::vector<unsigned> words(marks.size());
-    check(cudaMemcpy(words.data(), dips_[dip].marks, words.size() * sizeof(unsigned),
+    check(cudaMemcpy(words.data(), films_[dip].dip.marks, words.size() * sizeof(unsigned),
                      cudaMemcpyDeviceToHost));
     std::ranges::transform(words, marks.begin(), [](unsigned word) { return std::uint8_t(word); });
 }
 
 StoredFilm ProductionDips::stored(std::size_t dip) const {
-    const ProductionDip& own = dips_[dip];
+    const ProductionDip& own = films_[dip].dip;
     const auto* first = reinterpret_cast<const std::byte*>(own.displacement);
-    const auto* last = reinterpret_cast<const std::byte*>(own.states + film().pointCount());
+    const auto* last = reinterpret_cast<const std::byte*>(own.states + film(dip).pointCount());
     return {first, std::size_t(last - first)};
 }
 
 void ProductionDips::unpackPoints(std::size_t dip, const std::byte* stored,
                                   const solver::DipState& dipState, std::span<float> positions,
                                   std::span<solver::PointState> states) const {
-    const ProductionDip& own = dips_[dip];
+    const ProductionDip& own = films_[dip].dip;
     const std::byte* first = this->stored(dip).onDevice;
     const auto inCopy = [&]<typename Value>(const Value* onDevice) {
         return reinterpret_cast<const Value*>(
             stored + (reinterpret_cast<const std::byte*>(onDevice) - first));
     };
     numerics::ContactBody<float> body = own.body;
-    body.path = numerics::pathView(paths_[dip].onHost); // the poses in the host's memory
+    body.path = numerics::pathView(held_[dip].path.onHost); // the poses in the host's memory
     const float2* displacement = inCopy(own.displacement);
     const float3* attached = inCopy(own.attached);
     const std::uint8_t* held = inCopy(own.states);
     const auto frame = body.frameAt(dipState.descent);
+    const solver::FilmGrid& grid = film(dip);
     const auto floating = [&](std::size_t point, float2 way) { // same as numerics::planePosition()
-        const int row = int(point) / film().columns, column = int(point) - row * film().columns;
-        return numerics::Vector3<float>{float(film().restX(column)) + way.x, 0,
-                                        float(film().restZ(row)) + way.y};
+        const int row = int(point) / grid.columns, column = int(point) - row * grid.columns;
+        return numerics::Vector3<float>{float(grid.restX(column)) + way.x, 0,
+                                        float(grid.restZ(row)) + way.y};
     };
-    const std::size_t count = film().pointCount();
-    for (std::size_t point = 0; point < count; ++point) {
+    for (std::size_t point = 0; point < grid.pointCount(); ++point) {
         const auto state = solver::PointState(held[point]);
         const numerics::Vector3<float> place =
             state == solver::PointState::Free
@@ -388,9 +424,23 @@ std::unique_ptr<Dips> makeProductionDips(const Device& device, Setups setups) {
     return std::make_unique<ProductionDips>(device, setups);
 }
 
-std::size_t productionDipsAtOnce(const Device& device, const solver::DipSetup&) {
-    constexpr int fewestBlocks = 8; // with fewer blocks, computing takes longer than the barriers
-    return std::size_t(std::max(1, device.multiprocessors / fewestBlocks));
+std::size_t productionDipsAtOnce(const Device& device, Setups setups) {
+    use(device);
+    std::size_t free = 0, all = 0, used = 0, dips = 0;
+    check(cudaMemGetInfo(&free, &all));
+    std::set<const float*> fields;
+    for (; dips < setups.size(); ++dips) {
+        const solver::DipSetup& setup = *setups[dips];
+        ProductionDip sized;
+        used += placeArrays(sized, setup.film, 2 * setup.film.pointCount(), nullptr);
+        if (fields.insert(setup.field.distance).second) {
+            used += FieldUploads::bytes(setup.field);
+        }
+        if (used > free / 2) {
+            break;
+        }
+    }
+    return std::max(dips, std::size_t(1));
 }
 
 } // namespace dipwright::cuda

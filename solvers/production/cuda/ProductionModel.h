@@ -1,5 +1,4 @@
-// Stores the data that all production films of a batch share, and the data of each dip, in the form
-// that the GPU uses.
+// Stores the production films of a launch in the form that the GPU uses.
 #pragma once
 
 #include "common/HostDevice.h"
@@ -13,8 +12,6 @@
 #include <cstdint>
 
 namespace dipwright::cuda {
-
-struct TeamMemory;
 
 // A rectangle of grid points: columns x0 … x1 − 1, rows z0 … z1 − 1.
 struct PlaneRange {
@@ -53,7 +50,6 @@ struct ProductionModel : numerics::FilmModel<float> {
 struct ProductionDip {
     numerics::ContactBody<float> body;
     numerics::StepState<float>* state = nullptr; // the state between two launches
-    TeamMemory* team = nullptr;
 
     // All arrays up to `marks` have one entry per film point.
     // Displacement from rest, mm: now, and one step ago.
@@ -82,6 +78,12 @@ struct ProductionDip {
     // per level: all points' blocks with the first neighbour, then with the second …
     float4* stencils = nullptr;
     float2 *right = nullptr, *result = nullptr, *solution = nullptr;
+};
+
+// All that a team needs to know of its film.
+struct ProductionFilm {
+    ProductionModel model;
+    ProductionDip dip;
 };
 
 } // namespace dipwright::cuda
