@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/Sha256.h"
 #include "parallel/ParallelFor.h"
+#include "parallel/Tasks.h"
 #include "reduction/ReducedMesh.h"
 #include "search/JudgedPose.h"
 #include "search/Objective.h"
@@ -19,6 +20,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numeric>
 
 namespace dipwright {
@@ -344,19 +346,28 @@ enum Resolution : std::uint8_t { Coarse, Finer, Own };
 
 class Search {
 public:
+    // `dipsOwn`: whether run() will be called, which needs the dips of the job's own poses.
     Search(const SearchSubject& subject, const SearchSettings& settings,
-           const solver::SolverModule& module, const Progress& progress)
+           const solver::SolverModule& module, const Progress& progress, bool dipsOwn)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
           body_(subject, settings.aims.zoneWeights),
-          coarse_(dipsOf(coarseDetail, progress.part(0, fieldShare))), common_(commonPath(subject)),
-          preview_(meshForRating(subject.model->mesh, progress.cancelToken)) {
+          coarse_(dipsOf(coarseDetail, progress.part(0, fieldShare))),
+          common_(commonPath(subject)) {
         if (settings.paths || !common_.isStraightDown()) {
             requirePaths();
         }
         progress_(fieldShare, Text::tr("Rating directions by the part's shape"));
-        weights_ = triangleWeights(subject, preview_, settings);
+        Tasks aside; // a GPU simulates while the processor rates
+        if (dipsOwn) {
+            own_.resize(subject.immersions.size());
+            aside.run([this] { coarse_.dip(subject_.immersions, own_, [](std::size_t) {}); });
+        }
+        preview_ = std::make_unique<const CoveragePreview>(
+            meshForRating(subject.model->mesh, progress.cancelToken));
+        weights_ = triangleWeights(subject, *preview_, settings);
         candidates_ =
-            poseCandidates(preview_, weights_, subject.film, subject.process, settings, progress);
+            poseCandidates(*preview_, weights_, subject.film, subject.process, settings, progress);
+        aside.wait();
         for (PoseCandidate& candidate : candidates_.all) {
             candidate.immersion.path = common_;
         }
@@ -588,7 +599,7 @@ private:
 
     // Dips the job's own poses and the first candidates.
     void simulate() {
-        own_ = dipped(coarse_, Coarse, subject_.immersions);
+        count(Coarse, int(own_.size()));
         if (poses_.empty()) {
             dipFirst();
         }
@@ -761,11 +772,11 @@ private:
         parallelFor(std::size_t(0), dips.size(), [&](std::size_t index) {
             progress_.cancelToken.throwIfCancelled();
             const PreviewedCoverage coverage =
-                preview_.at(dips[index], subject_.film, subject_.process);
+                preview_->at(dips[index], subject_.film, subject_.process);
             double covered = 0;
             for (std::size_t triangle = 0; triangle < coverage.covered.size(); ++triangle) {
                 covered += coverage.covered[triangle] != 0
-                               ? double(preview_.areas()[triangle]) * double(weights_[triangle])
+                               ? double(preview_->areas()[triangle]) * double(weights_[triangle])
                                : 0;
             }
             order[index] = {-covered, index};
@@ -1059,8 +1070,8 @@ private:
     std::map<int, std::shared_ptr<const DistanceField>> fields_;
     PoseDips coarse_;
     DipPath common_;
-    CoveragePreview preview_;    // of meshForRating()
-    std::vector<float> weights_; // of the preview's triangles
+    std::unique_ptr<const CoveragePreview> preview_; // of meshForRating()
+    std::vector<float> weights_;                     // of the preview's triangles
     PoseCandidates candidates_;
     std::vector<Judged> own_;   // the job's own poses
     std::vector<Judged> poses_; // dips of candidates_.chosen; null until dipped
@@ -1084,7 +1095,7 @@ SearchResult searchPoses(const SearchSubject& subject, const SearchSettings& set
                          const solver::SolverModule& module, const std::vector<SearchShard>& parts,
                          const SearchWatch& watch, const Progress& progress) {
     requireValid(settings);
-    Search search(subject, settings, module, progress);
+    Search search(subject, settings, module, progress, true);
     if (!parts.empty()) {
         search.take(parts, searchKey(subject, settings));
     }
@@ -1099,7 +1110,7 @@ SearchShard searchShard(const SearchSubject& subject, const SearchSettings& sett
     part.key = searchKey(subject, settings);
     part.number = number;
     part.count = count;
-    part.poses = Search(subject, settings, module, progress).part(number, count);
+    part.poses = Search(subject, settings, module, progress, false).part(number, count);
     return part;
 }
 

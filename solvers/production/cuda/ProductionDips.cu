@@ -278,10 +278,11 @@ int blocksAtOnce(const Device& device) {
     return std::min(device.multiprocessors, TeamMemory::mostBlocks);
 }
 
-// Returns the number of blocks for each film. With fewer points in a block, the barriers take
-// longer than computing.
+// Returns the number of blocks for each film: all blocks if there are few films. If there are many,
+// a film gets so many that a block has pointsPerBlock points; more would make the barriers slower,
+// and a team that is free sooner takes the next film.
 int blocksPerTeam(const Device& device, Setups setups) {
-    constexpr std::size_t pointsPerBlock = Team::threads;
+    constexpr std::size_t pointsPerBlock = 2 * Team::threads;
     std::size_t most = 0;
     for (const solver::DipSetup* setup : setups) {
         most = std::max(most, setup->film.pointCount());
