@@ -10,10 +10,8 @@
 #include "parallel/Tasks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <exception>
-#include <numeric>
 #include <utility>
 
 namespace dipwright {
@@ -29,8 +27,10 @@ constexpr double dipOverhead = 7.5e4;
 // The time of the job's dip is longer by two factors: the ratio of the numbers of steps to the
 // power of stepsPower (twice as many steps take 1.8 times as long), and withVerdict.
 constexpr double stepsPower = 0.85, withVerdict = 1.4;
+
 // The borders of the fine cells are moved outwards to multiples of this share of the body's longest
-// edge. Many films of a batch then become equal, and a device can simulate their dips together.
+// edge. So most poses that are tilted in refinement get the same film, and are compared by the body
+// alone.
 constexpr double alikeShare = 1.0 / 6;
 
 // Returns the film with `cells` cells along the body, but never with finer cells than the job's
@@ -53,6 +53,15 @@ FilmSettings coarseFilm(FilmSettings film, const TriangleMesh& mesh, double cell
     return film;
 }
 
+PosedBody posedForSearch(const SearchSubject& subject, const Immersion& immersion) {
+    return posedBody(subject.model->mesh, immersion, subject.process, searchedAirCells);
+}
+
+Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
+    return {Eigen::Vector2d(((box.min() / step).array().floor() * step).matrix()),
+            Eigen::Vector2d(((box.max() / step).array().ceil() * step).matrix())};
+}
+
 // Calls `work` and returns the exception that it throws; null if it throws none.
 std::exception_ptr failureOf(const std::function<void()>& work) {
     try {
@@ -61,11 +70,6 @@ std::exception_ptr failureOf(const std::function<void()>& work) {
         return std::current_exception();
     }
     return nullptr;
-}
-
-Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
-    return {Eigen::Vector2d(((box.min() / step).array().floor() * step).matrix()),
-            Eigen::Vector2d(((box.max() / step).array().ceil() * step).matrix())};
 }
 
 } // namespace
@@ -84,27 +88,28 @@ PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
     }
 }
 
-Eigen::AlignedBox2d PoseFilms::fineCellsOf(const Immersion& immersion) const {
-    if (!areChosen()) {
-        return {};
-    }
+solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion) const {
+    return query_ ? gradedGrid(immersion)
+                  : filmUnderBody(film_, undersideOf(body, subject_.process), immersion.offset);
+}
+
+solver::FilmGrid PoseFilms::gradedGrid(const Immersion& immersion) const {
     const TriangleMesh& mesh = subject_.model->mesh;
     const Underside underside = undersideOf(mesh, *query_, immersion, subject_.process);
     const Eigen::Vector2d further = Eigen::Vector2d::Constant(drawIn(underside));
-    const Eigen::AlignedBox2d wanted(underside.shadow.min() - further,
+    const Eigen::AlignedBox2d needed(underside.shadow.min() - further,
                                      underside.shadow.max() + further);
-    return roundedOut(wanted, alikeShare * longestEdgeOf(mesh));
+    return gradedFilm(film_, roundedOut(needed, alikeShare * longestEdgeOf(mesh)), 0, film_.cell,
+                      immersion.offset);
 }
 
-solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion,
-                                   const Eigen::AlignedBox2d& fineCells) const {
-    return areChosen()
-               ? gradedFilm(film_, fineCells, 0, film_.cell, immersion.offset)
-               : filmUnderBody(film_, undersideOf(body, subject_.process), immersion.offset);
+std::size_t PoseFilms::pointsFor(const Immersion& immersion) const {
+    return query_ ? gradedGrid(immersion).pointCount()
+                  : gridOf(posedForSearch(subject_, immersion), immersion).pointCount();
 }
 
 double PoseFilms::cost(const PosedBody& body, const Immersion& immersion) const {
-    const auto points = double(gridOf(body, immersion, fineCellsOf(immersion)).pointCount());
+    const auto points = double(gridOf(body, immersion).pointCount());
     const double travel = subject_.process.contactTravel;
     const double steps = std::max(travel, coarseDetail.travel) / travel;
     return dipOverhead +
@@ -139,24 +144,23 @@ PoseDips::PoseDips(const SearchSubject& subject, const JudgedBody& body,
 void PoseDips::dip(const std::vector<Immersion>& immersions,
                    std::vector<std::shared_ptr<const JudgedPose>>& judged,
                    const std::function<void(std::size_t)>& batchDone, std::size_t first) const {
-    const FineCells fineCells = fineCellsOf(immersions);
-    const std::vector<std::vector<std::size_t>> all = batches(immersions, fineCells, first);
+    const std::vector<Range> all = batches(immersions, first);
     std::size_t done = 0;
     Batch before, present, next; // `before` is simulated, but not judged
     const auto finish = [&](Batch& batch) {
         judge(immersions, batch, judged);
-        done += batch.places.size();
+        done += batch.items.size();
         batch = {};
     };
     for (std::size_t number = 0; number < all.size(); ++number) {
         if (number == 0) {
             cancelToken_.throwIfCancelled();
-            present = setUp(immersions, fineCells, all.front());
+            present = setUp(immersions, all.front());
         }
         Tasks aside;
         aside.run([&] { finish(before); });
         if (number + 1 < all.size() && !cancelToken_.isCancelled()) {
-            aside.run([&] { next = setUp(immersions, fineCells, all[number + 1]); });
+            aside.run([&] { next = setUp(immersions, all[number + 1]); });
         }
         const std::exception_ptr ofSolver = failureOf([&] {
             cancelToken_.throwIfCancelled();
@@ -180,80 +184,38 @@ void PoseDips::dip(const std::vector<Immersion>& immersions,
     }
 }
 
-std::vector<std::vector<std::size_t>> PoseDips::batches(const std::vector<Immersion>& immersions,
-                                                        const FineCells& fineCells,
-                                                        std::size_t first) const {
-    const std::vector<std::size_t> order = orderedByFilm(immersions, fineCells);
-    const std::size_t most = batchSizeFor(immersions, fineCells);
-    std::vector<std::vector<std::size_t>> batches;
-    for (auto begin = order.begin(); begin != order.end();) {
-        const std::size_t size = batches.empty() ? std::min(most, first) : most;
-        const auto end = begin + std::min(std::ptrdiff_t(size), order.end() - begin);
-        batches.emplace_back(begin, end);
-        begin = end;
+std::vector<PoseDips::Range> PoseDips::batches(const std::vector<Immersion>& immersions,
+                                               std::size_t first) const {
+    std::vector<Range> batches;
+    if (immersions.empty()) {
+        return batches;
+    }
+    const std::size_t most = std::clamp(pointsInBatch / films_.pointsFor(immersions.front()),
+                                        fewestInBatch, mostInBatch);
+    for (std::size_t begin = 0, size = std::min(most, first); begin < immersions.size();
+         begin += size, size = most) {
+        batches.push_back({begin, std::min(begin + size, immersions.size())});
     }
     return batches;
 }
 
-std::size_t PoseDips::batchSizeFor(const std::vector<Immersion>& immersions,
-                                   const FineCells& fineCells) const {
-    if (immersions.empty()) {
-        return mostInBatch;
-    }
-    const solver::FilmGrid grid =
-        films_.gridOf(posed(immersions.front()), immersions.front(), fineCells.front());
-    return std::clamp(pointsInBatch / grid.pointCount(), fewestInBatch, mostInBatch);
-}
-
-PoseDips::FineCells PoseDips::fineCellsOf(const std::vector<Immersion>& immersions) const {
-    FineCells fineCells(immersions.size());
-    parallelFor(std::size_t(0), fineCells.size(), [&](std::size_t index) {
-        fineCells[index] = films_.fineCellsOf(immersions[index]);
-    });
-    return fineCells;
-}
-
-// Returns the immersions' indices, ordered so that equal films follow each other.
-std::vector<std::size_t> PoseDips::orderedByFilm(const std::vector<Immersion>& immersions,
-                                                 const FineCells& fineCells) const {
-    std::vector<std::size_t> order(immersions.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    if (!films_.areChosen()) {
-        return order;
-    }
-    const auto film = [&](std::size_t index) {
-        const Eigen::AlignedBox2d& box = fineCells[index];
-        const auto& offset = immersions[index].offset;
-        return std::array{box.min().x(), box.min().y(),     box.max().x(),
-                          box.max().y(), offset[0].value(), offset[1].value()};
-    };
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t one, std::size_t other) { return film(one) < film(other); });
-    return order;
-}
-
-PosedBody PoseDips::posed(const Immersion& immersion) const {
-    return posedBody(subject_.model->mesh, immersion, subject_.process, searchedAirCells);
-}
-
-PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions,
-                                const FineCells& fineCells, std::vector<std::size_t> places) const {
+PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions, Range range) const {
     Batch batch;
-    batch.places = std::move(places);
-    const std::size_t count = batch.places.size();
+    batch.first = range.first;
+    const std::size_t count = range.last - range.first;
     batch.bodies.resize(count);
     batch.fields.resize(count);
     batch.items.resize(count);
     batch.coarser.resize(count);
     std::vector<solver::FilmGrid> grids(count);
     parallelFor(std::size_t(0), count, [&](std::size_t item) {
-        const std::size_t place = batch.places[item];
-        batch.bodies[item] = std::make_shared<const PosedBody>(posed(immersions[place]));
-        grids[item] = films_.gridOf(*batch.bodies[item], immersions[place], fineCells[place]);
+        const Immersion& immersion = immersions[range.first + item];
+        batch.bodies[item] = std::make_shared<const PosedBody>(posedForSearch(subject_, immersion));
+        grids[item] = films_.gridOf(*batch.bodies[item], immersion);
     });
     buildFields(grids);
     parallelFor(std::size_t(0), count, [&](std::size_t item) {
-        const Immersion& immersion = immersions[batch.places[item]];
+        const Immersion& immersion = immersions[range.first + item];
         const PosedBody& body = *batch.bodies[item];
         batch.fields[item].emplace(
             body, fieldForFilm(*field_, grids[item], Progress{nullptr, cancelToken_}));
@@ -291,7 +253,7 @@ void PoseDips::simulate(const std::vector<Immersion>& immersions, Batch& batch) 
     for (std::size_t item = 0; item < batch.items.size(); ++item) {
         const solver::BatchItem& dip = batch.items[item];
         if (batch.coarser[item] &&
-            isStable(dippedFilm(dip, immersions[batch.places[item]]), dip.setup.motion.travel)) {
+            isStable(dippedFilm(dip, immersions[batch.first + item]), dip.setup.motion.travel)) {
             coarser.push_back(batch.coarser[item].get());
         }
     }
@@ -301,7 +263,7 @@ void PoseDips::simulate(const std::vector<Immersion>& immersions, Batch& batch) 
 void PoseDips::judge(const std::vector<Immersion>& immersions, Batch& batch,
                      std::vector<std::shared_ptr<const JudgedPose>>& judged) const {
     parallelFor(std::size_t(0), batch.items.size(), [&](std::size_t item) {
-        const std::size_t place = batch.places[item];
+        const std::size_t place = batch.first + item;
         judged[place] =
             std::make_shared<const JudgedPose>(judgedDip(batch, item, immersions[place]));
     });

@@ -44,15 +44,10 @@ public:
     PoseFilms(const SearchSubject& subject, const DipDetail& detail);
 
     const FilmSettings& film() const { return film_; }
-    // Whether the search chooses the films, so that it can make them equal.
-    bool areChosen() const { return query_ != nullptr; }
-    // Returns the part of a film with the search's choice of cells that needs fine ones; empty for
-    // other films.
-    Eigen::AlignedBox2d fineCellsOf(const Immersion& immersion) const;
-    // Returns the film's points for a pose. `fineCells` is fineCellsOf(). Throws like
-    // filmUnderBody().
-    solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion,
-                            const Eigen::AlignedBox2d& fineCells) const;
+    // Returns the film's points for a pose. Throws like filmUnderBody().
+    solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion) const;
+    // Returns the number of points of this film.
+    std::size_t pointsFor(const Immersion& immersion) const;
     // Returns the time that a dip takes, within about a third, in units that are the same for all
     // resolutions.
     double cost(const PosedBody& body, const Immersion& immersion) const;
@@ -61,10 +56,14 @@ public:
     bool areJobs() const { return areJobs_; } // jobDetail
 
 private:
+    // Returns the film's points where the search chooses its cells: fine ones over the body.
+    solver::FilmGrid gradedGrid(const Immersion& immersion) const;
+
     const SearchSubject& subject_;
     bool areJobs_;
     FilmSettings film_;
-    std::unique_ptr<const SurfaceQuery> query_; // of the model; null unless areChosen()
+    std::unique_ptr<const SurfaceQuery>
+        query_; // of the model; null unless the search chooses the cells
 };
 
 // Returns the resolution of the body's usual distance field (cachedDistanceField()) for dips with
@@ -80,45 +79,34 @@ public:
 
     // Simulates a dip with each of `immersions` and stores its result in `judged` at the same
     // index; both have the same length. After an exception the results of all batches that the
-    // solver finished remain. Dips with similar films are simulated together, so the order of the
-    // dips may differ. While the solver simulates a batch, other threads judge the batch before and
-    // set up the next. Calls `batchDone` after each batch with the number of finished dips. The
-    // first batch has at most `first` dips.
-    // A dip that misses the film or becomes unstable has no samples. Throws Error if the solver
-    // fails. Throws Cancelled.
+    // solver finished remain. While the solver simulates a batch, other threads judge the batch
+    // before and set up the next. Calls `batchDone` after each batch with the number of finished
+    // dips. The first batch has at most `first` dips. A dip that misses the film or becomes
+    // unstable has no samples. Throws Error if the solver fails. Throws Cancelled.
     void dip(const std::vector<Immersion>& immersions,
              std::vector<std::shared_ptr<const JudgedPose>>& judged,
              const std::function<void(std::size_t)>& batchDone,
              std::size_t first = std::numeric_limits<std::size_t>::max()) const;
 
 private:
-    // Dips that are simulated together, in their places in the list of immersions.
+    struct Range {
+        std::size_t first = 0, last = 0; // places in the list of immersions; `last` is excluded
+    };
+    // Dips that are simulated together; they follow each other in the list of immersions.
     struct Batch {
-        std::vector<std::size_t> places;
+        std::size_t first = 0; // place of the first dip in the list
         std::vector<std::shared_ptr<const PosedBody>> bodies;
         std::vector<std::optional<FilledField>> fields; // empty after simulate()
         std::vector<solver::BatchItem> items;
         std::vector<std::unique_ptr<CoarserDips>> coarser; // null if the film is not the job's
     };
 
-    // PoseFilms::fineCellsOf() of each pose.
-    using FineCells = std::vector<Eigen::AlignedBox2d>;
-
-    FineCells fineCellsOf(const std::vector<Immersion>& immersions) const;
-    std::size_t batchSizeFor(const std::vector<Immersion>& immersions,
-                             const FineCells& fineCells) const;
-    std::vector<std::size_t> orderedByFilm(const std::vector<Immersion>& immersions,
-                                           const FineCells& fineCells) const;
-    std::vector<std::vector<std::size_t>> batches(const std::vector<Immersion>& immersions,
-                                                  const FineCells& fineCells,
-                                                  std::size_t first) const;
-    Batch setUp(const std::vector<Immersion>& immersions, const FineCells& fineCells,
-                std::vector<std::size_t> places) const;
+    std::vector<Range> batches(const std::vector<Immersion>& immersions, std::size_t first) const;
+    Batch setUp(const std::vector<Immersion>& immersions, Range range) const;
     void buildFields(const std::vector<solver::FilmGrid>& grids) const;
     void simulate(const std::vector<Immersion>& immersions, Batch& batch) const;
     void judge(const std::vector<Immersion>& immersions, Batch& batch,
                std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
-    PosedBody posed(const Immersion& immersion) const;
     JudgedPose judgedDip(Batch& batch, std::size_t item, const Immersion& immersion) const;
     // Sets the pale places, the verdict with the numerical error, and the doublings.
     void judgeAsJob(JudgedPose& pose, const LaidFilm& laid, const CoarserDips& coarser) const;
