@@ -51,7 +51,7 @@ std::vector<std::uint8_t> paleTriangles(const ImmersionResult& dip, const Textur
         middles[triangle] = middleOf(triangle);
     }
     const InkCompensation compensation(ink);
-    std::vector<LinearColour> wanted = surfaceColours(painted, middles);
+    std::vector<LinearColour> wanted = SurfaceColours(painted).at(middles);
     parallelFor(std::size_t(0), wanted.size(),
                 [&](std::size_t at) { wanted[at] = compensation.toned(wanted[at]); });
     return palePlaces(*dip.laid, middles, wanted, compensation);

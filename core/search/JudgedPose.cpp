@@ -7,7 +7,6 @@
 #include "search/PlaceWeights.h"
 #include "share/FadeOverlap.h"
 #include "texture/PalePlaces.h"
-#include "texture/SurfaceColours.h"
 
 #include <QCoreApplication>
 
@@ -59,7 +58,8 @@ double percentile(std::vector<std::uint16_t>& values, double share) {
 } // namespace
 
 JudgedBody::JudgedBody(const SearchSubject& subject,
-                       const std::array<double, zoneCount>& zoneWeights)
+                       const std::array<double, zoneCount>& zoneWeights,
+                       const SurfaceColours& appearance)
     : model_(subject.model), zoned_(markedZones(subject.model, subject.tolerance.marks)),
       tolerance_(subject.tolerance), ink_(subject.ink), area_(surfaceArea(model_->mesh)),
       openArea_(area_) {
@@ -77,7 +77,7 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
     }
     equator_ = std::sqrt(pi * area_);
     linkReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
-    const std::vector<LinearColour> colours = surfaceColours(*model_, samples_);
+    const std::vector<LinearColour> colours = appearance.at(samples_);
     weights_ = placeWeights(subject, zoneWeights, samples_, colours);
     for (const SurfacePoint& place : samples_) {
         zones_.push_back(zoned_ ? zoned_->at(place) : Zone::C);

@@ -7,6 +7,7 @@
 #include "dip/LaidFilm.h"
 #include "search/PredictedSheet.h"
 #include "search/SearchSubject.h"
+#include "texture/SurfaceColours.h"
 #include "settings/SearchSettings.h"
 #include "texture/Ink.h"
 
@@ -50,7 +51,9 @@ struct JudgedPose {
 class JudgedBody {
 public:
     // `zoneWeights` holds the weight of each zone. Throws Error if the whole body is masked.
-    JudgedBody(const SearchSubject& subject, const std::array<double, zoneCount>& zoneWeights);
+    // `appearance`: the colours of the subject's model.
+    JudgedBody(const SearchSubject& subject, const std::array<double, zoneCount>& zoneWeights,
+               const SurfaceColours& appearance);
 
     std::size_t places() const { return samples_.size(); }
     double equator() const { return equator_; } // mm: circumference of a ball of equal surface

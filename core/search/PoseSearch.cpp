@@ -10,7 +10,6 @@
 #include "search/PlaceWeights.h"
 #include "search/PoseCandidates.h"
 #include "search/PoseDips.h"
-#include "texture/SurfaceColours.h"
 
 #include <QCoreApplication>
 #include <QDataStream>
@@ -270,14 +269,14 @@ TriangleMesh meshForRating(const TriangleMesh& mesh, const CancelToken& cancelTo
 // Returns the weight of each triangle of the preview, by the place of the model that is nearest to
 // its centre.
 std::vector<float> triangleWeights(const SearchSubject& subject, const CoveragePreview& preview,
-                                   const SearchSettings& settings) {
+                                   const SearchSettings& settings,
+                                   const SurfaceColours& appearance) {
     const SurfaceQuery query(subject.model->mesh);
     std::vector<SurfacePoint> middles(preview.middles().size());
     parallelFor(std::size_t(0), middles.size(), [&](std::size_t triangle) {
         middles[triangle] = query.closest(preview.middles()[triangle]).point;
     });
-    return placeWeights(subject, settings.aims.zoneWeights, middles,
-                        surfaceColours(*subject.model, middles));
+    return placeWeights(subject, settings.aims.zoneWeights, middles, appearance.at(middles));
 }
 
 // Returns the key that all shards of a search have in common.
@@ -346,11 +345,13 @@ enum Resolution : std::uint8_t { Coarse, Finer, Own };
 
 class Search {
 public:
-    // `dipsOwn`: whether run() will be called, which needs the dips of the job's own poses.
+    // `appearance`: the colours of the subject's model, used only here. `dipsOwn`: whether run()
+    // will be called, which needs the dips of the job's own poses.
     Search(const SearchSubject& subject, const SearchSettings& settings,
-           const solver::SolverModule& module, const Progress& progress, bool dipsOwn)
+           const solver::SolverModule& module, const Progress& progress,
+           const SurfaceColours& appearance, bool dipsOwn)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
-          body_(subject, settings.aims.zoneWeights),
+          body_(subject, settings.aims.zoneWeights, appearance),
           coarse_(dipsOf(coarseDetail, progress.part(0, fieldShare))),
           common_(commonPath(subject)) {
         if (settings.paths || !common_.isStraightDown()) {
@@ -364,7 +365,7 @@ public:
         }
         preview_ = std::make_unique<const CoveragePreview>(
             meshForRating(subject.model->mesh, progress.cancelToken));
-        weights_ = triangleWeights(subject, *preview_, settings);
+        weights_ = triangleWeights(subject, *preview_, settings, appearance);
         candidates_ =
             poseCandidates(*preview_, weights_, subject.film, subject.process, settings, progress);
         aside.wait();
@@ -1095,7 +1096,7 @@ SearchResult searchPoses(const SearchSubject& subject, const SearchSettings& set
                          const solver::SolverModule& module, const std::vector<SearchShard>& parts,
                          const SearchWatch& watch, const Progress& progress) {
     requireValid(settings);
-    Search search(subject, settings, module, progress, true);
+    Search search(subject, settings, module, progress, SurfaceColours(*subject.model), true);
     if (!parts.empty()) {
         search.take(parts, searchKey(subject, settings));
     }
@@ -1110,7 +1111,8 @@ SearchShard searchShard(const SearchSubject& subject, const SearchSettings& sett
     part.key = searchKey(subject, settings);
     part.number = number;
     part.count = count;
-    part.poses = Search(subject, settings, module, progress, false).part(number, count);
+    part.poses = Search(subject, settings, module, progress, SurfaceColours(*subject.model), false)
+                     .part(number, count);
     return part;
 }
 

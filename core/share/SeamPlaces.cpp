@@ -103,7 +103,7 @@ std::vector<float> openness(const TriangleMesh& mesh, const SurfaceQuery& query)
 SeamPlaces seamPlaces(const RefinedMesh& body, const TexturedMesh& model,
                       const SurfaceQuery& query) {
     const TriangleMesh& mesh = body.mesh();
-    const std::vector<LinearColour> sampled = surfaceColours(model, samplePlaces(body));
+    const std::vector<LinearColour> sampled = SurfaceColours(model).at(samplePlaces(body));
     const std::vector<float> contrast = contrasts(sampled, oppositeEdges(mesh));
     const std::vector<float> open = openness(mesh, query);
     SeamPlaces places;

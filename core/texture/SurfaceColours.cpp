@@ -5,22 +5,20 @@
 
 namespace dipwright {
 
-std::vector<LinearColour> surfaceColours(const SurfaceAppearance& appearance,
-                                         const std::vector<SurfacePoint>& places) {
-    const BodyColours colours(appearance);
-    std::vector<LinearColour> result(places.size());
-    parallelFor(std::size_t(0), places.size(), [&](std::size_t k) {
-        const BodyTexture* texture = colours.texture(places[k].triangle);
-        result[k] = texture ? texture->sampler.sample(appearance.textureCoordinate(places[k]), {})
-                            : colours.plain(places[k].triangle);
-    });
-    return result;
-}
-
 SurfaceColours::SurfaceColours(const SurfaceAppearance& appearance)
     : appearance_(appearance), colours_(std::make_unique<const BodyColours>(appearance)) {}
 
 SurfaceColours::~SurfaceColours() = default;
+
+std::vector<LinearColour> SurfaceColours::at(const std::vector<SurfacePoint>& places) const {
+    std::vector<LinearColour> result(places.size());
+    parallelFor(std::size_t(0), places.size(), [&](std::size_t k) {
+        const BodyTexture* texture = colours_->texture(places[k].triangle);
+        result[k] = texture ? texture->sampler.sample(appearance_.textureCoordinate(places[k]), {})
+                            : colours_->plain(places[k].triangle);
+    });
+    return result;
+}
 
 LinearColour SurfaceColours::at(const SurfacePoint& place,
                                 const Eigen::Matrix<float, 3, 2>& steps) const {

@@ -8,14 +8,9 @@
 
 namespace dipwright {
 
-// Returns the colour of the texture, or the plain colour, at each of these places of the body, in
-// linear light. Does not filter: reads a single texel even in a fine pattern. Uses all cores.
-std::vector<LinearColour> surfaceColours(const SurfaceAppearance& appearance,
-                                         const std::vector<SurfacePoint>& places);
-
 class BodyColours;
 
-// Returns filtered colours for many places. Keeps a reference to the appearance. Const members may
+// Returns colours for many places. Keeps a reference to the appearance. Const members may
 // be used from several threads.
 class SurfaceColours {
 public:
@@ -26,6 +21,10 @@ public:
     // columns of `steps` are its two sides, as changes of the triangle's corner weights. The colour
     // is in wide colour's primaries if any of the appearance's textures is wide.
     LinearColour at(const SurfacePoint& place, const Eigen::Matrix<float, 3, 2>& steps) const;
+    // Returns the colour of the texture, or the plain colour, at each of these places of the body,
+    // in linear light. Does not filter: reads a single texel even in a fine pattern. Uses all
+    // cores.
+    std::vector<LinearColour> at(const std::vector<SurfacePoint>& places) const;
 
 private:
     const SurfaceAppearance& appearance_;

@@ -474,7 +474,7 @@ void ArtworkTest::paintArtwork_wideColour_staysWide() {
     QVERIFY(isWide(body.textures.front()));
     QVERIFY(isNear(colourAt(body, {0, 20, 30}), Qt::red)); // sRGB's red, stored in wide colour
     const SurfacePoint place = placeAt(body, {0, 0, 30});
-    QVERIFY(surfaceColours(body, {place}).front().isApprox(LinearColour(0, 1, 0), 1e-3F));
+    QVERIFY(SurfaceColours(body).at({place}).front().isApprox(LinearColour(0, 1, 0), 1e-3F));
 }
 
 void ArtworkTest::paintArtwork_twice_givesTheSameBits() {
