@@ -7,9 +7,9 @@
 #include "dip/LaidFilm.h"
 #include "search/PredictedSheet.h"
 #include "search/SearchSubject.h"
-#include "texture/SurfaceColours.h"
 #include "settings/SearchSettings.h"
 #include "texture/Ink.h"
+#include "texture/SurfaceColours.h"
 
 #include <memory>
 #include <optional>
