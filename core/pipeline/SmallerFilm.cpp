@@ -19,6 +19,13 @@ Eigen::AlignedBox2d neededFilm(const ImmersionResult& dip, const FilmSettings& f
     return {needed.min().cwiseQuotient(swell), needed.max().cwiseQuotient(swell)};
 }
 
+// Whether the film is too small as it is placed. What a film would need is not known then.
+bool reachesEdge(const ImmersionResult& dip) {
+    return std::any_of(
+        dip.verdict.reasons.begin(), dip.verdict.reasons.end(),
+        [](const VerdictReason& reason) { return reason.kind == VerdictReason::Kind::FilmEdge; });
+}
+
 bool isHeld(const FilmEdges& edges) {
     return edges.leftPinned || edges.rightPinned || edges.topPinned || edges.bottomPinned;
 }
@@ -35,11 +42,11 @@ double filmUsed(const JobResult& result) {
 
 std::optional<SmallerFilm> smallerFilm(const JobResult& result) {
     const FilmSettings& film = result.project.film;
-    const auto travels = [](const ImmersionResult& dip) {
-        return !dip.body->path.isStraightDown();
+    const auto isUnknown = [](const ImmersionResult& dip) {
+        return !dip.body->path.isStraightDown() || reachesEdge(dip);
     };
     if (isHeld(film.edges) ||
-        std::any_of(result.immersions.begin(), result.immersions.end(), travels)) {
+        std::any_of(result.immersions.begin(), result.immersions.end(), isUnknown)) {
         return std::nullopt;
     }
     SmallerFilm found;

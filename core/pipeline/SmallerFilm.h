@@ -23,8 +23,9 @@ struct SmallerFilm {
 double filmUsed(const JobResult& result);
 
 // Returns the smallest film format with room for the film that paints, in all dips, and for
-// freeRim. The bodies move to the format's centre. None if no format is small enough, or if a
-// barrier holds the film.
+// freeRim. The bodies move to the format's centre. None if no format is small enough, if a barrier
+// holds the film, if a body is not dipped straight down, or if the verdict says that a dip comes
+// too near to the film's edge.
 std::optional<SmallerFilm> smallerFilm(const JobResult& result);
 
 // Sets the project's film to `film` and moves the bodies. The project must have the same immersions

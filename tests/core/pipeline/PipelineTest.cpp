@@ -11,6 +11,7 @@
 #include "pipeline/JobVerdict.h"
 #include "pipeline/Report.h"
 #include "pipeline/SheetMemory.h"
+#include "pipeline/SmallerFilm.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
 #include "results/Results.h"
@@ -379,6 +380,19 @@ private slots:
                        reason.advice == Advice::DoNotPrint;
             }));
         }
+    }
+
+    void smallerFilm_dipNearFilmEdge_isNotProposed() {
+        Project job = job_;
+        job.immersions.resize(1);
+        job.film.width = job.film.height = Millimetres(240);
+        QVERIFY(smallerFilm(runJob(job, *registry_, {}, nullptr, {})));
+        job.immersions.front().offset[0] = Millimetres(100); // 5 mm between the ball and the edge
+        const JobResult result = runJob(job, *registry_, {}, nullptr, {});
+        QVERIFY(std::ranges::any_of(reasonsOf(result), [](const JobReason& each) {
+            return each.reason.kind == VerdictReason::Kind::FilmEdge;
+        }));
+        QVERIFY(!smallerFilm(result));
     }
 
     void validateJob_largeSheets_reportsMemory() {
