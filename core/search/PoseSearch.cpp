@@ -598,7 +598,7 @@ private:
         }
     }
 
-    // Dips the job's own poses and the first candidates.
+    // Dips the first candidates, and ranks them together with the job's own poses.
     void simulate() {
         count(Coarse, int(own_.size()));
         if (poses_.empty()) {

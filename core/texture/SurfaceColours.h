@@ -10,8 +10,8 @@ namespace dipwright {
 
 class BodyColours;
 
-// Returns colours for many places. Keeps a reference to the appearance. Const members may
-// be used from several threads.
+// Returns colours for many places. Keeps a reference to the appearance. Const members may be used
+// from several threads.
 class SurfaceColours {
 public:
     explicit SurfaceColours(const SurfaceAppearance& appearance);

@@ -91,7 +91,10 @@ std::vector<Group> groupsOf(Group items, const std::vector<cuda::Device>& device
         const std::size_t each = std::size_t(last - first + devices.size() - 1) / devices.size();
         while (first != last) {
             const cuda::Setups next(first, std::min(first + each, last));
-            const std::size_t size = dipsAtOnce(devices.front(), next);
+            std::size_t size = next.size();
+            for (const cuda::Device& device : devices) {
+                size = std::min(size, dipsAtOnce(device, next));
+            }
             groups.push_back(items.subspan(std::size_t(first - setups.begin()), size));
             first += std::ptrdiff_t(size);
         }
@@ -134,11 +137,15 @@ private:
     }
 
     void runTogether(const cuda::Device& device, Group items) {
-        constexpr int stepsBetweenQuestions = 256;
         std::vector<const solver::DipSetup*> setups;
+        std::size_t points = 0;
         for (const solver::BatchItem& item : items) {
             setups.push_back(&item.setup);
+            points += item.setup.film.pointCount();
         }
+        // A GPU that drives a display stops kernels that run for seconds.
+        constexpr std::size_t mostSteps = 256, mostPointSteps = 30'000'000;
+        const int steps = int(std::clamp(mostPointSteps / points, std::size_t(1), mostSteps));
         if (isStopped()) {
             return;
         }
@@ -147,7 +154,7 @@ private:
             if (isStopped()) {
                 return;
             }
-            dips->advance(stepsBetweenQuestions);
+            dips->advance(steps);
             finished = true;
             for (std::size_t dip = 0; dip < items.size(); ++dip) {
                 finished = finished && dips->state(dip).finished;

@@ -61,7 +61,7 @@ public:
                 ++barriers_;
                 arrive(&memory_->arrived);
             }
-            while (arrived(&memory_->arrived) < all) {
+            while (int(arrived(&memory_->arrived) - all) < 0) { // both may wrap around
             }
         }
         __syncthreads();

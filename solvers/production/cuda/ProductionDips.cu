@@ -255,12 +255,12 @@ private:
     void layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const;
 
     int blocksPerTeam_;
+    DeviceArray<TeamMemory> teams_;
     std::deque<HeldFilm> held_; // in the order of films_
     FieldUploads fields_;
     DeviceArray<std::byte> memory_;
     std::vector<ProductionFilm> films_;
     DeviceArray<ProductionFilm> filmsOnDevice_;
-    DeviceArray<TeamMemory> teams_;
     DeviceArray<int> taken_;
     std::size_t sharedBytes_ = 0;
     std::vector<numerics::StepState<float>> states_;
@@ -274,28 +274,17 @@ void requireAllValid(const Device& device, Setups setups) {
     use(device);
 }
 
-int blocksAtOnce(const Device& device) {
-    return std::min(device.multiprocessors, TeamMemory::mostBlocks);
-}
-
-// Returns the number of blocks for each film: all blocks if there are few films. If there are many,
-// a film gets so many that a block has pointsPerBlock points; more would make the barriers slower,
-// and a team that is free sooner takes the next film.
-int blocksPerTeam(const Device& device, Setups setups) {
-    constexpr std::size_t pointsPerBlock = 2 * Team::threads;
-    std::size_t most = 0;
-    for (const solver::DipSetup* setup : setups) {
-        most = std::max(most, setup->film.pointCount());
-    }
-    const int all = blocksAtOnce(device);
-    const int useful = int(std::min(most / pointsPerBlock + 1, std::size_t(all)));
-    return std::max(all / int(std::min(setups.size(), std::size_t(all))), useful);
+// Returns the number of blocks that work on a film together. Fewer blocks on more films at the same
+// time are faster than more blocks on fewer films (docs/speed.md, "The production film").
+int blocksPerFilm(const Device& device, std::size_t films) {
+    const auto blocks = std::size_t(std::min(device.multiprocessors, TeamMemory::mostBlocks));
+    return int(blocks / std::min(films, blocks));
 }
 
 ProductionDips::ProductionDips(const Device& device, Setups setups)
     : Dips(device, setups),
-      blocksPerTeam_((requireAllValid(device, setups), blocksPerTeam(device, setups))),
-      teams_(std::min(setups.size(), std::size_t(blocksAtOnce(device) / blocksPerTeam_))),
+      blocksPerTeam_((requireAllValid(device, setups), blocksPerFilm(device, setups.size()))),
+      teams_(std::min(setups.size(), std::size_t(device.multiprocessors / blocksPerTeam_))),
       taken_(1), states_(setups.size()) {
     std::size_t bytes = 0;
     for (const solver::DipSetup* setup : setups) {
