@@ -81,7 +81,7 @@ public:
     Ranking(const Project& project, const SolverRegistry& registry, const QString& solver,
             int poses)
         : subject_(searchSubject(project, solver)), module_(registry.module(solver)),
-          body_(subject_, settings_.aims.zoneWeights) {
+          body_(subject_, settings_.aims.zoneWeights, SurfaceColours(*subject_.model)) {
         settings_.simulated = poses;
         const CoveragePreview preview(subject_.model->mesh);
         const PoseCandidates candidates =

@@ -78,7 +78,7 @@ private slots:
 private:
     std::unique_ptr<SolverRegistry> registry_;
     SearchSubject subject_ = subjectOf(boxMesh({6, 40, 40}));
-    JudgedBody body_{subject_, {1, 1, 1}};
+    JudgedBody body_{subject_, {1, 1, 1}, SurfaceColours(*subject_.model)};
     std::shared_ptr<const DistanceField> field_ =
         cachedDistanceField(subject_.model->mesh, subject_.fieldResolution, {});
 };
