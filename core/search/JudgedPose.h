@@ -50,8 +50,8 @@ struct JudgedPose {
 // The places of a body at which its dips are measured. Immutable; any thread may use it.
 class JudgedBody {
 public:
-    // `zoneWeights` holds the weight of each zone. `appearance`: the colours of the subject's model.
-    // Throws Error if the whole body is masked.
+    // `zoneWeights` holds the weight of each zone. `appearance`: the colours of the subject's
+    // model. Throws Error if the whole body is masked.
     JudgedBody(const SearchSubject& subject, const std::array<double, zoneCount>& zoneWeights,
                const SurfaceColours& appearance);
 

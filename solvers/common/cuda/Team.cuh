@@ -12,7 +12,7 @@ struct TeamMemory {
     static constexpr int mostValues = 12;
 
     unsigned arrived = 0;
-    int next = 0; // Team::next()
+    int next = 0;                                        // Team::next()
     std::int64_t values[2][mostBlocks][mostValues] = {}; // integers, or the bits of other numbers
 };
 

@@ -346,7 +346,8 @@ private:
 static_assert(numerics::FilmBackend<CudaBackend> && numerics::GmresBackend<CudaBackend>);
 
 // Runs at most `maximumSteps` steps of each of `count` films. The blocks form teams of
-// `blocksPerTeam`; each team takes one film after another. `taken` must be 0 when the kernel starts.
+// `blocksPerTeam`; each team takes one film after another. `taken` must be 0 when the kernel
+// starts.
 __global__ void __launch_bounds__(Team::threads, 1)
     productionSteps(const ProductionFilm* films, int count, TeamMemory* teams, int blocksPerTeam,
                     int* taken, int maximumSteps) {
