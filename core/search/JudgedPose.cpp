@@ -130,7 +130,9 @@ void JudgedBody::linkNeighbours() {
 
 void JudgedBody::complete(JudgedPose& pose) const {
     pose.qualities.clear();
+    pose.painted = 0;
     for (const PaintedSample& sample : pose.samples) {
+        pose.painted += sample.larger == 0 ? 0 : 1 / double(pose.samples.size());
         pose.qualities.push_back(sample.larger == 0 ? 0
                                                     : printQuality(sample.larger / stretchUnits,
                                                                    sample.smaller / stretchUnits));

@@ -33,6 +33,7 @@ struct JudgedPose {
     // and mm along the surface from each place to the end of the paint, infinite if there is none.
     std::vector<double> qualities;
     std::vector<float> depths;
+    double painted = 0;       // share of the sampled places that it paints; by complete(), too
     double trappedAir = 0;    // share of the surface that is in trapped air
     double filmUsed = 0;      // share of the film's area that paints
     QString tankFaults;       // sentences on limits of the tank that the dip exceeds

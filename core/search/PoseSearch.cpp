@@ -30,6 +30,7 @@ struct Text {
 };
 
 constexpr std::size_t keptPoses = 24;
+constexpr double leastPainted = 0.01;  // share of the body that each dip of a pair should paint
 constexpr int confirmedRounds = 3;     // at most; in each, `confirmed` poses are confirmed
 constexpr std::size_t firstRanked = 8; // number of dips before the first ranking
 // Number of best pairs from which distinct ones are ranked.
@@ -81,10 +82,18 @@ bool isForbidden(const Entry& entry) {
            Advice::DoNotPrint;
 }
 
-// Returns whether the tank cannot carry the pose out, and whether its sheets must not be printed. A
-// pose with a smaller refusal is always better.
-std::pair<bool, bool> refusal(const Entry& entry) {
-    return {exceedsTank(entry), isForbidden(entry)};
+// Whether one dip of a pair paints hardly anything. Such a pair would get good values for its short
+// seam and for the film that is left.
+bool hasIdleDip(const Entry& entry) {
+    return entry.dips.size() > 1 &&
+           std::any_of(entry.dips.begin(), entry.dips.end(),
+                       [](const Judged& dip) { return dip->painted < leastPainted; });
+}
+
+// Returns whether the tank cannot carry the pose out, whether its sheets must not be printed, and
+// whether a dip is idle. A pose with a smaller refusal is always better.
+std::array<bool, 3> refusal(const Entry& entry) {
+    return {exceedsTank(entry), isForbidden(entry), hasIdleDip(entry)};
 }
 
 // Returns how often the work of the job's first dip is expected to be doubled: by the verdict if
@@ -463,6 +472,7 @@ public:
             rankWithFinerFilm();
             refineWithFinerFilm();
             confirm();
+            addOwn();
         } catch (const Cancelled&) {
             if (!isRefining_) {
                 rankFirstDips();
@@ -682,7 +692,7 @@ private:
                              const std::vector<std::size_t>& places) {
         struct Pair {
             std::uint32_t first, second;
-            bool exceedsTank = false;
+            std::array<bool, 3> refusal{};
             double limitsMissed = 0, objective = 0;
         };
         std::vector<Pair> all;
@@ -694,7 +704,7 @@ private:
         parallelFor(std::size_t(0), all.size(), [&](std::size_t index) {
             Pair& pair = all[index];
             const Entry both = entry({pool[pair.first], pool[pair.second]}, false);
-            pair.exceedsTank = exceedsTank(both);
+            pair.refusal = refusal(both);
             pair.limitsMissed = both.ranked.limitsMissed;
             pair.objective = both.ranked.objective;
         });
@@ -707,8 +717,8 @@ private:
             }
         }
         std::stable_sort(all.begin(), all.end(), [](const Pair& one, const Pair& other) {
-            if (one.exceedsTank != other.exceedsTank) {
-                return other.exceedsTank;
+            if (one.refusal != other.refusal) {
+                return one.refusal < other.refusal;
             }
             return one.limitsMissed != other.limitsMissed ? one.limitsMissed < other.limitsMissed
                                                           : one.objective > other.objective;
@@ -932,6 +942,15 @@ private:
             addCertainPair(confirmed);
             best_ = confirmed;
             best_.insert(best_.end(), open.begin(), open.end());
+            rank();
+        }
+    }
+
+    // The job's own poses compete with those that were found, and can be the best.
+    void addOwn() {
+        if (current_ && current_->dips.size() == std::size_t(settings_.immersions) &&
+            current_->ranked.measures[Measure::Coverage] > 0) {
+            best_.push_back(*current_);
             rank();
         }
     }

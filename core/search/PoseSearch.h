@@ -43,7 +43,8 @@ struct TriedDirection {
 // The result of a search.
 struct SearchResult {
     // The best first; never empty. Poses that the tank cannot carry out come after all others; of
-    // the rest, poses whose sheets must not be printed, or are predicted so, come last.
+    // the rest, poses whose sheets must not be printed, or are predicted so, come last. Of these
+    // and of the others, pairs of which one dip paints hardly anything come last.
     std::vector<RankedPoses> ranking;
     std::optional<RankedPoses> current; // the job's own poses; none if they cannot be dipped
     std::vector<TriedDirection> directions;

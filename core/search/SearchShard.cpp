@@ -103,6 +103,12 @@ QByteArray shardFile(const SearchShard& shard) {
     return body;
 }
 
+bool isShardFile(const QByteArray& file) {
+    quint32 found = 0;
+    QDataStream(file) >> found;
+    return found == signature;
+}
+
 SearchShard shardFromFile(const QByteArray& file, const QString& where) {
     if (file.size() > mostBytes) {
         throw damaged(where);

@@ -29,6 +29,8 @@ SearchShard searchShard(const SearchSubject& subject, const SearchSettings& sett
 
 // Returns the bytes of a shard's file, without loss.
 QByteArray shardFile(const SearchShard& shard);
+// Whether a file begins as shardFile() does.
+bool isShardFile(const QByteArray& file);
 // Reads a shard from its file. Throws Error naming `where` if the file is not a shard.
 SearchShard shardFromFile(const QByteArray& file, const QString& where);
 

@@ -57,6 +57,20 @@ private slots:
         QVERIFY2(merged.err.contains("each of the 2 result files"), merged.err);
     }
 
+    void optimizeShard_outIsNoPart_isKept() {
+        const QString project = path(QStringLiteral("kept.dipw"));
+        QVERIFY(QFile::copy(sampleFolder("/tetrahedron.dipw"), project));
+        QVERIFY(QFile::setPermissions(project, QFile::ReadOwner | QFile::WriteOwner));
+        QStringList arguments = shard(1);
+        arguments.back() = project;
+        const Outcome refused = cli(arguments);
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.err.contains("not a part of a search"), refused.err);
+        QFile kept(project), original(sampleFolder("/tetrahedron.dipw"));
+        QVERIFY(kept.open(QIODevice::ReadOnly) && original.open(QIODevice::ReadOnly));
+        QCOMPARE(kept.readAll(), original.readAll());
+    }
+
 private:
     QString path(const QString& name) const { return folder_.filePath(name); }
     QStringList search(const QString& job) const {

@@ -49,6 +49,23 @@ SearchSubject bowlThatMustVent() {
     return subject;
 }
 
+// Returns a cube with sides of 40 mm and a thin spike on top.
+TriangleMesh cubeWithSpike() {
+    TriangleMesh mesh = boxMesh({40, 40, 40});
+    Eigen::Isometry3d onTop = Eigen::Isometry3d::Identity();
+    onTop.rotate(Eigen::AngleAxisd(pi, Eigen::Vector3d::UnitX())); // the tip of a cone points down
+    TriangleMesh spike = transformed(coneMesh(0.045, 22, 24), onTop);
+    const float rise = boundingBox(mesh).max().y() - boundingBox(spike).min().y();
+    const auto first = std::uint32_t(mesh.positions.size());
+    for (const Eigen::Vector3f& place : spike.positions) {
+        mesh.positions.push_back(place + Eigen::Vector3f(0, rise, 0));
+    }
+    for (const auto& [a, b, c] : spike.triangles) {
+        mesh.triangles.push_back({first + a, first + b, first + c});
+    }
+    return mesh;
+}
+
 void compare(const SearchResult& one, const SearchResult& other) {
     QCOMPARE(one.ranking.size(), other.ranking.size());
     for (std::size_t rank = 0; rank < one.ranking.size(); ++rank) {
@@ -103,6 +120,31 @@ private slots:
         QVERIFY(best.measures[Measure::Coverage] > 0.8);
         QVERIFY(best.measures[Measure::Join] > 0);
         QVERIFY(best.immersions[0].name != best.immersions[1].name);
+    }
+
+    // A dip that paints only the spike makes a pair without a seam.
+    void searchPoses_pairWithIdleDip_standsBelowOtherPairs() {
+        SearchSubject subject = subjectOf(cubeWithSpike());
+        subject.process.depth = Millimetres(20);
+        SearchSettings settings = sidesOnly(2);
+        setWeight(settings.aims, QStringLiteral("join"), 100);
+        const SearchResult result = search(subject, settings);
+        for (const Immersion& dip : result.ranking.front().immersions) {
+            QVERIFY2(downOf(dip).y() < 0.9, "the best pair has a dip that paints only the spike");
+        }
+    }
+
+    // The project's pose can be better than all that are found, or similar to a worse one.
+    void searchPoses_projectsPoses_competeWithFoundOnes() {
+        SearchSettings settings = sidesOnly(1);
+        settings.finer = 1;
+        SearchSubject subject = subjectOf(tetrahedronMesh(50));
+        subject.immersions.resize(1);
+        for (int turn = 0; turn < 8; ++turn) {
+            subject.immersions[0].rotation[1] = Degrees(15 * turn);
+            const SearchResult result = search(subject, settings);
+            QVERIFY(result.ranking.front().objective >= result.current->objective);
+        }
     }
 
     // An egg on its side is dipped from below and from above. Film reaches a little past the egg's
