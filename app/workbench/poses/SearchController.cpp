@@ -271,7 +271,8 @@ void SearchController::showProject() {
     }
 }
 
-// The current poses do not affect the search, so they do not outdate its result.
+// The project's poses are only some more candidates of a search, so other poses do not outdate its
+// result.
 void SearchController::showFreshness() {
     if (const Document* document = session_.document(); document && searched_.model) {
         const Project& now = document->project();
