@@ -23,19 +23,10 @@ QString millimetresText(double length) {
     return QLocale().toString(length, 'f', 2);
 }
 
-// Returns the cell that is needed to print the sheet or, if it can be printed, to reach the wanted
-// error, in mm; none if the film's own cell is small enough. The error is assumed to be of first
-// order.
+// Returns neededCell() of a dip whose numerical error was estimated.
 std::optional<double> neededCell(const ImmersionResult& dip, const Verdict& verdict,
                                  const FilmSettings& settings) {
-    const DippedFilm& film = dip.laid->film();
-    if (const std::optional<double> printable = wantedCell(verdict, film)) {
-        return printable;
-    }
-    const double offBy = dip.numericalError->offBy.percentile95;
-    return settings.wantedError && offBy > settings.wantedError->value()
-               ? std::optional(film.grid.leastSpacing() * settings.wantedError->value() / offBy)
-               : std::nullopt;
+    return neededCell(verdict, dip.laid->film(), dip.numericalError->offBy.percentile95, settings);
 }
 
 // Returns the smallest numerical error that a reason of the verdict allows, mm.

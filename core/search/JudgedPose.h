@@ -2,6 +2,7 @@
 // Private to this folder.
 #pragma once
 
+#include "accuracy/error/NumericalErrorEstimate.h"
 #include "accuracy/tolerance/Zones.h"
 #include "accuracy/verdict/Verdict.h"
 #include "dip/LaidFilm.h"
@@ -24,6 +25,17 @@ struct PaintedSample {
     bool operator==(const PaintedSample&) const = default;
 };
 
+// The films by which a dip is judged as the job would judge it.
+struct JobFilms {
+    std::shared_ptr<const LaidFilm> own;
+    CoarserFilms coarser;
+    double refinement = 1; // of `own`, relative to the film with which the job begins
+    // The refinement with which the job would repeat the dip; none: the job ends with this film.
+    std::optional<double> next;
+    Verdict verdict; // by these films
+    bool isErrorKnown = false;
+};
+
 struct JudgedPose {
     Immersion immersion;
     std::vector<PaintedSample> samples; // one per sampled place; empty if the dip failed
@@ -41,11 +53,15 @@ struct JudgedPose {
     PredictedSheet predicted; // of the job, by coarser dips
     // Which of these a dip has depends on its resolution (DipDetail).
     double jobCell = 0; // smallest cell of the film with which the job would begin, mm; 0: none
-    Verdict verdict;    // on everything but the ink
+    // On everything but the ink. If the job would repeat the dip with smaller cells, this is the
+    // verdict to be expected then.
+    Verdict verdict;
     // Per sampled place: whether it will be too pale; empty: not known.
     std::vector<std::uint8_t> pale;
-    // neededDoublings() of the verdict; none if the numerical error is not known.
+    // How often the work of the job's first dip has to be doubled, by the verdict; none if the
+    // numerical error is not known.
     std::optional<double> doublings;
+    std::shared_ptr<const JobFilms> films; // null unless the dip has the job's film
 };
 
 // The places of a body at which its dips are measured. Immutable; any thread may use it.

@@ -1,6 +1,8 @@
 #include "search/PoseDips.h"
 
 #include "accuracy/verdict/FinerFilm.h"
+#include "base/Error.h"
+#include "dip/AirPockets.h"
 #include "dip/Dip.h"
 #include "dip/FilmUnderBody.h"
 #include "dip/TankFit.h"
@@ -12,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <iterator>
+#include <new>
 #include <utility>
 
 namespace dipwright {
@@ -53,13 +57,39 @@ FilmSettings coarseFilm(FilmSettings film, const TriangleMesh& mesh, double cell
     return film;
 }
 
-PosedBody posedForSearch(const SearchSubject& subject, const Immersion& immersion) {
-    return posedBody(subject.model->mesh, immersion, subject.process, searchedAirCells);
-}
-
 Eigen::AlignedBox2d roundedOut(const Eigen::AlignedBox2d& box, double step) {
     return {Eigen::Vector2d(((box.min() / step).array().floor() * step).matrix()),
             Eigen::Vector2d(((box.max() / step).array().ceil() * step).matrix())};
+}
+
+FilmSettings refinedFilm(FilmSettings film, double refinement) {
+    film.refinement *= refinement;
+    return film;
+}
+
+// Returns the refinement of a film that follows `before`; 1 if there is none.
+double refinementAfter(const JobFilms* before) {
+    return before ? *before->next : 1;
+}
+
+// Returns a dip whose film will not be refined further.
+std::shared_ptr<const JudgedPose> asLast(JudgedPose dip) {
+    JobFilms films = *dip.films;
+    films.next.reset();
+    dip.verdict = films.verdict;
+    dip.films = std::make_shared<const JobFilms>(std::move(films));
+    return std::make_shared<const JudgedPose>(std::move(dip));
+}
+
+// Returns the refined dip of `before`; null if it tells less than `before`.
+std::shared_ptr<const JudgedPose> afterBefore(const JudgedPose& before, JudgedPose refined) {
+    const JobFilms* films = refined.films.get();
+    if (!films || !films->coarser.failure.isEmpty() ||
+        (before.films->isErrorKnown && !films->isErrorKnown)) {
+        return nullptr;
+    }
+    refined.predicted = before.predicted;
+    return std::make_shared<const JudgedPose>(std::move(refined));
 }
 
 // Calls `work` and returns the exception that it throws; null if it throws none.
@@ -88,9 +118,16 @@ PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
     }
 }
 
-solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion) const {
+PosedBody PoseFilms::posed(const Immersion& immersion) const {
+    return posedBody(subject_.model->mesh, immersion, subject_.process,
+                     areJobs_ ? airCells : searchedAirCells);
+}
+
+solver::FilmGrid PoseFilms::gridOf(const PosedBody& body, const Immersion& immersion,
+                                   double refinement) const {
     return query_ ? gradedGrid(immersion)
-                  : filmUnderBody(film_, undersideOf(body, subject_.process), immersion.offset);
+                  : filmUnderBody(refinedFilm(film_, refinement),
+                                  undersideOf(body, subject_.process), immersion.offset);
 }
 
 solver::FilmGrid PoseFilms::gradedGrid(const Immersion& immersion) const {
@@ -105,7 +142,7 @@ solver::FilmGrid PoseFilms::gradedGrid(const Immersion& immersion) const {
 
 std::size_t PoseFilms::pointsFor(const Immersion& immersion) const {
     return query_ ? gradedGrid(immersion).pointCount()
-                  : gridOf(posedForSearch(subject_, immersion), immersion).pointCount();
+                  : gridOf(posed(immersion), immersion).pointCount();
 }
 
 double PoseFilms::cost(const PosedBody& body, const Immersion& immersion) const {
@@ -199,10 +236,13 @@ std::vector<PoseDips::Range> PoseDips::batches(const std::vector<Immersion>& imm
     return batches;
 }
 
-PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions, Range range) const {
+PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions, Range range,
+                                std::vector<const JobFilms*> before) const {
     Batch batch;
     batch.first = range.first;
     const std::size_t count = range.last - range.first;
+    batch.before = std::move(before);
+    batch.before.resize(count, nullptr);
     batch.bodies.resize(count);
     batch.fields.resize(count);
     batch.items.resize(count);
@@ -210,22 +250,24 @@ PoseDips::Batch PoseDips::setUp(const std::vector<Immersion>& immersions, Range 
     std::vector<solver::FilmGrid> grids(count);
     parallelFor(std::size_t(0), count, [&](std::size_t item) {
         const Immersion& immersion = immersions[range.first + item];
-        batch.bodies[item] = std::make_shared<const PosedBody>(posedForSearch(subject_, immersion));
-        grids[item] = films_.gridOf(*batch.bodies[item], immersion);
+        batch.bodies[item] = std::make_shared<const PosedBody>(films_.posed(immersion));
+        grids[item] =
+            films_.gridOf(*batch.bodies[item], immersion, refinementAfter(batch.before[item]));
     });
     buildFields(grids);
     parallelFor(std::size_t(0), count, [&](std::size_t item) {
         const Immersion& immersion = immersions[range.first + item];
         const PosedBody& body = *batch.bodies[item];
+        const FilmSettings film = refinedFilm(films_.film(), refinementAfter(batch.before[item]));
         batch.fields[item].emplace(
             body, fieldForFilm(*field_, grids[item], Progress{nullptr, cancelToken_}));
         batch.items[item].setup =
-            dipSetup(body, *batch.fields[item], immersion, films_.film(), grids[item], process_);
+            dipSetup(body, *batch.fields[item], immersion, film, grids[item], process_);
         batch.items[item].setup.settings.residual = residual_;
         if (films_.areJobs()) {
-            batch.coarser[item] = std::make_unique<CoarserDips>(
-                PosedDip{batch.bodies[item], immersion}, *field_, films_.film(), process_,
-                Progress{nullptr, cancelToken_});
+            batch.coarser[item] =
+                std::make_unique<CoarserDips>(PosedDip{batch.bodies[item], immersion}, *field_,
+                                              film, process_, Progress{nullptr, cancelToken_});
         }
     });
     return batch;
@@ -281,7 +323,7 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
     }
     pose.tankFaults = tankFaultsOf(subject_, body->mesh, body->path, immersion);
     if (laid && films_.areJobs()) {
-        judgeAsJob(pose, *laid, *batch.coarser[item]);
+        judgeAsJob(pose, std::move(laid), batch.coarser[item]->laid(), batch.before[item]);
     } else if (laid && jobFilms_) {
         pose.jobCell = jobFilms_->cellUnder(*body);
         pose.verdict = verdictOf(*laid, nullptr, pose.tankFaults);
@@ -293,15 +335,77 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
     return pose;
 }
 
-void PoseDips::judgeAsJob(JudgedPose& pose, const LaidFilm& laid,
-                          const CoarserDips& coarser) const {
-    const NumericalErrorEstimate error = estimateNumericalError(laid, coarser.laid());
-    pose.pale = body_.pale(laid);
-    pose.verdict = verdictOf(laid, &error, pose.tankFaults);
-    if (error.isKnown()) { // otherwise nobody knows what refinement would gain
-        pose.verdict = afterRefinement(std::move(pose.verdict), laid.film(), subject_.film);
-        pose.doublings = neededDoublings(pose.verdict, laid.film());
+void PoseDips::judgeAsJob(JudgedPose& pose, std::shared_ptr<const LaidFilm> laid,
+                          CoarserFilms coarser, const JobFilms* before) const {
+    const DippedFilm& film = laid->film();
+    std::optional<FilmsBefore> filmsBefore;
+    if (before) {
+        filmsBefore.emplace(FilmsBefore{*before->own, before->coarser.doubleSpacing.get()});
     }
+    const NumericalErrorEstimate error = estimateNumericalError(*laid, coarser, filmsBefore);
+    JobFilms films;
+    films.refinement = refinementAfter(before);
+    films.verdict = verdictOf(*laid, &error, pose.tankFaults);
+    films.isErrorKnown = error.isKnown();
+    pose.pale = body_.pale(*laid);
+    pose.verdict = films.verdict;
+    if (films.isErrorKnown) { // otherwise nobody knows what refinement would gain
+        pose.verdict = afterRefinement(std::move(pose.verdict), film, subject_.film);
+        pose.doublings = 3 * std::log2(films.refinement) + neededDoublings(pose.verdict, film);
+        const auto needed =
+            neededCell(films.verdict, film, error.offBy.percentile95, subject_.film);
+        const auto cell = needed ? finerCell(*needed, film, subject_.film) : std::nullopt;
+        if (cell) {
+            films.next = films.refinement * film.grid.leastSpacing() / *cell;
+        }
+    }
+    films.own = std::move(laid);
+    films.coarser = std::move(coarser);
+    pose.films = std::make_shared<const JobFilms>(std::move(films));
+}
+
+std::vector<std::shared_ptr<const JudgedPose>>
+PoseDips::withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips) const {
+    const auto keeps = [](const std::shared_ptr<const JudgedPose>& dip) {
+        return !dip->films || !dip->films->next;
+    };
+    std::vector<std::shared_ptr<const JudgedPose>> open;
+    for (;;) {
+        open.clear();
+        std::remove_copy_if(dips.begin(), dips.end(), std::back_inserter(open), keeps);
+        if (open.empty()) {
+            return dips;
+        }
+        const std::vector<std::shared_ptr<const JudgedPose>> finer = refined(open);
+        for (std::size_t each = 0; each < open.size(); ++each) {
+            std::replace(dips.begin(), dips.end(), open[each],
+                         finer[each] ? finer[each] : asLast(*open[each]));
+        }
+    }
+}
+
+std::vector<std::shared_ptr<const JudgedPose>>
+PoseDips::refined(const std::vector<std::shared_ptr<const JudgedPose>>& dips) const {
+    std::vector<std::shared_ptr<const JudgedPose>> result(dips.size());
+    std::vector<Immersion> immersions;
+    std::vector<const JobFilms*> before;
+    for (const std::shared_ptr<const JudgedPose>& dip : dips) {
+        immersions.push_back(dip->immersion);
+        before.push_back(dip->films.get());
+    }
+    try {
+        Batch batch = setUp(immersions, {0, dips.size()}, std::move(before));
+        simulate(immersions, batch);
+        judge(immersions, batch, result);
+    } catch (const Error&) {
+        return std::vector<std::shared_ptr<const JudgedPose>>(dips.size());
+    } catch (const std::bad_alloc&) {
+        return std::vector<std::shared_ptr<const JudgedPose>>(dips.size());
+    }
+    for (std::size_t each = 0; each < dips.size(); ++each) {
+        result[each] = afterBefore(*dips[each], *result[each]);
+    }
+    return result;
 }
 
 // Judges a dip as the job would, but for its ink. Without an estimate of the numerical error, the

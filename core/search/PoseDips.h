@@ -30,7 +30,8 @@ inline constexpr DipDetail coarseDetail{20, 128, 0.5, 3e-3},
     jobDetail{std::numeric_limits<double>::infinity(), std::numeric_limits<int>::max(), 0,
               solver::Settings().residual};
 
-// Number of air grid cells along the body's longest edge (posedBody()).
+// Number of air grid cells along the body's longest edge (posedBody()) in coarse and finer dips.
+// Dips of the job's detail have the job's number.
 inline constexpr int searchedAirCells = 48;
 
 // Returns the sentences on the limits of the subject's tank that a dip exceeds; empty if none.
@@ -44,8 +45,12 @@ public:
     PoseFilms(const SearchSubject& subject, const DipDetail& detail);
 
     const FilmSettings& film() const { return film_; }
+    // Returns the body in the pose of its dip.
+    PosedBody posed(const Immersion& immersion) const;
     // Returns the film's points for a pose. Throws like filmUnderBody().
-    solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion) const;
+    // `refinement` multiplies the number of cells of the job's film along both edges.
+    solver::FilmGrid gridOf(const PosedBody& body, const Immersion& immersion,
+                            double refinement = 1) const;
     // Returns the number of points of this film.
     std::size_t pointsFor(const Immersion& immersion) const;
     // Returns the time that a dip takes, within about a third, in units that are the same for all
@@ -88,6 +93,12 @@ public:
              const std::function<void(std::size_t)>& batchDone,
              std::size_t first = std::numeric_limits<std::size_t>::max()) const;
 
+    // Returns these dips with the films with which the job would end: repeats them with smaller
+    // cells as the job would. All must have the job's film. A dip that fails with smaller cells
+    // keeps the film before, and the verdict on it. Throws Cancelled.
+    std::vector<std::shared_ptr<const JudgedPose>>
+    withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips) const;
+
 private:
     struct Range {
         std::size_t first = 0, last = 0; // places in the list of immersions; `last` is excluded
@@ -99,17 +110,25 @@ private:
         std::vector<std::optional<FilledField>> fields; // empty after simulate()
         std::vector<solver::BatchItem> items;
         std::vector<std::unique_ptr<CoarserDips>> coarser; // null if the film is not the job's
+        // The films that have too large cells; null if the film is not refined.
+        std::vector<const JobFilms*> before;
     };
 
     std::vector<Range> batches(const std::vector<Immersion>& immersions, std::size_t first) const;
-    Batch setUp(const std::vector<Immersion>& immersions, Range range) const;
+    // `before`: for each dip of the range, Batch::before; empty: no film is refined.
+    Batch setUp(const std::vector<Immersion>& immersions, Range range,
+                std::vector<const JobFilms*> before = {}) const;
     void buildFields(const std::vector<solver::FilmGrid>& grids) const;
     void simulate(const std::vector<Immersion>& immersions, Batch& batch) const;
     void judge(const std::vector<Immersion>& immersions, Batch& batch,
                std::vector<std::shared_ptr<const JudgedPose>>& judged) const;
     JudgedPose judgedDip(Batch& batch, std::size_t item, const Immersion& immersion) const;
-    // Sets the pale places, the verdict with the numerical error, and the doublings.
-    void judgeAsJob(JudgedPose& pose, const LaidFilm& laid, const CoarserDips& coarser) const;
+    // Sets the films, the pale places, the verdict with the numerical error, and the doublings.
+    void judgeAsJob(JudgedPose& pose, std::shared_ptr<const LaidFilm> laid, CoarserFilms coarser,
+                    const JobFilms* before) const;
+    // Repeats each dip with the smaller cells that it needs. Null for dips that fail.
+    std::vector<std::shared_ptr<const JudgedPose>>
+    refined(const std::vector<std::shared_ptr<const JudgedPose>>& dips) const;
     Verdict verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
                       const QString& tankFaults) const;
 

@@ -32,6 +32,7 @@ struct Text {
 constexpr std::size_t keptPoses = 24;
 constexpr double leastPainted = 0.01;  // share of the body that each dip of a pair should paint
 constexpr int confirmedRounds = 3;     // at most; in each, `confirmed` poses are confirmed
+constexpr int mostFinal = 3;           // at most so many confirmed poses get their final films
 constexpr std::size_t firstRanked = 8; // number of dips before the first ranking
 // Number of best pairs from which distinct ones are ranked.
 constexpr std::size_t comparedPairs = 200;
@@ -45,6 +46,7 @@ constexpr std::size_t triedWithPaths = 6; // number of best poses that are tried
 // (docs/pose-search.md, "Certain sheets").
 constexpr double lostPerDoubling = 0.01, lostPerAdvice = 0.02;
 constexpr double fieldShare = 0.05, geometryShare = 0.1; // progress after these steps, 0 … 1
+constexpr double finalShare = 0.95;                      // progress before the final films
 
 // Share of the best pairs' dips that are distinct; most pairs have a dip in common with another
 // pair.
@@ -64,6 +66,13 @@ bool exceedsTank(const Entry& entry) {
 
 bool canBePrinted(const Entry& entry) {
     return entry.ranked.advice() == Advice::Print;
+}
+
+// Whether the job would end with the films of the pose; otherwise it would repeat a dip with
+// smaller cells.
+bool hasFinalFilms(const Entry& entry) {
+    return std::all_of(entry.dips.begin(), entry.dips.end(),
+                       [](const Judged& dip) { return !dip->films || !dip->films->next; });
 }
 
 // Returns the advice on the sheets that coarser dips predict.
@@ -939,10 +948,13 @@ private:
                 confirmed.push_back(std::move(each));
             }
             open.erase(open.begin(), end);
-            addCertainPair(confirmed);
-            best_ = confirmed;
-            best_.insert(best_.end(), open.begin(), open.end());
-            rank();
+            do {
+                addCertainPair(confirmed);
+                best_ = confirmed;
+                best_.insert(best_.end(), open.begin(), open.end());
+                rank();
+            } while (std::any_of(confirmed.begin(), confirmed.end(), canBePrinted) &&
+                     giveFinalFilms(confirmed));
         }
     }
 
@@ -952,6 +964,42 @@ private:
             current_->ranked.measures[Measure::Coverage] > 0) {
             best_.push_back(*current_);
             rank();
+        }
+        while (giveFinalFilms(best_)) {
+            rank();
+        }
+    }
+
+    // Dips the best of these poses with smaller cells, as the job would, unless it has its final
+    // films. Only then is its verdict known. Returns whether this was done.
+    bool giveFinalFilms(std::vector<Entry>& entries) {
+        const auto best = std::min_element(entries.begin(), entries.end(), isBetter);
+        if (best == entries.end() || !best->ranked.isConfirmed || isForbidden(*best) ||
+            exceedsTank(*best) || hasFinalFilms(*best) || final_ == mostFinal) {
+            return false;
+        }
+        ++final_;
+        progress_(finalShare, Text::tr("Dipping the best poses with smaller cells"));
+        const PoseDips dips = dipsOf(jobDetail, progress_.silent());
+        const std::vector<Judged> before = best->dips;
+        const std::vector<Judged> after = dips.withFinalFilms(before);
+        for (std::size_t member = 0; member < before.size(); ++member) {
+            for (Entry& each : entries) {
+                exchange(each, before[member], after[member]);
+            }
+            if (current_) {
+                exchange(*current_, before[member], after[member]);
+            }
+        }
+        return true;
+    }
+
+    // Replaces a dip of an entry, if it has this dip.
+    void exchange(Entry& entry, const Judged& before, const Judged& after) const {
+        if (std::find(entry.dips.begin(), entry.dips.end(), before) != entry.dips.end()) {
+            std::vector<Judged> dips = entry.dips;
+            std::replace(dips.begin(), dips.end(), before, after);
+            entry = this->entry(std::move(dips), entry.ranked.isConfirmed);
         }
     }
 
@@ -1103,6 +1151,7 @@ private:
     std::optional<Entry> current_;
     SearchResult result_;
     bool isRefining_ = false;      // all first dips are ranked
+    int final_ = 0;                // poses that got their final films
     int done_ = 0;                 // dips
     std::array<int, 3> left_{};    // dips at each resolution, estimated
     std::array<double, 3> cost_{}; // of one dip at each resolution

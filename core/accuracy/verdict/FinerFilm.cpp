@@ -56,6 +56,16 @@ std::optional<double> wantedCell(const Verdict& verdict, const DippedFilm& film)
     return std::min(proposed.value_or(withoutProposal * own), mostOfCell * own);
 }
 
+std::optional<double> neededCell(const Verdict& verdict, const DippedFilm& film, double offBy,
+                                 const FilmSettings& settings) {
+    if (const std::optional<double> printable = wantedCell(verdict, film)) {
+        return printable;
+    }
+    return settings.wantedError && offBy > settings.wantedError->value()
+               ? std::optional(film.grid.leastSpacing() * settings.wantedError->value() / offBy)
+               : std::nullopt;
+}
+
 double cellToSet(double cell) {
     return std::floor(100 * cell) / 100;
 }

@@ -12,6 +12,12 @@ namespace dipwright {
 // small enough.
 std::optional<double> wantedCell(const Verdict& verdict, const DippedFilm& film);
 
+// Returns the cell, in mm, that is needed to print the sheet or, if it can be printed, to reach the
+// wanted error (FilmSettings::wantedError); none if the film's own cell is small enough. `offBy` is
+// the film's numerical error (95th percentile, mm), assumed to be of first order.
+std::optional<double> neededCell(const Verdict& verdict, const DippedFilm& film, double offBy,
+                                 const FilmSettings& settings);
+
 // Returns a proposed cell, in mm, as texts show it: rounded down to hundredths, because a larger
 // cell would not suffice.
 double cellToSet(double cell);
