@@ -4,6 +4,7 @@
 #include "dip/BodyPath.h"
 #include "disk/AtomicFile.h"
 #include "disk/SmallFile.h"
+#include "pipeline/DipCache.h"
 #include "pipeline/JobSearch.h"
 #include "pipeline/SolverChoice.h"
 #include "project/ProjectFile.h"
@@ -299,6 +300,18 @@ private:
         writeAtomically(out, [&](QIODevice& device) { device.write(shardFile(part)); });
     }
 
+    // Caches the dips beside the project, so that nothing has to simulate them again.
+    static void keepDips(const Project& project, const RankedPoses& poses, const SolverInfo& solver,
+                         const QString& path, Console& console) {
+        try {
+            if (const auto dips = foundDips(project, poses, solver)) {
+                cacheDips(*dips, path);
+            }
+        } catch (const Error& error) {
+            printWarnings({error.sentence()}, console.out());
+        }
+    }
+
     static void search(const QCommandLineParser& parser, Console& console) {
         if (parser.isSet(outOption)) {
             throw UsageError(QStringLiteral("--out works only with --shard"),
@@ -330,6 +343,7 @@ private:
         Project stored = loadProject(path);
         stored.immersions = result.ranking.front().immersions;
         file.save(stored);
+        keepDips(project, result.ranking.front(), solver.solver, path, console);
     }
 };
 

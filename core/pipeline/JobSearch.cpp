@@ -11,6 +11,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
+
 namespace dipwright {
 namespace {
 
@@ -65,6 +67,35 @@ SearchSubject searchSubject(const Project& project, const QString& solver) {
     subject.tank = project.profiles.tank;
     subject.immersions = project.immersions;
     return subject;
+}
+
+std::shared_ptr<const JobResult> foundDips(Project project, const RankedPoses& poses,
+                                           const SolverInfo& solver) {
+    if (poses.films.empty() || std::count(poses.films.begin(), poses.films.end(), nullptr) > 0) {
+        return nullptr;
+    }
+    project.immersions = poses.immersions;
+    auto result = std::make_shared<JobResult>();
+    result->wantedSolver = project.process.solver;
+    result->chosenSolver = solver.id;
+    for (std::size_t number = 0; number < poses.films.size(); ++number) {
+        const std::shared_ptr<const JobFilms>& films = poses.films[number];
+        ImmersionResult& dip = result->immersions.emplace_back();
+        dip.immersion = project.immersions[number];
+        dip.inputs.texture.dip = dipInputs(project, number, solver.id);
+        dip.solver = solver;
+        dip.laid = films->own;
+        // The body belongs to its film, which keeps it alive.
+        dip.body = std::shared_ptr<const PosedBody>(films->own, &films->own->body());
+        dip.refinement = films->refinement;
+        if (films->error.failure.isEmpty()) { // a failed comparison is tried again
+            dip.numericalError =
+                std::shared_ptr<const NumericalErrorEstimate>(films, &films->error);
+            dip.coarser = std::shared_ptr<const CoarserFilms>(films, &films->coarser);
+        }
+    }
+    result->project = std::move(project);
+    return result;
 }
 
 } // namespace dipwright

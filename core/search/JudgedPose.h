@@ -2,10 +2,10 @@
 // Private to this folder.
 #pragma once
 
-#include "accuracy/error/NumericalErrorEstimate.h"
 #include "accuracy/tolerance/Zones.h"
 #include "accuracy/verdict/Verdict.h"
 #include "dip/LaidFilm.h"
+#include "search/JobFilms.h"
 #include "search/PredictedSheet.h"
 #include "search/SearchSubject.h"
 #include "settings/SearchSettings.h"
@@ -23,17 +23,6 @@ struct PaintedSample {
     std::uint16_t larger = 0, smaller = 0;
     std::uint8_t marks = 0; // solver::PointMark bits
     bool operator==(const PaintedSample&) const = default;
-};
-
-// The films by which a dip is judged as the job would judge it.
-struct JobFilms {
-    std::shared_ptr<const LaidFilm> own;
-    CoarserFilms coarser;
-    double refinement = 1; // of `own`, relative to the film with which the job begins
-    // The refinement with which the job would repeat the dip; none: the job ends with this film.
-    std::optional<double> next;
-    Verdict verdict; // by these films
-    bool isErrorKnown = false;
 };
 
 struct JudgedPose {

@@ -85,7 +85,7 @@ std::shared_ptr<const JudgedPose> asLast(JudgedPose dip) {
 std::shared_ptr<const JudgedPose> afterBefore(const JudgedPose& before, JudgedPose refined) {
     const JobFilms* films = refined.films.get();
     if (!films || !films->coarser.failure.isEmpty() ||
-        (before.films->isErrorKnown && !films->isErrorKnown)) {
+        (before.films->error.isKnown() && !films->error.isKnown())) {
         return nullptr;
     }
     refined.predicted = before.predicted;
@@ -342,18 +342,17 @@ void PoseDips::judgeAsJob(JudgedPose& pose, std::shared_ptr<const LaidFilm> laid
     if (before) {
         filmsBefore.emplace(FilmsBefore{*before->own, before->coarser.doubleSpacing.get()});
     }
-    const NumericalErrorEstimate error = estimateNumericalError(*laid, coarser, filmsBefore);
     JobFilms films;
+    films.error = estimateNumericalError(*laid, coarser, filmsBefore);
     films.refinement = refinementAfter(before);
-    films.verdict = verdictOf(*laid, &error, pose.tankFaults);
-    films.isErrorKnown = error.isKnown();
+    films.verdict = verdictOf(*laid, &films.error, pose.tankFaults);
     pose.pale = body_.pale(*laid);
     pose.verdict = films.verdict;
-    if (films.isErrorKnown) { // otherwise nobody knows what refinement would gain
+    if (films.error.isKnown()) { // otherwise nobody knows what refinement would gain
         pose.verdict = afterRefinement(std::move(pose.verdict), film, subject_.film);
         pose.doublings = 3 * std::log2(films.refinement) + neededDoublings(pose.verdict, film);
         const auto needed =
-            neededCell(films.verdict, film, error.offBy.percentile95, subject_.film);
+            neededCell(films.verdict, film, films.error.offBy.percentile95, subject_.film);
         const auto cell = needed ? finerCell(*needed, film, subject_.film) : std::nullopt;
         if (cell) {
             films.next = films.refinement * film.grid.leastSpacing() / *cell;

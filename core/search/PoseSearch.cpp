@@ -527,6 +527,7 @@ private:
             for (std::size_t number = 0; number < dips.size(); ++number) {
                 entry.ranked.verdicts.push_back(
                     withInk(dips[number]->verdict, pale[number], subject_.verdict));
+                entry.ranked.films.push_back(dips[number]->films);
             }
         }
         entry.dips = std::move(dips);

@@ -5,6 +5,7 @@
 
 #include "accuracy/verdict/Verdict.h"
 #include "base/Progress.h"
+#include "search/JobFilms.h"
 #include "search/SearchShard.h"
 #include "search/SearchSubject.h"
 #include "settings/SearchSettings.h"
@@ -27,6 +28,8 @@ struct RankedPoses {
     PoseMeasures measures;
     bool isConfirmed = false;      // dipped with the job's own film
     std::vector<Verdict> verdicts; // on each dip; empty if not confirmed
+    // Of each dip, null for a dip that failed; empty if not confirmed.
+    std::vector<std::shared_ptr<const JobFilms>> films;
 
     // Returns the worst of the verdicts.
     Advice advice() const;

@@ -22,7 +22,7 @@ struct PageContext {
     WindowLayout& layout;
     const WindowActions& actions;
     DocumentSession& documents;
-    const DipSession& session;
+    DipSession& session;
     JobRunner& jobs;
     Messages& messages;
 };

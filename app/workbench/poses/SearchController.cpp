@@ -27,6 +27,7 @@ struct SearchController::Update {
     std::vector<QImage> pictures;
     int done = 0, wanted = 0;
     std::optional<double> secondsLeft;
+    SolverInfo solver; // of a search that ended
 };
 
 // Connects the search's thread with the UI thread: passes updates on, and blocks the search while
@@ -44,8 +45,12 @@ public:
     // waited.
     std::chrono::duration<double> watch(const std::shared_ptr<Watcher>& self,
                                         const SearchState& state, const CancelToken& cancelToken) {
-        handOverUpdate(self, {state.soFar, picturesOf(state.soFar, cancelToken), state.done,
-                              state.wanted, state.secondsLeft});
+        handOverUpdate(self, {state.soFar,
+                              picturesOf(state.soFar, cancelToken),
+                              state.done,
+                              state.wanted,
+                              state.secondsLeft,
+                              {}});
         const auto begin = std::chrono::steady_clock::now();
         std::unique_lock lock(mutex_);
         while ((isPaused_ || isWaiting_) && !cancelToken.isCancelled()) {
@@ -54,8 +59,8 @@ public:
         return std::chrono::steady_clock::now() - begin;
     }
 
-    Update lastOf(const SearchResult& result) {
-        return {result, picturesOf(result, {}), 0, 0, std::nullopt};
+    Update lastOf(const SearchResult& result, const SolverInfo& solver) {
+        return {result, picturesOf(result, {}), 0, 0, std::nullopt, solver};
     }
 
 private:
@@ -112,7 +117,7 @@ private:
     bool isPaused_ = false, isWaiting_ = false;
 };
 
-SearchController::SearchController(const DipSession& session, const SolverRegistry& registry,
+SearchController::SearchController(DipSession& session, const SolverRegistry& registry,
                                    Messages& messages, QObject* parent)
     : QObject(parent), session_(session), registry_(registry), messages_(messages),
       page_(new SearchPage) {
@@ -129,12 +134,12 @@ SearchController::SearchController(const DipSession& session, const SolverRegist
     connect(&session, &DipSession::stopped, this, &SearchController::yieldToDip);
     connect(page_, &SearchPage::lookAsked, this, [this](const RankedPoses& poses) {
         if (session_.document()) {
+            keepDips(poses);
             tryImmersions(*session_.document(), poses.immersions);
             emit dipAsked();
         }
     });
-    connect(page_, &SearchPage::applyAsked, this,
-            [this](const RankedPoses& poses) { apply(poses.immersions); });
+    connect(page_, &SearchPage::applyAsked, this, &SearchController::apply);
     connect(page_, &SearchPage::aimsChanged, this, &SearchController::takeAims);
     connect(page_, &SearchPage::aimsLeft, this, [this] {
         if (session_.document()) {
@@ -179,6 +184,7 @@ void SearchController::start() {
         return;
     }
     searched_ = document->project();
+    searchedSolver_ = {};
     const SearchSettings settings = page_->settings();
     page_->setState(SearchPage::State::Searching);
     watcher_ = std::make_shared<Watcher>(*this, searched_.model);
@@ -193,16 +199,18 @@ void SearchController::start() {
             const SearchWatch watch = [&](const SearchState& state) {
                 return watcher->watch(watcher, state, progress.cancelToken);
             };
-            return Found(watcher->lastOf(
+            const SearchResult result =
                 withFallback(solver, registry, [&](const solver::SolverModule& module) {
                     return searchPoses(searchSubject(project, solver.solver.id), settings, module,
                                        {}, watch, progress);
-                })));
+                });
+            return Found(watcher->lastOf(result, solver.solver));
         },
         [this, watcher = watcher_](const Found& found) {
             if (watcher_ == watcher && found) {
                 end();
                 page_->setResult(found->result, found->pictures);
+                searchedSolver_ = found->solver;
                 messages_.logAndSay(
                     found->result.isComplete
                         ? tr("The search has finished. The best pose is at the top.")
@@ -239,10 +247,18 @@ void SearchController::take(const Update& update) {
     showFreshness();
 }
 
-void SearchController::apply(const std::vector<Immersion>& immersions) {
-    if (session_.document() && !immersions.empty()) {
+void SearchController::apply(const RankedPoses& poses) {
+    if (session_.document() && !poses.immersions.empty()) {
+        keepDips(poses);
         session_.document()->endMerge(); // poses tried before keep their own undo step
-        setImmersions(*session_.document(), immersions);
+        setImmersions(*session_.document(), poses.immersions);
+    }
+}
+
+// The next run takes over the dips that the search simulated.
+void SearchController::keepDips(const RankedPoses& poses) {
+    if (!watcher_ && !searchedSolver_.id.isEmpty()) {
+        session_.setKept(foundDips(searched_, poses, searchedSolver_));
     }
 }
 

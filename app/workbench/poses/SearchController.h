@@ -16,7 +16,7 @@ class SearchController : public QObject {
     Q_OBJECT
 
 public:
-    SearchController(const DipSession& session, const SolverRegistry& registry, Messages& messages,
+    SearchController(DipSession& session, const SolverRegistry& registry, Messages& messages,
                      QObject* parent);
 
     QWidget* page() const; // owned by the window that shows it
@@ -34,20 +34,22 @@ private:
     void end();
     void yieldToDip();
     void take(const Update& update);
-    void apply(const std::vector<Immersion>& immersions);
+    void apply(const RankedPoses& poses);
+    void keepDips(const RankedPoses& poses);
     void applySide(const Eigen::Vector3d& down);
     void takeAims(const QString& what);
     void showProject();
     void showFreshness();
 
-    const DipSession& session_;
+    DipSession& session_;
     const SolverRegistry& registry_;
     Messages& messages_;
     SearchPage* page_;
     std::shared_ptr<Watcher> watcher_; // of the running search; null: none
     CancelToken running_;
-    Project searched_; // the project at the time of the search
-    JobRunner jobs_;   // destroyed first: its thread uses the members above
+    Project searched_;          // the project at the time of the search
+    SolverInfo searchedSolver_; // of the last search that ended; its id is empty before
+    JobRunner jobs_;            // destroyed first: its thread uses the members above
 };
 
 } // namespace dipwright
