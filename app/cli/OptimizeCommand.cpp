@@ -66,7 +66,8 @@ void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) 
     }
     out << "  " << posesText(ranked) << (ranked.limitsMissed > 0 ? "  misses a limit" : "")
         << (ranked.tankFaults.isEmpty() ? "" : "  exceeds the tank")
-        << (ranked.isConfirmed ? "" : "  coarse") << '\n';
+        << (ranked.isConfirmed ? "" : "  coarse") << (ranked.areOwn ? "  the project's poses" : "")
+        << '\n';
 }
 
 void printRanking(const SearchResult& result, const SearchSettings& settings, QTextStream& out) {
@@ -100,7 +101,7 @@ void printRanking(const SearchResult& result, const SearchSettings& settings, QT
                    .arg(rank + 1)
                    .arg(reasons(result.ranking[rank], result.ranking.front()));
     }
-    if (result.current) {
+    if (result.current && !result.ranking.front().areOwn) {
         out << QStringLiteral("Rank 1 compared with the project's poses: %1\n")
                    .arg(reasons(result.ranking.front(), *result.current));
     }

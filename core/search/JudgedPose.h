@@ -47,8 +47,8 @@ struct JudgedPose {
     Verdict verdict;
     // Per sampled place: whether it will be too pale; empty: not known.
     std::vector<std::uint8_t> pale;
-    // How often the work of the job's first dip has to be doubled, by the verdict; none if the
-    // numerical error is not known.
+    // neededDoublings() of the verdict on the job's first dip; none if the numerical error is not
+    // known.
     std::optional<double> doublings;
     std::shared_ptr<const JobFilms> films; // null unless the dip has the job's film
 };

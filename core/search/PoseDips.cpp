@@ -89,6 +89,7 @@ std::shared_ptr<const JudgedPose> afterBefore(const JudgedPose& before, JudgedPo
         return nullptr;
     }
     refined.predicted = before.predicted;
+    refined.doublings = before.doublings;
     return std::make_shared<const JudgedPose>(std::move(refined));
 }
 
@@ -350,7 +351,7 @@ void PoseDips::judgeAsJob(JudgedPose& pose, std::shared_ptr<const LaidFilm> laid
     pose.verdict = films.verdict;
     if (films.error.isKnown()) { // otherwise nobody knows what refinement would gain
         pose.verdict = afterRefinement(std::move(pose.verdict), film, subject_.film);
-        pose.doublings = 3 * std::log2(films.refinement) + neededDoublings(pose.verdict, film);
+        pose.doublings = neededDoublings(pose.verdict, film);
         const auto needed =
             neededCell(films.verdict, film, films.error.offBy.percentile95, subject_.film);
         const auto cell = needed ? finerCell(*needed, film, subject_.film) : std::nullopt;

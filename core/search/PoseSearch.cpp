@@ -46,7 +46,6 @@ constexpr std::size_t triedWithPaths = 6; // number of best poses that are tried
 // (docs/pose-search.md, "Certain sheets").
 constexpr double lostPerDoubling = 0.01, lostPerAdvice = 0.02;
 constexpr double fieldShare = 0.05, geometryShare = 0.1; // progress after these steps, 0 … 1
-constexpr double finalShare = 0.95;                      // progress before the final films
 
 // Share of the best pairs' dips that are distinct; most pairs have a dip in common with another
 // pair.
@@ -68,11 +67,14 @@ bool canBePrinted(const Entry& entry) {
     return entry.ranked.advice() == Advice::Print;
 }
 
-// Whether the job would end with the films of the pose; otherwise it would repeat a dip with
-// smaller cells.
+// Whether the job would repeat this dip with smaller cells.
+bool isRepeated(const Judged& dip) {
+    return dip->films && dip->films->next;
+}
+
+// Whether the job would end with the films of the pose.
 bool hasFinalFilms(const Entry& entry) {
-    return std::all_of(entry.dips.begin(), entry.dips.end(),
-                       [](const Judged& dip) { return !dip->films || !dip->films->next; });
+    return std::none_of(entry.dips.begin(), entry.dips.end(), isRepeated);
 }
 
 // Returns the advice on the sheets that coarser dips predict.
@@ -106,9 +108,10 @@ std::array<bool, 3> refusal(const Entry& entry) {
 }
 
 // Returns how often the work of the job's first dip is expected to be doubled: by the verdict if
-// the dip has the job's own film and its numerical error is known, otherwise by the prediction.
-double expectedDoublings(const JudgedPose& dip) {
-    return dip.doublings.value_or(dip.predicted.doublings);
+// the dip has the job's own film and its numerical error is known, otherwise by the prediction. If
+// the verdict is only expected, too, this counts as another doubling.
+double expectedDoublings(const Judged& dip) {
+    return dip->doublings.value_or(dip->predicted.doublings) + (isRepeated(dip) ? 1 : 0);
 }
 
 // Returns the objective, lowered by the work that certain sheets are expected to need: the mean
@@ -116,7 +119,7 @@ double expectedDoublings(const JudgedPose& dip) {
 double objectiveWithWork(const Entry& entry) {
     double doublings = 0;
     for (const Judged& dip : entry.dips) {
-        doublings += expectedDoublings(*dip) / double(entry.dips.size());
+        doublings += expectedDoublings(dip) / double(entry.dips.size());
     }
     return entry.ranked.objective - lostPerDoubling * doublings;
 }
@@ -358,8 +361,8 @@ int betterHalf(int count) {
     return (count + 1) / 2;
 }
 
-// The resolutions of a search (PoseDips.h).
-enum Resolution : std::uint8_t { Coarse, Finer, Own };
+// The resolutions of a search (PoseDips.h). `Final`: the job's film with its final cells.
+enum Resolution : std::uint8_t { Coarse, Finer, Own, Final };
 
 class Search {
 public:
@@ -405,7 +408,7 @@ public:
         left_ = {own + tried + refined * each * int(triedNear),
                  differing(settings.finer + settings.refined) +
                      (settings.refined > 0 ? each * int(triedNear) : 0),
-                 settings.confirmed > 0 ? differing(settings.confirmed) : 0};
+                 settings.confirmed > 0 ? differing(settings.confirmed) : 0, 0};
         if (settings.paths) {
             left_[Coarse] +=
                 int(triedWithPaths) * each * int(dippedWithPaths + 4); // nearPaths(): 4
@@ -421,7 +424,7 @@ public:
              at += std::size_t(count)) {
             immersions.push_back(candidates_.all[candidates_.chosen[at]].immersion);
         }
-        left_ = {int(immersions.size()), 0, 0};
+        left_ = {int(immersions.size()), 0, 0, 0};
         return dipped(coarse_, Coarse, immersions);
     }
 
@@ -964,6 +967,7 @@ private:
         if (current_ && current_->dips.size() == std::size_t(settings_.immersions) &&
             current_->ranked.measures[Measure::Coverage] > 0) {
             best_.push_back(*current_);
+            best_.back().ranked.areOwn = true;
             rank();
         }
         while (giveFinalFilms(best_)) {
@@ -980,10 +984,20 @@ private:
             return false;
         }
         ++final_;
-        progress_(finalShare, Text::tr("Dipping the best poses with smaller cells"));
-        const PoseDips dips = dipsOf(jobDetail, progress_.silent());
         const std::vector<Judged> before = best->dips;
+        left_[Final] = int(std::count_if(before.begin(), before.end(), isRepeated));
+        cost_[Final] = 0;
+        for (const Judged& dip : before) {
+            if (isRepeated(dip)) {
+                cost_[Final] += cost_[Own] * std::pow(*dip->films->next, 3) / left_[Final];
+            }
+        }
+        rate_.beginStage();
+        tell();
+        const PoseDips dips = dipsOf(jobDetail, progress_.silent());
         const std::vector<Judged> after = dips.withFinalFilms(before);
+        count(Final, left_[Final]);
+        tell();
         for (std::size_t member = 0; member < before.size(); ++member) {
             for (Entry& each : entries) {
                 exchange(each, before[member], after[member]);
@@ -1000,7 +1014,9 @@ private:
         if (std::find(entry.dips.begin(), entry.dips.end(), before) != entry.dips.end()) {
             std::vector<Judged> dips = entry.dips;
             std::replace(dips.begin(), dips.end(), before, after);
+            const bool areOwn = entry.ranked.areOwn;
             entry = this->entry(std::move(dips), entry.ranked.isConfirmed);
+            entry.ranked.areOwn = areOwn;
         }
     }
 
@@ -1154,8 +1170,8 @@ private:
     bool isRefining_ = false;      // all first dips are ranked
     int final_ = 0;                // poses that got their final films
     int done_ = 0;                 // dips
-    std::array<int, 3> left_{};    // dips at each resolution, estimated
-    std::array<double, 3> cost_{}; // of one dip at each resolution
+    std::array<int, 4> left_{};    // dips at each resolution, estimated
+    std::array<double, 4> cost_{}; // of one dip at each resolution
     SearchRate rate_;
 };
 

@@ -27,6 +27,7 @@ struct RankedPoses {
     QStringList tankFaults;
     PoseMeasures measures;
     bool isConfirmed = false;      // dipped with the job's own film
+    bool areOwn = false;           // the job's own poses, which take part in the ranking
     std::vector<Verdict> verdicts; // on each dip; empty if not confirmed
     // Of each dip, null for a dip that failed; empty if not confirmed.
     std::vector<std::shared_ptr<const JobFilms>> films;

@@ -212,7 +212,7 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
             reasons = (words + separator + reasons).trimmed();
             html = words.toHtmlEscaped() + QStringLiteral("<br>") + html;
         };
-        if (rank == 0 && result.current) {
+        if (rank == 0 && result.current && !poses.areOwn) {
             compare(*result.current, tr("Compared with your pose: %1"));
         } else if (rank > 0) {
             compare(ranking.front(), QStringLiteral("%1"));
@@ -225,6 +225,9 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
         }
         if (poses.limitsMissed > 0) {
             begin(tr("Does not meet a limit."), QLatin1Char(' '));
+        }
+        if (poses.areOwn) {
+            begin(tr("Your pose."), QLatin1Char('\n'));
         }
         const int row = int(rank);
         setItem(row, Picture, picture);
