@@ -376,8 +376,8 @@ void CudaFilmTest::cudaFilm_smallerFilmDippedMeanwhile_changesNothing() {
     QVERIFY(haveSameBits(end, dipOnGpu(setup)));
 }
 
-// There are more dips than a GPU has teams of blocks, and their bodies, films, fields and settings
-// differ.
+// Bodies, films, fields and settings of the dips differ. They are too many for one launch on a GPU
+// with fewer multiprocessors.
 void CudaFilmTest::cudaBatch_unlikeDips_equalsSingleDips() {
     QFETCH(QString, preset);
     const std::array bodies{bodyNamed(QStringLiteral("sphere")),

@@ -1,4 +1,4 @@
-// Synchronizes the thread blocks that work on one film together, and hands out the films.
+// Synchronizes the thread blocks that work on one film together.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,6 @@ struct TeamMemory {
     static constexpr int mostValues = 12;
 
     unsigned arrived = 0;
-    int next = 0;                                        // Team::next()
     std::int64_t values[2][mostBlocks][mostValues] = {}; // integers, or the bits of other numbers
 };
 
@@ -40,16 +39,6 @@ public:
     // use both.
     __device__ int thread() const { return block_ * threads + int(threadIdx.x); }
     __device__ int threadCount() const { return blocks_ * threads; }
-
-    // Returns the next number of a queue that several teams share. `taken` is the count of numbers
-    // that were taken so far. Acts as a barrier.
-    __device__ int next(int* taken) {
-        if (block_ == 0 && threadIdx.x == 0) {
-            memory_->next = atomicAdd(taken, 1);
-        }
-        barrier();
-        return *static_cast<volatile int*>(&memory_->next);
-    }
 
     // A barrier for all blocks. Afterwards all threads see what any thread wrote before it.
     __device__ void barrier() {

@@ -345,28 +345,24 @@ private:
 
 static_assert(numerics::FilmBackend<CudaBackend> && numerics::GmresBackend<CudaBackend>);
 
-// Runs at most `maximumSteps` steps of each of `count` films. The blocks form teams of
-// `blocksPerTeam`; each team takes one film after another. `taken` must be 0 when the kernel
-// starts.
+// Runs at most `maximumSteps` steps of each film, with `blocksPerFilm` blocks per film. `teams` holds
+// the memory of each film's team.
 __global__ void __launch_bounds__(Team::threads, 1)
-    productionSteps(const ProductionFilm* films, int count, TeamMemory* teams, int blocksPerTeam,
-                    int* taken, int maximumSteps) {
-    Team& team = thisBlock.block.team;
-    team.begin(teams + int(blockIdx.x) / blocksPerTeam, blocksPerTeam,
-               int(blockIdx.x) % blocksPerTeam);
-    for (int next = team.next(taken); next < count; next = team.next(taken)) {
-        if (threadIdx.x == 0) {
-            static_cast<ProductionFilm&>(thisBlock.block) = films[next];
-        }
-        __syncthreads();
-        CudaBackend film;
-        for (int step = 0; step < maximumSteps && !numerics::isFinished(film); ++step) {
-            numerics::step(film);
-        }
-        team.barrier(); // all threads have read the state
-        if (team.block() == 0 && threadIdx.x == 0) {
-            *thisBlock.block.dip.state = film.state();
-        }
+    productionSteps(const ProductionFilm* films, TeamMemory* teams, int blocksPerFilm,
+                    int maximumSteps) {
+    const int number = int(blockIdx.x) / blocksPerFilm;
+    if (threadIdx.x == 0) {
+        static_cast<ProductionFilm&>(thisBlock.block) = films[number];
+    }
+    __syncthreads();
+    thisBlock.block.team.begin(teams + number, blocksPerFilm, int(blockIdx.x) % blocksPerFilm);
+    CudaBackend film;
+    for (int step = 0; step < maximumSteps && !numerics::isFinished(film); ++step) {
+        numerics::step(film);
+    }
+    thisBlock.block.team.barrier(); // all threads have read the state
+    if (thisBlock.block.team.block() == 0 && threadIdx.x == 0) {
+        *thisBlock.block.dip.state = film.state();
     }
 }
 

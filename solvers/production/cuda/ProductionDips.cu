@@ -254,14 +254,13 @@ private:
                       std::span<solver::PointState> states) const override;
     void layFlat(const solver::DipSetup& setup, const ProductionDip& dip) const;
 
-    int blocksPerTeam_;
-    DeviceArray<TeamMemory> teams_;
+    int blocksPerFilm_;
+    DeviceArray<TeamMemory> teams_; // of the films
     std::deque<HeldFilm> held_; // in the order of films_
     FieldUploads fields_;
     DeviceArray<std::byte> memory_;
     std::vector<ProductionFilm> films_;
     DeviceArray<ProductionFilm> filmsOnDevice_;
-    DeviceArray<int> taken_;
     std::size_t sharedBytes_ = 0;
     std::vector<numerics::StepState<float>> states_;
 };
@@ -277,18 +276,16 @@ void requireAllValid(const Device& device, Setups setups) {
 // Returns the number of blocks that work on a film together. Fewer blocks on more films at the same
 // time are faster than more blocks on fewer films (docs/speed.md, "The production film").
 int blocksPerFilm(const Device& device, std::size_t films) {
-    const auto blocks = std::size_t(std::min(device.multiprocessors, TeamMemory::mostBlocks));
-    return int(blocks / std::min(films, blocks));
+    return std::min(device.multiprocessors / int(films), TeamMemory::mostBlocks);
 }
 
 ProductionDips::ProductionDips(const Device& device, Setups setups)
     : Dips(device, setups),
-      blocksPerTeam_((requireAllValid(device, setups), blocksPerFilm(device, setups.size()))),
-      teams_(std::min(setups.size(), std::size_t(device.multiprocessors / blocksPerTeam_))),
-      taken_(1), states_(setups.size()) {
+      blocksPerFilm_((requireAllValid(device, setups), blocksPerFilm(device, setups.size()))),
+      teams_(setups.size()), states_(setups.size()) {
     std::size_t bytes = 0;
     for (const solver::DipSetup* setup : setups) {
-        const Levels& levels = held_.emplace_back(device, *setup, blocksPerTeam_).levels;
+        const Levels& levels = held_.emplace_back(device, *setup, blocksPerFilm_).levels;
         ProductionDip sized;
         bytes += placeArrays(sized, setup->film, levels.pointCount(), nullptr);
         sharedBytes_ = std::max(sharedBytes_, levels.sharedBytes());
@@ -336,14 +333,11 @@ void ProductionDips::layFlat(const solver::DipSetup& setup, const ProductionDip&
 void ProductionDips::advance(int maximumSteps) {
     use(device());
     teams_.clear();
-    taken_.clear();
     const ProductionFilm* films = filmsOnDevice_.data();
     TeamMemory* teams = teams_.data();
-    int* taken = taken_.data();
-    int count = int(films_.size());
-    void* arguments[] = {&films, &count, &teams, &blocksPerTeam_, &taken, &maximumSteps};
+    void* arguments[] = {&films, &teams, &blocksPerFilm_, &maximumSteps};
     check(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(productionSteps),
-                                      dim3(unsigned(blocksPerTeam_) * unsigned(teams_.size())),
+                                      dim3(unsigned(blocksPerFilm_) * unsigned(films_.size())),
                                       dim3(Team::threads), arguments, sharedBytes_, nullptr));
     for (std::size_t dip = 0; dip < films_.size(); ++dip) {
         check(cudaMemcpy(&states_[dip], films_[dip].dip.state, sizeof states_[dip],
@@ -419,7 +413,8 @@ std::size_t productionDipsAtOnce(const Device& device, Setups setups) {
     std::size_t free = 0, all = 0, used = 0, dips = 0;
     check(cudaMemGetInfo(&free, &all));
     std::set<const float*> fields;
-    for (; dips < setups.size(); ++dips) {
+    const std::size_t most = std::min(setups.size(), std::size_t(device.multiprocessors));
+    for (; dips < most; ++dips) {
         const solver::DipSetup& setup = *setups[dips];
         ProductionDip sized;
         used += placeArrays(sized, setup.film, 2 * setup.film.pointCount(), nullptr);
