@@ -9322,6 +9322,10 @@ Unterschiede</translation>
         <source>Does not meet a limit.</source>
         <translation>Hält eine Grenze nicht ein.</translation>
     </message>
+    <message>
+        <source>Your pose.</source>
+        <translation>Ihre Lage.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PreferencesDialog</name>

@@ -9322,6 +9322,10 @@ diferenças</translation>
         <source>Does not meet a limit.</source>
         <translation>Não cumpre um limite.</translation>
     </message>
+    <message>
+        <source>Your pose.</source>
+        <translation>Sua pose.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PreferencesDialog</name>
