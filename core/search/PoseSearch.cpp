@@ -967,7 +967,6 @@ private:
         if (current_ && current_->dips.size() == std::size_t(settings_.immersions) &&
             current_->ranked.measures[Measure::Coverage] > 0) {
             best_.push_back(*current_);
-            best_.back().ranked.areOwn = true;
             rank();
         }
         while (giveFinalFilms(best_)) {
@@ -1014,9 +1013,7 @@ private:
         if (std::find(entry.dips.begin(), entry.dips.end(), before) != entry.dips.end()) {
             std::vector<Judged> dips = entry.dips;
             std::replace(dips.begin(), dips.end(), before, after);
-            const bool areOwn = entry.ranked.areOwn;
             entry = this->entry(std::move(dips), entry.ranked.isConfirmed);
-            entry.ranked.areOwn = areOwn;
         }
     }
 
@@ -1111,6 +1108,9 @@ private:
     void rank() {
         result_.ranking.clear();
         for (Entry& each : ranked()) {
+            each.ranked.areOwn =
+                std::equal(each.ranked.immersions.begin(), each.ranked.immersions.end(),
+                           subject_.immersions.begin(), subject_.immersions.end(), isSamePose);
             nameImmersions(each.ranked.immersions);
             result_.ranking.push_back(std::move(each.ranked));
         }

@@ -10,6 +10,7 @@
 #include <QStandardPaths>
 #include <QtTest>
 
+#include <algorithm>
 #include <atomic>
 
 using namespace dipwright;
@@ -91,6 +92,20 @@ private slots:
         QCOMPARE(frames.load(), 0);
         QVERIFY(result.immersions.front().laid == best_.films.front()->own);
         QVERIFY(result.immersions.front().sheet.image == result_.immersions.front().sheet.image);
+    }
+
+    void ownPoses_areMarked() {
+        Project own = job_;
+        own.immersions.front().rotation[0] = Degrees(12.5);
+        SearchSettings settings = shortSearch();
+        settings.confirmed = 0;
+        const SearchResult result = searchPoses(searchSubject(own, solver_.id), settings,
+                                                registry_->module(solver_.id), {}, {}, {});
+        for (const RankedPoses& poses : result.ranking) {
+            QCOMPARE(poses.areOwn, poses.immersions.front().rotation[0] == Degrees(12.5));
+        }
+        QVERIFY(std::any_of(result.ranking.begin(), result.ranking.end(),
+                            [](const RankedPoses& poses) { return poses.areOwn; }));
     }
 
     void foundDips_posesThatAreNotConfirmed_areNone() {
