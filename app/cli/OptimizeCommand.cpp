@@ -329,6 +329,7 @@ private:
         }
         const SolverRegistry registry;
         SolverChoice solver = solverOf(parser, project, registry, console);
+        const SolverInfo chosen = solver.solver;
         const SearchResult result =
             withFallback(solver, registry, [&](const dipwright::solver::SolverModule& module) {
                 return searchPoses(searchSubject(project, solver.solver.id), settings, module,
@@ -344,7 +345,9 @@ private:
         Project stored = loadProject(path);
         stored.immersions = result.ranking.front().immersions;
         file.save(stored);
-        keepDips(project, result.ranking.front(), solver.solver, path, console);
+        if (solver.solver.id == chosen.id) { // no other solver took over
+            keepDips(project, result.ranking.front(), chosen, path, console);
+        }
     }
 };
 

@@ -295,6 +295,17 @@ void simulateDips(std::vector<solver::BatchItem>& dips, const solver::SolverModu
     }
 }
 
+bool isAccepted(const DippedFilm& dipped, const PosedBody& body, const Immersion& immersion,
+                const FilmSettings& film, const ProcessSettings& process) {
+    try {
+        requireBodyOverFilm(body, immersion, film, process);
+    } catch (const Error&) {
+        return false;
+    }
+    return std::find(dipped.states.begin(), dipped.states.end(), solver::PointState::Adhered) !=
+           dipped.states.end();
+}
+
 DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion) {
     DippedFilm film;
     film.grid = dip.setup.film;

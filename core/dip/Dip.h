@@ -41,6 +41,10 @@ DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion);
 // Whether the simulation stayed stable. In a stable result every coordinate is finite and at most
 // ten times the sum of the film's width, its depth and the travel.
 bool isStable(const DippedFilm& film, double travel);
+// Whether simulateDip() accepts this stable film: the body comes down on the film and leaves some
+// film round it, and at least one point adheres.
+bool isAccepted(const DippedFilm& dipped, const PosedBody& body, const Immersion& immersion,
+                const FilmSettings& film, const ProcessSettings& process);
 
 // Runs the dip on `module`. `field` is the distance field of the body. The working thread calls
 // `observer` (may be empty) about thirty times a second, and more often in very short dips. Throws

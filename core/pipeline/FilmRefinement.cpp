@@ -48,10 +48,8 @@ std::optional<double> nextRefinement(const ImmersionResult& dip, const Verdict& 
     if (!dip.numericalError || !dip.refinementFailure.isEmpty()) {
         return std::nullopt;
     }
-    const DippedFilm& film = dip.laid->film();
-    const std::optional<double> needed = neededCell(dip, verdict, settings);
-    const std::optional<double> cell = needed ? finerCell(*needed, film, settings) : std::nullopt;
-    return cell ? std::optional(dip.refinement * film.grid.leastSpacing() / *cell) : std::nullopt;
+    return nextRefinement(verdict, dip.laid->film(), dip.numericalError->offBy.percentile95,
+                          dip.refinement, settings);
 }
 
 FilmSettings filmOf(const ImmersionResult& dip, const Project& project) {

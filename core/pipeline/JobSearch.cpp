@@ -88,10 +88,9 @@ std::shared_ptr<const JobResult> foundDips(Project project, const RankedPoses& p
         // The body belongs to its film, which keeps it alive.
         dip.body = std::shared_ptr<const PosedBody>(films->own, &films->own->body());
         dip.refinement = films->refinement;
-        if (films->error.failure.isEmpty()) { // a failed comparison is tried again
-            dip.numericalError =
-                std::shared_ptr<const NumericalErrorEstimate>(films, &films->error);
-            dip.coarser = std::shared_ptr<const CoarserFilms>(films, &films->coarser);
+        if (films->error->failure.isEmpty()) { // a failed comparison is tried again
+            dip.numericalError = films->error;
+            dip.coarser = films->coarser;
         }
     }
     result->project = std::move(project);

@@ -12,7 +12,7 @@ SearchSubject searchSubject(const Project& project, const QString& solver);
 
 // Returns a result that can be passed to runJob() as `previous`: the dips of `poses`, as a search
 // of `project` with this solver simulated them. Contains only the films, laid on the body, and
-// their numerical errors. Null unless the search confirmed the poses and all their dips succeeded.
+// their numerical errors. Null unless `poses` have the films of all their dips.
 std::shared_ptr<const JobResult> foundDips(Project project, const RankedPoses& poses,
                                            const SolverInfo& solver);
 

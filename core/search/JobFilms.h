@@ -11,9 +11,9 @@
 namespace dipwright {
 
 struct JobFilms {
-    std::shared_ptr<const LaidFilm> own; // never null
-    CoarserFilms coarser;
-    NumericalErrorEstimate error;
+    std::shared_ptr<const LaidFilm> own;                 // never null
+    std::shared_ptr<const CoarserFilms> coarser;         // never null
+    std::shared_ptr<const NumericalErrorEstimate> error; // never null
     double refinement = 1; // of `own`, relative to the film with which the job begins
     // The refinement with which the job would repeat the dip; none: the job ends with this film.
     std::optional<double> next;

@@ -84,8 +84,8 @@ std::shared_ptr<const JudgedPose> asLast(JudgedPose dip) {
 // Returns the refined dip of `before`; null if it tells less than `before`.
 std::shared_ptr<const JudgedPose> afterBefore(const JudgedPose& before, JudgedPose refined) {
     const JobFilms* films = refined.films.get();
-    if (!films || !films->coarser.failure.isEmpty() ||
-        (before.films->error.isKnown() && !films->error.isKnown())) {
+    if (!films || !films->coarser->failure.isEmpty() ||
+        (before.films->error->isKnown() && !films->error->isKnown())) {
         return nullptr;
     }
     refined.predicted = before.predicted;
@@ -318,7 +318,8 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
     JudgedPose pose;
     pose.immersion = immersion;
     std::shared_ptr<const LaidFilm> laid; // null if the dip failed
-    if (isStable(film, batch.items[item].setup.motion.travel)) {
+    if (isStable(film, batch.items[item].setup.motion.travel) &&
+        (!films_.areJobs() || isAccepted(film, *body, immersion, subject_.film, process_))) {
         laid = layFilm(body, std::move(film), process_);
         pose = body_.judged(*laid, immersion);
     }
@@ -341,31 +342,32 @@ void PoseDips::judgeAsJob(JudgedPose& pose, std::shared_ptr<const LaidFilm> laid
     const DippedFilm& film = laid->film();
     std::optional<FilmsBefore> filmsBefore;
     if (before) {
-        filmsBefore.emplace(FilmsBefore{*before->own, before->coarser.doubleSpacing.get()});
+        filmsBefore.emplace(FilmsBefore{*before->own, before->coarser->doubleSpacing.get()});
     }
+    const auto error = std::make_shared<const NumericalErrorEstimate>(
+        estimateNumericalError(*laid, coarser, filmsBefore));
     JobFilms films;
-    films.error = estimateNumericalError(*laid, coarser, filmsBefore);
     films.refinement = refinementAfter(before);
-    films.verdict = verdictOf(*laid, &films.error, pose.tankFaults);
+    films.verdict = verdictOf(*laid, error.get(), pose.tankFaults);
+    if (error->failure.isEmpty()) {
+        films.next = nextRefinement(films.verdict, film, error->offBy.percentile95,
+                                    films.refinement, subject_.film);
+    }
     pose.pale = body_.pale(*laid);
     pose.verdict = films.verdict;
-    if (films.error.isKnown()) { // otherwise nobody knows what refinement would gain
+    if (error->isKnown()) { // otherwise nobody knows what refinement would gain
         pose.verdict = afterRefinement(std::move(pose.verdict), film, subject_.film);
         pose.doublings = neededDoublings(pose.verdict, film);
-        const auto needed =
-            neededCell(films.verdict, film, films.error.offBy.percentile95, subject_.film);
-        const auto cell = needed ? finerCell(*needed, film, subject_.film) : std::nullopt;
-        if (cell) {
-            films.next = films.refinement * film.grid.leastSpacing() / *cell;
-        }
     }
     films.own = std::move(laid);
-    films.coarser = std::move(coarser);
+    films.coarser = std::make_shared<const CoarserFilms>(std::move(coarser));
+    films.error = error;
     pose.films = std::make_shared<const JobFilms>(std::move(films));
 }
 
 std::vector<std::shared_ptr<const JudgedPose>>
-PoseDips::withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips) const {
+PoseDips::withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips,
+                         const std::function<void()>& roundDone) const {
     const auto keeps = [](const std::shared_ptr<const JudgedPose>& dip) {
         return !dip->films || !dip->films->next;
     };
@@ -381,6 +383,7 @@ PoseDips::withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips) co
             std::replace(dips.begin(), dips.end(), open[each],
                          finer[each] ? finer[each] : asLast(*open[each]));
         }
+        roundDone();
     }
 }
 
@@ -398,12 +401,21 @@ PoseDips::refined(const std::vector<std::shared_ptr<const JudgedPose>>& dips) co
         simulate(immersions, batch);
         judge(immersions, batch, result);
     } catch (const Error&) {
-        return std::vector<std::shared_ptr<const JudgedPose>>(dips.size());
+        return refinedAlone(dips);
     } catch (const std::bad_alloc&) {
-        return std::vector<std::shared_ptr<const JudgedPose>>(dips.size());
+        return refinedAlone(dips);
     }
     for (std::size_t each = 0; each < dips.size(); ++each) {
         result[each] = afterBefore(*dips[each], *result[each]);
+    }
+    return result;
+}
+
+std::vector<std::shared_ptr<const JudgedPose>>
+PoseDips::refinedAlone(const std::vector<std::shared_ptr<const JudgedPose>>& dips) const {
+    std::vector<std::shared_ptr<const JudgedPose>> result(dips.size());
+    for (std::size_t each = 0; each < dips.size() && dips.size() > 1; ++each) {
+        result[each] = refined({dips[each]}).front();
     }
     return result;
 }

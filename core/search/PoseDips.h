@@ -94,10 +94,12 @@ public:
              std::size_t first = std::numeric_limits<std::size_t>::max()) const;
 
     // Returns these dips with the films with which the job would end: repeats them with smaller
-    // cells as the job would. All must have the job's film. A dip that fails with smaller cells
-    // keeps the film before, and the verdict on it. Throws Cancelled.
+    // cells as the job would. All must have the job's film. A dip that fails with smaller cells, as
+    // when the solver fails, keeps the film before and the verdict on it. Calls `roundDone` after
+    // each round of dips. Throws Cancelled.
     std::vector<std::shared_ptr<const JudgedPose>>
-    withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips) const;
+    withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips,
+                   const std::function<void()>& roundDone) const;
 
 private:
     struct Range {
@@ -129,6 +131,9 @@ private:
     // Repeats each dip with the smaller cells that it needs. Null for dips that fail.
     std::vector<std::shared_ptr<const JudgedPose>>
     refined(const std::vector<std::shared_ptr<const JudgedPose>>& dips) const;
+    // The same after a failure, one dip at a time. Null for a single dip.
+    std::vector<std::shared_ptr<const JudgedPose>>
+    refinedAlone(const std::vector<std::shared_ptr<const JudgedPose>>& dips) const;
     Verdict verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
                       const QString& tankFaults) const;
 

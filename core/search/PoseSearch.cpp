@@ -32,6 +32,7 @@ struct Text {
 constexpr std::size_t keptPoses = 24;
 constexpr double leastPainted = 0.01;  // share of the body that each dip of a pair should paint
 constexpr int confirmedRounds = 3;     // at most; in each, `confirmed` poses are confirmed
+constexpr std::size_t keptFilms = 3;   // number of ranks whose films stay in the result
 constexpr int mostFinal = 3;           // at most so many confirmed poses get their final films
 constexpr std::size_t firstRanked = 8; // number of dips before the first ranking
 // Number of best pairs from which distinct ones are ranked.
@@ -155,6 +156,14 @@ bool isBetter(const Entry& one, const Entry& other) {
     return one.ranked.isConfirmed && other.ranked.isConfirmed
                ? objectiveWithWork(one) > objectiveWithWork(other)
                : one.ranked.objective > other.ranked.objective;
+}
+
+// The order of the ranking: of two poses with the same refusal, a confirmed one comes first.
+bool isRankedBefore(const Entry& one, const Entry& other) {
+    if (refusal(one) == refusal(other) && one.ranked.isConfirmed != other.ranked.isConfirmed) {
+        return one.ranked.isConfirmed;
+    }
+    return isBetter(one, other);
 }
 
 // Returns the verdict with a reason if too large a share of the painted area will be too pale.
@@ -977,7 +986,7 @@ private:
     // Dips the best of these poses with smaller cells, as the job would, unless it has its final
     // films. Only then is its verdict known. Returns whether this was done.
     bool giveFinalFilms(std::vector<Entry>& entries) {
-        const auto best = std::min_element(entries.begin(), entries.end(), isBetter);
+        const auto best = std::min_element(entries.begin(), entries.end(), isRankedBefore);
         if (best == entries.end() || !best->ranked.isConfirmed || isForbidden(*best) ||
             exceedsTank(*best) || hasFinalFilms(*best) || final_ == mostFinal) {
             return false;
@@ -994,25 +1003,29 @@ private:
         rate_.beginStage();
         tell();
         const PoseDips dips = dipsOf(jobDetail, progress_.silent());
-        const std::vector<Judged> after = dips.withFinalFilms(before);
+        const std::vector<Judged> after = dips.withFinalFilms(before, [this] { tell(); });
         count(Final, left_[Final]);
         tell();
-        for (std::size_t member = 0; member < before.size(); ++member) {
+        for (const Judged& dip : after) {
             for (Entry& each : entries) {
-                exchange(each, before[member], after[member]);
+                exchange(each, dip);
             }
             if (current_) {
-                exchange(*current_, before[member], after[member]);
+                exchange(*current_, dip);
             }
         }
         return true;
     }
 
-    // Replaces a dip of an entry, if it has this dip.
-    void exchange(Entry& entry, const Judged& before, const Judged& after) const {
-        if (std::find(entry.dips.begin(), entry.dips.end(), before) != entry.dips.end()) {
-            std::vector<Judged> dips = entry.dips;
-            std::replace(dips.begin(), dips.end(), before, after);
+    // Replaces the dip with the job's film in the pose of `after`, if the entry has one.
+    void exchange(Entry& entry, const Judged& after) const {
+        std::vector<Judged> dips = entry.dips;
+        for (Judged& dip : dips) {
+            if (dip->films && isSamePose(dip->immersion, after->immersion)) {
+                dip = after;
+            }
+        }
+        if (dips != entry.dips) {
             entry = this->entry(std::move(dips), entry.ranked.isConfirmed);
         }
     }
@@ -1078,18 +1091,7 @@ private:
         }
     }
 
-    // Returns the ranking: entries that the tank can carry out first; of these and of the others,
-    // entries that may be printed first; of these and of the others, confirmed entries first; each
-    // group the best first.
-    std::vector<Entry> ranked() const {
-        return distinctFirst(best_, [](const Entry& one, const Entry& other) {
-            if (refusal(one) == refusal(other) &&
-                one.ranked.isConfirmed != other.ranked.isConfirmed) {
-                return one.ranked.isConfirmed;
-            }
-            return isBetter(one, other);
-        });
-    }
+    std::vector<Entry> ranked() const { return distinctFirst(best_, isRankedBefore); }
 
     // Returns the entries, the best first, without those that are similar to a better one.
     template <typename IsBetter>
@@ -1112,6 +1114,9 @@ private:
                 std::equal(each.ranked.immersions.begin(), each.ranked.immersions.end(),
                            subject_.immersions.begin(), subject_.immersions.end(), isSamePose);
             nameImmersions(each.ranked.immersions);
+            if (result_.ranking.size() >= keptFilms) { // films and their bodies are large
+                each.ranked.films.clear();
+            }
             result_.ranking.push_back(std::move(each.ranked));
         }
         result_.current.reset();

@@ -7,6 +7,19 @@
 #include <utility>
 
 namespace dipwright {
+namespace {
+
+// Whether dip `number` of both outcomes is the same.
+bool isSameDip(const DipOutcome& one, const DipOutcome& other, std::size_t number) {
+    const auto dipOf = [number](const DipOutcome& outcome) {
+        return outcome.result && number < outcome.result->immersions.size()
+                   ? outcome.result->immersions[number].laid
+                   : nullptr;
+    };
+    return dipOf(one) == dipOf(other);
+}
+
+} // namespace
 
 DipSession::DipSession(JobRunner& jobs, const SolverRegistry& registry, QObject* parent)
     : QObject(parent), jobs_(jobs), registry_(registry) {
@@ -208,10 +221,10 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
         return;
     }
     running_ = false;
-    // A reused dip has no new recording, so keep the old one.
     recordings_.resize(outcome.recordings.size());
     for (std::size_t number = 0; number < recordings_.size(); ++number) {
-        if (outcome.recordings[number]) {
+        // A dip that was taken over has no new recording; the old one is of the last outcome's dip.
+        if (outcome.recordings[number] || !isSameDip(outcome_, outcome, number)) {
             recordings_[number] = outcome.recordings[number];
         }
     }

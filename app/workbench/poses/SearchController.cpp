@@ -27,7 +27,7 @@ struct SearchController::Update {
     std::vector<QImage> pictures;
     int done = 0, wanted = 0;
     std::optional<double> secondsLeft;
-    SolverInfo solver; // of a search that ended
+    SolverInfo solver; // of a search that ended; its id is empty if another solver took over
 };
 
 // Connects the search's thread with the UI thread: passes updates on, and blocks the search while
@@ -171,6 +171,7 @@ void SearchController::showDocument() {
     watcher_.reset();
     page_->clear();
     searched_ = {};
+    searchedSolver_ = {};
     if (const Document* document = session_.document()) {
         page_->setImmersions(int(document->project().immersions.size()));
         connect(document, &Document::projectChanged, this, &SearchController::showProject);
@@ -199,12 +200,14 @@ void SearchController::start() {
             const SearchWatch watch = [&](const SearchState& state) {
                 return watcher->watch(watcher, state, progress.cancelToken);
             };
+            const SolverInfo chosen = solver.solver;
             const SearchResult result =
                 withFallback(solver, registry, [&](const solver::SolverModule& module) {
                     return searchPoses(searchSubject(project, solver.solver.id), settings, module,
                                        {}, watch, progress);
                 });
-            return Found(watcher->lastOf(result, solver.solver));
+            return Found(
+                watcher->lastOf(result, solver.solver.id == chosen.id ? chosen : SolverInfo()));
         },
         [this, watcher = watcher_](const Found& found) {
             if (watcher_ == watcher && found) {

@@ -48,7 +48,7 @@ private:
     std::shared_ptr<Watcher> watcher_; // of the running search; null: none
     CancelToken running_;
     Project searched_;          // the project at the time of the search
-    SolverInfo searchedSolver_; // of the last search that ended; its id is empty before
+    SolverInfo searchedSolver_; // of the last search that ended; its id is empty if there is none
     JobRunner jobs_;            // destroyed first: its thread uses the members above
 };
 

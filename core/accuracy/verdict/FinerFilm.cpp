@@ -91,6 +91,13 @@ std::optional<double> finerCell(double wanted, const DippedFilm& film,
     return taken < 1 ? std::nullopt : std::optional(own * std::exp2(-taken / 3));
 }
 
+std::optional<double> nextRefinement(const Verdict& verdict, const DippedFilm& film, double offBy,
+                                     double refinement, const FilmSettings& settings) {
+    const std::optional<double> needed = neededCell(verdict, film, offBy, settings);
+    const std::optional<double> cell = needed ? finerCell(*needed, film, settings) : std::nullopt;
+    return cell ? std::optional(refinement * film.grid.leastSpacing() / *cell) : std::nullopt;
+}
+
 Verdict afterRefinement(Verdict verdict, const DippedFilm& film, const FilmSettings& settings) {
     const std::optional<double> wanted = wantedCell(verdict, film);
     const std::optional<double> cell = wanted ? finerCell(*wanted, film, settings) : std::nullopt;

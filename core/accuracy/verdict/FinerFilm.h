@@ -34,6 +34,11 @@ double smallestCell(const DippedFilm& film, const FilmSettings& settings);
 std::optional<double> finerCell(double wanted, const DippedFilm& film,
                                 const FilmSettings& settings);
 
+// Returns the refinement (FilmSettings::refinement) with which a dip is to be repeated, by
+// neededCell() and finerCell(); none if its film keeps its cells. `refinement` is the film's own.
+std::optional<double> nextRefinement(const Verdict& verdict, const DippedFilm& film, double offBy,
+                                     double refinement, const FilmSettings& settings);
+
 // Returns the verdict to be expected after the job has refined the film. If the settings allow
 // wantedCell(), Kind::Refined replaces the reasons about the numerical error.
 Verdict afterRefinement(Verdict verdict, const DippedFilm& film, const FilmSettings& settings);

@@ -345,8 +345,8 @@ private:
 
 static_assert(numerics::FilmBackend<CudaBackend> && numerics::GmresBackend<CudaBackend>);
 
-// Runs at most `maximumSteps` steps of each film, with `blocksPerFilm` blocks per film. `teams` holds
-// the memory of each film's team.
+// Runs at most `maximumSteps` steps of each film, with `blocksPerFilm` blocks per film. `teams`
+// holds the memory of each film's team.
 __global__ void __launch_bounds__(Team::threads, 1)
     productionSteps(const ProductionFilm* films, TeamMemory* teams, int blocksPerFilm,
                     int maximumSteps) {

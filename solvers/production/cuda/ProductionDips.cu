@@ -256,7 +256,7 @@ private:
 
     int blocksPerFilm_;
     DeviceArray<TeamMemory> teams_; // of the films
-    std::deque<HeldFilm> held_; // in the order of films_
+    std::deque<HeldFilm> held_;     // in the order of films_
     FieldUploads fields_;
     DeviceArray<std::byte> memory_;
     std::vector<ProductionFilm> films_;

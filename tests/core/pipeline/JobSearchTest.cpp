@@ -79,7 +79,7 @@ private slots:
         QVERIFY(searched.grid == dip.laid->film().grid);
         QVERIFY(searched.positions == dip.laid->film().positions);
         QCOMPARE(best_.verdicts.front().advice, dip.verdict.advice);
-        QCOMPARE(best_.films.front()->error.offBy.percentile95,
+        QCOMPARE(best_.films.front()->error->offBy.percentile95,
                  dip.numericalError->offBy.percentile95);
     }
 
