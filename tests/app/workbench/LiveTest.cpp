@@ -126,6 +126,21 @@ private slots:
                  alone.immersions[0].sheet.job.hash);
     }
 
+    void run_dipTakenOver_hasNoRecordingOfTheDipBefore() {
+        const auto turn = [](Project& project) { project.immersions[0].rotation[0] = Degrees(30); };
+        Project turned = document().project();
+        turn(turned);
+        const auto kept = std::make_shared<const JobResult>(
+            runJob(turned, workbench_->registry(), {}, nullptr, {}));
+        session().setKept(kept);
+        document().edit({}, {}, turn);
+        QVERIFY(WindowDriver(*window_).run());
+        QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
+        QCOMPARE(document().result()->immersions[0].laid, kept->immersions[0].laid);
+        QVERIFY(!session().recording());
+        QVERIFY(session().canRecord());
+    }
+
     void undo_whileRefining_showsTheResultBefore() {
         drag(15);
         QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
