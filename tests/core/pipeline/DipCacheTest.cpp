@@ -1,12 +1,12 @@
 // Tests the dip cache beside a project. With unchanged inputs it gives the same sheets as a fresh
 // run, it keeps its size limit, and damage does no harm.
 #include "pipeline/DipCache.h"
+#include "BallJob.h"
 #include "TestFolders.h"
 
 #include "TestFiles.h"
 #include "WholeSample.h"
 #include "base/Error.h"
-#include "geometry/Shapes.h"
 #include "pipeline/Pipeline.h"
 
 #include <QGuiApplication>
@@ -20,26 +20,12 @@ using namespace dipwright::test;
 
 namespace {
 
-Project ballJob() {
-    auto model = std::make_shared<TexturedMesh>();
-    model->mesh = sphereMesh(15, 20, 40);
-    model->textureCoordinates.resize(model->mesh.triangles.size());
-    model->material.resize(model->mesh.triangles.size(), 0);
-    QImage picture(8, 8, QImage::Format_RGBA8888);
-    picture.fill(QColor(200, 80, 20));
-    model->textures = {picture};
-    model->materials = {{QStringLiteral("ball"), Qt::white, 0}};
-    model->chart = findCharts(*model);
-    Project project;
-    project.name = QStringLiteral("ball");
-    project.model = model;
-    project.film.width = project.film.height = Millimetres(90);
+// A ball that is dipped twice, with film that grows.
+Project twoDips() {
+    Project project = ballJob();
     project.film.columns = project.film.rows = 31;
     project.film.growthRate = 0.01;
     project.film.growthLimit = 0.05;
-    project.fieldResolution = 64;
-    project.sheet.resolution = DotsPerInch(72);
-    project.process.solver = QStringLiteral("pbd-cpu");
     project.immersions.resize(2);
     project.immersions[1].rotation = {Degrees(180), Degrees(0), Degrees(0)};
     return project;
@@ -64,7 +50,7 @@ private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
         registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
-        job_ = ballJob();
+        job_ = twoDips();
         result_ = runJob(job_, *registry_, {}, nullptr, {});
         path_ = folder_.filePath(QStringLiteral("ball.dipw"));
         file_ = folder_.filePath(QStringLiteral("ball.dips"));

@@ -1,8 +1,8 @@
 // Tests that a pose search judges poses as the job does, and that the job takes over its dips.
 #include "pipeline/JobSearch.h"
+#include "BallJob.h"
 #include "TestFolders.h"
 
-#include "geometry/Shapes.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/SolverChoice.h"
 
@@ -19,25 +19,10 @@ namespace {
 
 // A ball whose first film is not exact enough for its narrow tolerance.
 Project narrowJob() {
-    auto model = std::make_shared<TexturedMesh>();
-    model->mesh = sphereMesh(15, 20, 40);
-    model->textureCoordinates.resize(model->mesh.triangles.size());
-    model->material.resize(model->mesh.triangles.size(), 0);
-    QImage picture(8, 8, QImage::Format_RGBA8888);
-    picture.fill(QColor(200, 80, 20));
-    model->textures = {picture};
-    model->materials = {{QStringLiteral("ball"), Qt::white, 0}};
-    model->chart = findCharts(*model);
-    Project project;
-    project.name = QStringLiteral("ball");
-    project.model = model;
-    project.film.width = project.film.height = Millimetres(90);
+    Project project = test::ballJob();
     project.film.resolution = FilmResolution::Automatic;
     project.tolerance.limits.fill(Millimetres(0.2));
     project.process.depth = Millimetres(12);
-    project.fieldResolution = 64;
-    project.sheet.resolution = DotsPerInch(72);
-    project.process.solver = QStringLiteral("pbd-cpu");
     return project;
 }
 
