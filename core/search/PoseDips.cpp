@@ -73,7 +73,7 @@ double refinementAfter(const JobFilms* before) {
 }
 
 // Returns a dip whose film will not be refined further.
-std::shared_ptr<const JudgedPose> asLast(JudgedPose dip) {
+std::shared_ptr<const JudgedPose> withoutRefinement(JudgedPose dip) {
     JobFilms films = *dip.films;
     films.next.reset();
     dip.verdict = films.verdict;
@@ -82,7 +82,7 @@ std::shared_ptr<const JudgedPose> asLast(JudgedPose dip) {
 }
 
 // Returns the refined dip of `before`; null if it tells less than `before`.
-std::shared_ptr<const JudgedPose> afterBefore(const JudgedPose& before, JudgedPose refined) {
+std::shared_ptr<const JudgedPose> usableRefinement(const JudgedPose& before, JudgedPose refined) {
     const JobFilms* films = refined.films.get();
     if (!films || !films->coarser->failure.isEmpty() ||
         (before.films->error->isKnown() && !films->error->isKnown())) {
@@ -381,7 +381,7 @@ PoseDips::withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips,
         const std::vector<std::shared_ptr<const JudgedPose>> finer = refined(open);
         for (std::size_t each = 0; each < open.size(); ++each) {
             std::replace(dips.begin(), dips.end(), open[each],
-                         finer[each] ? finer[each] : asLast(*open[each]));
+                         finer[each] ? finer[each] : withoutRefinement(*open[each]));
         }
         roundDone();
     }
@@ -406,7 +406,7 @@ PoseDips::refined(const std::vector<std::shared_ptr<const JudgedPose>>& dips) co
         return refinedAlone(dips);
     }
     for (std::size_t each = 0; each < dips.size(); ++each) {
-        result[each] = afterBefore(*dips[each], *result[each]);
+        result[each] = usableRefinement(*dips[each], *result[each]);
     }
     return result;
 }
