@@ -51,6 +51,9 @@ struct JudgedPose {
     // known.
     std::optional<double> doublings;
     std::shared_ptr<const JobFilms> films; // null unless the dip has the job's film
+
+    // Whether the job would repeat the dip with smaller cells.
+    bool isRepeated() const { return films && films->next; }
 };
 
 // The places of a body at which its dips are measured. Immutable; any thread may use it.

@@ -368,13 +368,10 @@ void PoseDips::judgeAsJob(JudgedPose& pose, std::shared_ptr<const LaidFilm> laid
 std::vector<std::shared_ptr<const JudgedPose>>
 PoseDips::withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips,
                          const std::function<void()>& roundDone) const {
-    const auto keeps = [](const std::shared_ptr<const JudgedPose>& dip) {
-        return !dip->films || !dip->films->next;
-    };
-    std::vector<std::shared_ptr<const JudgedPose>> open;
     for (;;) {
-        open.clear();
-        std::remove_copy_if(dips.begin(), dips.end(), std::back_inserter(open), keeps);
+        std::vector<std::shared_ptr<const JudgedPose>> open;
+        std::copy_if(dips.begin(), dips.end(), std::back_inserter(open),
+                     [](const auto& dip) { return dip->isRepeated(); });
         if (open.empty()) {
             return dips;
         }

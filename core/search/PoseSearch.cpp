@@ -68,9 +68,8 @@ bool canBePrinted(const Entry& entry) {
     return entry.ranked.advice() == Advice::Print;
 }
 
-// Whether the job would repeat this dip with smaller cells.
 bool isRepeated(const Judged& dip) {
-    return dip->films && dip->films->next;
+    return dip->isRepeated();
 }
 
 // Whether the job would end with the films of the pose.
@@ -112,7 +111,7 @@ std::array<bool, 3> refusal(const Entry& entry) {
 // the dip has the job's own film and its numerical error is known, otherwise by the prediction. If
 // the verdict is only expected, too, this counts as another doubling.
 double expectedDoublings(const Judged& dip) {
-    return dip->doublings.value_or(dip->predicted.doublings) + (isRepeated(dip) ? 1 : 0);
+    return dip->doublings.value_or(dip->predicted.doublings) + (dip->isRepeated() ? 1 : 0);
 }
 
 // Returns the objective, lowered by the work that certain sheets are expected to need: the mean
@@ -996,7 +995,7 @@ private:
         left_[Final] = int(std::count_if(before.begin(), before.end(), isRepeated));
         cost_[Final] = 0;
         for (const Judged& dip : before) {
-            if (isRepeated(dip)) {
+            if (dip->isRepeated()) {
                 cost_[Final] += cost_[Own] * std::pow(*dip->films->next, 3) / left_[Final];
             }
         }

@@ -29,7 +29,8 @@ struct RankedPoses {
     bool isConfirmed = false;      // dipped with the job's own film
     bool areOwn = false;           // the job's own poses, which take part in the ranking
     std::vector<Verdict> verdicts; // on each dip; empty if not confirmed
-    // Of each dip, null for a dip that failed. Empty if not confirmed, and beyond the first ranks.
+    // One for each dip; null if that dip failed. Only confirmed poses in the first three ranks keep
+    // their films; for all others this is empty.
     std::vector<std::shared_ptr<const JobFilms>> films;
 
     // Returns the worst of the verdicts.

@@ -1,4 +1,5 @@
 // Tests that a pose search judges poses as the job does, and that the job takes over its dips.
+// Takes six seconds, because it runs two searches and a job with a refined film.
 #include "pipeline/JobSearch.h"
 #include "BallJob.h"
 #include "TestFolders.h"
