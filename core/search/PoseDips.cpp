@@ -93,6 +93,11 @@ std::shared_ptr<const JudgedPose> usableRefinement(const JudgedPose& before, Jud
     return std::make_shared<const JudgedPose>(std::move(refined));
 }
 
+// Whether the sheet cannot be printed, and the job would not repeat the dip.
+bool isFinallyRefused(const std::shared_ptr<const JudgedPose>& dip) {
+    return !dip->isRepeated() && dip->verdict.advice > Advice::Print;
+}
+
 // Calls `work` and returns the exception that it throws; null if it throws none.
 std::exception_ptr failureOf(const std::function<void()>& work) {
     try {
@@ -381,6 +386,9 @@ PoseDips::withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips,
                          finer[each] ? finer[each] : withoutRefinement(*open[each]));
         }
         roundDone();
+        if (std::any_of(dips.begin(), dips.end(), isFinallyRefused)) {
+            return dips;
+        }
     }
 }
 

@@ -96,7 +96,8 @@ public:
     // Returns these dips with the films with which the job would end: repeats them with smaller
     // cells as the job would. All must have the job's film. A dip that fails with smaller cells, as
     // when the solver fails, keeps the film before and the verdict on it. Calls `roundDone` after
-    // each round of dips. Throws Cancelled.
+    // each round of dips. Ends after a round in which a dip got its final film and still cannot be
+    // printed; then the others may lack their final films. Throws Cancelled.
     std::vector<std::shared_ptr<const JudgedPose>>
     withFinalFilms(std::vector<std::shared_ptr<const JudgedPose>> dips,
                    const std::function<void()>& roundDone) const;
