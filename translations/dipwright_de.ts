@@ -1870,6 +1870,10 @@
         <source>The whole part is masked; unmask the surface to be printed before you search for a pose</source>
         <translation>Das ganze Teil ist maskiert; nehmen Sie die Maske von der zu druckenden Oberfläche, bevor Sie eine Lage suchen</translation>
     </message>
+    <message>
+        <source>Dipping the best pose with smaller cells</source>
+        <translation>Die beste Lage wird mit kleineren Zellen getaucht</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>
@@ -9283,10 +9287,6 @@ zuerst eintaucht</translation>
         <translation>Lage</translation>
     </message>
     <message>
-        <source>Objective</source>
-        <translation>Zielwert</translation>
-    </message>
-    <message>
         <source>≈ %1</source>
         <comment>about</comment>
         <translation>≈ %1</translation>
@@ -9298,12 +9298,6 @@ zuerst eintaucht</translation>
     <message>
         <source>Found poses, best first</source>
         <translation>Gefundene Lagen, beste zuerst</translation>
-    </message>
-    <message>
-        <source>Coverage,
-stretch</source>
-        <translation>Abdeckung,
-Dehnung</translation>
     </message>
     <message>
         <source>Verdict,
@@ -9325,6 +9319,22 @@ Unterschiede</translation>
     <message>
         <source>Your pose.</source>
         <translation>Ihre Lage.</translation>
+    </message>
+    <message>
+        <source>Better: %1</source>
+        <translation>Besser: %1</translation>
+    </message>
+    <message>
+        <source>Worse: %1</source>
+        <translation>Schlechter: %1</translation>
+    </message>
+    <message>
+        <source>Objective,
+coverage,
+stretch</source>
+        <translation>Zielwert,
+Abdeckung,
+Dehnung</translation>
     </message>
 </context>
 <context>
@@ -11231,6 +11241,10 @@ mm je mm</translation>
     <message>
         <source>Whether one dip paints the part, or two dips from different sides.</source>
         <translation>Ob ein Tauchvorgang das Teil bemalt oder zwei von verschiedenen Seiten.</translation>
+    </message>
+    <message>
+        <source>Dipping the best pose with smaller cells</source>
+        <translation>Die beste Lage wird mit kleineren Zellen getaucht</translation>
     </message>
 </context>
 <context>

@@ -1870,6 +1870,10 @@
         <source>The whole part is masked; unmask the surface to be printed before you search for a pose</source>
         <translation>A peça inteira está mascarada; retire a máscara da superfície a imprimir antes de procurar uma pose</translation>
     </message>
+    <message>
+        <source>Dipping the best pose with smaller cells</source>
+        <translation>Mergulhando a melhor pose com células menores</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>
@@ -9283,10 +9287,6 @@ desce primeiro</translation>
         <translation>Pose</translation>
     </message>
     <message>
-        <source>Objective</source>
-        <translation>Objetivo</translation>
-    </message>
-    <message>
         <source>≈ %1</source>
         <comment>about</comment>
         <translation>≈ %1</translation>
@@ -9298,12 +9298,6 @@ desce primeiro</translation>
     <message>
         <source>Found poses, best first</source>
         <translation>Poses encontradas, a melhor primeiro</translation>
-    </message>
-    <message>
-        <source>Coverage,
-stretch</source>
-        <translation>Cobertura,
-estiramento</translation>
     </message>
     <message>
         <source>Verdict,
@@ -9325,6 +9319,22 @@ diferenças</translation>
     <message>
         <source>Your pose.</source>
         <translation>Sua pose.</translation>
+    </message>
+    <message>
+        <source>Better: %1</source>
+        <translation>Melhor: %1</translation>
+    </message>
+    <message>
+        <source>Worse: %1</source>
+        <translation>Pior: %1</translation>
+    </message>
+    <message>
+        <source>Objective,
+coverage,
+stretch</source>
+        <translation>Objetivo,
+cobertura,
+estiramento</translation>
     </message>
 </context>
 <context>
@@ -11231,6 +11241,10 @@ mm por mm</translation>
     <message>
         <source>Whether one dip paints the part, or two dips from different sides.</source>
         <translation>Se uma imersão pinta a peça, ou duas de lados diferentes.</translation>
+    </message>
+    <message>
+        <source>Dipping the best pose with smaller cells</source>
+        <translation>Mergulhando a melhor pose com células menores</translation>
     </message>
 </context>
 <context>

@@ -74,12 +74,6 @@ void requireBodyOverFilm(const PosedBody& body, const Immersion& immersion,
     requireFilmBeyondBody(wet.translated(Eigen::Vector2d(x, z)), settings, immersion);
 }
 
-// Whether a point of the film adheres to the body.
-bool hasAdhered(const DippedFilm& dipped) {
-    return std::find(dipped.states.begin(), dipped.states.end(), solver::PointState::Adhered) !=
-           dipped.states.end();
-}
-
 void requireFollowed(const solver::DipSetup& setup, const solver::SolverModule& module) {
     const bool isProduction =
         solver::isProductionFilm(setup.settings.lattice, setup.settings.support);
@@ -308,7 +302,7 @@ bool isAccepted(const DippedFilm& dipped, const PosedBody& body, const Immersion
     } catch (const Error&) {
         return false;
     }
-    return hasAdhered(dipped);
+    return dipped.adheresAnywhere();
 }
 
 DippedFilm dippedFilm(const solver::BatchItem& dip, const Immersion& immersion) {
@@ -365,7 +359,7 @@ DippedFilm simulateDip(const PosedBody& body, const DistanceField& field,
         throw Error(Text::tr("The solver failed with an unknown exception"), immersion.name);
     }
     requireStable(dipped, setup.motion.travel, immersion.name);
-    if (!hasAdhered(dipped)) {
+    if (!dipped.adheresAnywhere()) {
         throw missedFilm(body, field, immersion);
     }
     return dipped;

@@ -7,6 +7,10 @@
 
 namespace dipwright {
 
+bool DippedFilm::adheresAnywhere() const {
+    return std::find(states.begin(), states.end(), solver::PointState::Adhered) != states.end();
+}
+
 Eigen::Vector2f restPosition(const solver::FilmGrid& grid, std::size_t point) {
     const auto columns = std::size_t(grid.columns);
     return {float(grid.restX(int(point % columns))), float(grid.restZ(int(point / columns)))};

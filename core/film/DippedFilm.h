@@ -28,6 +28,7 @@ struct DippedFilm {
     double wallSeconds = 0; // spent by the solver alone
 
     bool adhered(std::size_t point) const { return states[point] == solver::PointState::Adhered; }
+    bool adheresAnywhere() const;
 };
 
 using FilmTriangle = std::array<std::uint32_t, 3>; // point indices

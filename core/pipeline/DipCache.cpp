@@ -113,8 +113,7 @@ void restore(ImmersionResult& dip, const Project& project, const QByteArray& byt
         readCachedDip(bytes, gridOf, project.film.lattice == solver::Lattice::Isotropic, where);
     dip.refinement = kept.refinement;
     if (!isStable(kept.film, dipTravel(project.process, *dip.body)) ||
-        std::find(kept.film.states.begin(), kept.film.states.end(), solver::PointState::Adhered) ==
-            kept.film.states.end()) {
+        !kept.film.adheresAnywhere()) {
         throw damagedDips(where);
     }
     dip.numericalError = kept.numericalError;

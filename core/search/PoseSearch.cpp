@@ -622,10 +622,14 @@ private:
             left += cost_[resolution] * std::max(left_[resolution], 0);
         }
         const double share = rate_.done() / std::max(rate_.done() + left, 1.0);
-        progress_(geometryShare + (1 - geometryShare) * share, Text::tr("Trying poses"));
+        const bool isRefiningFilm = left_[Final] > 0;
+        progress_(geometryShare + (1 - geometryShare) * share,
+                  isRefiningFilm ? Text::tr("Dipping the best pose with smaller cells")
+                                 : Text::tr("Trying poses"));
         if (watch_ && *watch_) {
             const int wanted = std::accumulate(left_.begin(), left_.end(), done_);
-            rate_.leaveOut((*watch_)({done_, wanted, rate_.secondsFor(left), result_}));
+            rate_.leaveOut(
+                (*watch_)({done_, wanted, rate_.secondsFor(left), isRefiningFilm, result_}));
         }
     }
 
@@ -1236,16 +1240,20 @@ std::vector<MeasureDifference> differences(const RankedPoses& poses, const Ranke
     return result;
 }
 
+QString changeText(const MeasureDifference& difference) {
+    return QStringLiteral("%1 %2%3").arg(
+        measureName(difference.measure),
+        difference.more < 0 ? QStringLiteral("−") : QStringLiteral("+"),
+        measureText(difference.measure, std::abs(difference.more)));
+}
+
 QString reasonText(const std::vector<MeasureDifference>& differences) {
     if (differences.empty()) {
         return Text::tr("no difference");
     }
     QStringList reasons;
     for (const MeasureDifference& difference : differences) {
-        const QString change = QStringLiteral("%1 %2%3").arg(
-            measureName(difference.measure),
-            difference.more < 0 ? QStringLiteral("−") : QStringLiteral("+"),
-            measureText(difference.measure, std::abs(difference.more)));
+        const QString change = changeText(difference);
         reasons.append(difference.isBetter ? Text::tr("%1 (better)").arg(change)
                                            : Text::tr("%1 (worse)").arg(change));
     }

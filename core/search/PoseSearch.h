@@ -68,14 +68,17 @@ struct MeasureDifference {
 // important for the objective first.
 std::vector<MeasureDifference> differences(const RankedPoses& poses, const RankedPoses& others,
                                            const SearchSettings& settings, double equator);
-// Returns a text for the user, such as "−3.0 % coverage, +0.40 largest stretch"; "no difference" if
-// there is none.
+// Returns a text for the user, such as "Coverage −3.0 %".
+QString changeText(const MeasureDifference& difference);
+// Returns a text for the user, such as "Coverage −3.0 % (worse), Largest stretch −0.40 (better)";
+// "no difference" if there is none.
 QString reasonText(const std::vector<MeasureDifference>& differences);
 
 // The state of a running search.
 struct SearchState {
     int done = 0, wanted = 0;          // numbers of dips
     std::optional<double> secondsLeft; // none if not known yet
+    bool isRefiningFilm = false;       // the best pose is dipped with smaller cells
     const SearchResult& soFar;         // ranking of the dips done
 };
 // Called from the working thread between batches of dips. If it blocks, the search waits. Returns

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QHeaderView>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QStyledItemDelegate>
 #include <QTextCursor>
 #include <QTextDocument>
@@ -19,11 +20,12 @@ namespace dipwright {
 namespace {
 
 constexpr QSize pictureSize(56, 56);
-constexpr std::size_t shownDifferences = 4; // in the cell; the tool tip has all
+constexpr std::size_t shownDifferences = 3; // in the cell; the tool tip has all
 constexpr int htmlRole = Qt::UserRole;
 // Colours of the signs; both are readable on light and dark windows.
 const QString betterColour = QStringLiteral("#008a9a"), worseColour = QStringLiteral("#d2304f");
-enum Column { Picture, Objective, Painted, Reasons, Columns };
+const QRegularExpression beforeUnit(QStringLiteral("(?<=\\d) "));
+enum Column { Picture, Measures, Reasons, Columns };
 
 QString posesText(const RankedPoses& poses) {
     QStringList lines;
@@ -67,20 +69,28 @@ QString measuresText(const RankedPoses& poses) {
     return lines.join(QLatin1Char('\n'));
 }
 
-// Returns one line for each difference, with a sign, a colour and a word for better or worse. The
-// tool tip of the cell lists those that are left out.
+// Returns two lines, what is better and what is worse, each with a sign, a colour and a word. The
+// tool tip of the cell lists the differences that are left out.
 QString differencesHtml(const std::vector<MeasureDifference>& differences) {
     if (differences.empty()) {
         return reasonText({}).toHtmlEscaped();
     }
-    QStringList lines;
+    QStringList better, worse;
     for (const MeasureDifference& difference :
          std::span(differences).first(std::min(differences.size(), shownDifferences))) {
-        lines << QStringLiteral("<span style='color:%1'>%2</span> %3")
-                     .arg(difference.isBetter ? betterColour : worseColour,
-                          difference.isBetter ? QStringLiteral("▲") : QStringLiteral("▼"),
-                          reasonText({difference}).toHtmlEscaped());
+        (difference.isBetter ? better : worse)
+            << changeText(difference).replace(beforeUnit, QStringLiteral("&nbsp;"));
     }
+    QStringList lines;
+    const auto add = [&](const QStringList& changes, const QString& colour, QChar sign,
+                         const QString& words) {
+        if (!changes.empty()) {
+            lines << QStringLiteral("<span style='color:%1'>%2</span> ").arg(colour, sign) +
+                         words.toHtmlEscaped().arg(changes.join(QStringLiteral(", ")));
+        }
+    };
+    add(better, betterColour, u'▲', PoseTable::tr("Better: %1"));
+    add(worse, worseColour, u'▼', PoseTable::tr("Worse: %1"));
     if (differences.size() > shownDifferences) {
         lines << PoseTable::tr("and %n more", nullptr, int(differences.size() - shownDifferences))
                      .toHtmlEscaped();
@@ -149,13 +159,11 @@ PoseTable::PoseTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
     setObjectName(QStringLiteral("poseTable"));
     setAccessibleName(tr("Found poses, best first"));
     setHorizontalHeaderLabels(
-        {tr("Pose"), tr("Objective"), tr("Coverage,\nstretch"), tr("Verdict,\ndifferences")});
+        {tr("Pose"), tr("Objective,\ncoverage,\nstretch"), tr("Verdict,\ndifferences")});
     horizontalHeader()->setSectionResizeMode(Reasons, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(Picture, QHeaderView::Fixed);
     setColumnWidth(Picture, pictureSize.width() + 8);
-    for (const int column : {Objective, Painted}) {
-        horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    }
+    horizontalHeader()->setSectionResizeMode(Measures, QHeaderView::ResizeToContents);
     verticalHeader()->setMinimumSectionSize(pictureSize.height() + 4);
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     setItemDelegateForColumn(Reasons, new ReasonsDelegate(this));
@@ -231,11 +239,11 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
         }
         const int row = int(rank);
         setItem(row, Picture, picture);
-        setItem(row, Objective, cell(objective, help));
-        setItem(row, Painted,
-                cell(measureText(Measure::Coverage, poses.measures[Measure::Coverage]) +
-                         QLatin1Char('\n') +
-                         measureText(Measure::Stretch, poses.measures[Measure::Stretch]),
+        setItem(row, Measures,
+                cell(QStringList{objective,
+                                 measureText(Measure::Coverage, poses.measures[Measure::Coverage]),
+                                 measureText(Measure::Stretch, poses.measures[Measure::Stretch])}
+                         .join(QLatin1Char('\n')),
                      help));
         auto* why = cell(reasons, reasons + QStringLiteral("\n\n") + help);
         why->setData(htmlRole, html);

@@ -27,6 +27,7 @@ struct SearchController::Update {
     std::vector<QImage> pictures;
     int done = 0, wanted = 0;
     std::optional<double> secondsLeft;
+    bool isRefiningFilm = false;
     SolverInfo solver; // of a search that ended; its id is empty if another solver took over
 };
 
@@ -50,6 +51,7 @@ public:
                               state.done,
                               state.wanted,
                               state.secondsLeft,
+                              state.isRefiningFilm,
                               {}});
         const auto begin = std::chrono::steady_clock::now();
         std::unique_lock lock(mutex_);
@@ -60,7 +62,7 @@ public:
     }
 
     Update lastOf(const SearchResult& result, const SolverInfo& solver) {
-        return {result, picturesOf(result, {}), 0, 0, std::nullopt, solver};
+        return {result, picturesOf(result, {}), 0, 0, std::nullopt, false, solver};
     }
 
 private:
@@ -246,7 +248,7 @@ void SearchController::end() {
 
 void SearchController::take(const Update& update) {
     page_->setResult(update.result, update.pictures);
-    page_->setProgress(update.done, update.wanted, update.secondsLeft);
+    page_->setProgress(update.done, update.wanted, update.isRefiningFilm, update.secondsLeft);
     showFreshness();
 }
 

@@ -232,13 +232,15 @@ void SearchPage::showDoing(const QString& doing) {
     left_->setText(isWaiting_ ? tr("Waiting until the dip of the project has finished") : doing);
 }
 
-void SearchPage::setProgress(int done, int wanted, std::optional<double> secondsLeft) {
+void SearchPage::setProgress(int done, int wanted, bool isRefiningFilm,
+                             std::optional<double> secondsLeft) {
     progress_->setRange(0, wanted);
     progress_->setValue(done);
-    const QString dips = tr("%1 of %2 dips").arg(done).arg(wanted);
+    const QString doing = isRefiningFilm ? tr("Dipping the best pose with smaller cells")
+                                         : tr("%1 of %2 dips").arg(done).arg(wanted);
     showDoing(secondsLeft ? QStringLiteral("%1, %2").arg(
-                                dips, timeLeftText(steadySeconds(*secondsLeft, {})))
-                          : dips);
+                                doing, timeLeftText(steadySeconds(*secondsLeft, {})))
+                          : doing);
 }
 
 void SearchPage::setResult(const SearchResult& result, const std::vector<QImage>& pictures) {

@@ -36,7 +36,7 @@ public:
     void setWaiting(bool waiting);
     // Shows what the search does before its first dips.
     void setPreparing(const QString& doing);
-    void setProgress(int done, int wanted, std::optional<double> secondsLeft);
+    void setProgress(int done, int wanted, bool isRefiningFilm, std::optional<double> secondsLeft);
     // `pictures`: front views by rank; may be shorter while they are being drawn.
     void setResult(const SearchResult& result, const std::vector<QImage>& pictures);
     void clear();

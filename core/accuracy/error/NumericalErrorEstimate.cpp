@@ -46,11 +46,6 @@ ProcessSettings withDoubleStep(ProcessSettings process) {
     return withDoubleTimeStep(std::move(process));
 }
 
-bool hasLaidFilm(const DippedFilm& film) {
-    return std::find(film.states.begin(), film.states.end(), solver::PointState::Adhered) !=
-           film.states.end();
-}
-
 // A film to compare with, and the cell of the dip's own film divided by its cell.
 struct ComparedFilm {
     const LaidFilm* laid;
@@ -184,7 +179,7 @@ CoarserFilms CoarserDips::laid() const {
     }
     const auto lay = [&](const solver::BatchItem& item) -> std::shared_ptr<const LaidFilm> {
         DippedFilm dipped = dippedFilm(item, dip_.immersion);
-        if (!isStable(dipped, item.setup.motion.travel) || !hasLaidFilm(dipped)) {
+        if (!isStable(dipped, item.setup.motion.travel) || !dipped.adheresAnywhere()) {
             return nullptr;
         }
         return layFilm(dip_.body, std::move(dipped), process_);

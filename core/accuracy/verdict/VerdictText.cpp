@@ -155,7 +155,8 @@ QString adviceText(Advice advice) {
 }
 
 QString millimetres(double length) {
-    return Text::tr("%1 mm").arg(QLocale().toString(length, 'f', 2));
+    const int decimals = length > 0 && length < 0.01 ? 4 : 2;
+    return Text::tr("%1 mm").arg(QLocale().toString(length, 'f', decimals));
 }
 
 QString reasonText(const VerdictReason& reason, const LengthText& length) {
