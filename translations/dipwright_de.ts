@@ -1722,8 +1722,8 @@
         <translation>Die Aufträge haben verschiedene Tinteneinstellungen oder CMYK-Profile, sodass die Filme nicht alle Tintenmengen von CMYK-Bildern behalten oder nicht jede Tinte für sich ausgleichen; geben Sie allen Aufträgen dieselben Tinteneinstellungen und Profile</translation>
     </message>
     <message>
-        <source>%1: cells of %2 mm might reach the wanted error, but would need about %3 million points × steps; the project allows %4 million.</source>
-        <translation>%1: mit Zellen von %2 mm könnte der gewünschte Fehler erreicht werden, aber dafür wären etwa %3 Millionen Punkte × Schritte nötig; das Projekt erlaubt %4 Millionen.</translation>
+        <source>%1: the sheet can be printed, but its numerical error is above the wanted error. Cells of %2 mm might reach it, with about %3 million points × steps; the project allows %4 million (Film &gt; Work limit).</source>
+        <translation>%1: Das Blatt kann gedruckt werden, aber sein numerischer Fehler ist größer als gewünscht. Zellen von %2 mm könnten den gewünschten Fehler erreichen, mit etwa %3 Millionen Punkten × Schritten; das Projekt erlaubt %4 Millionen (Film &gt; Grenze für den Aufwand).</translation>
     </message>
 </context>
 <context>
@@ -5150,10 +5150,6 @@
         <translation>Der numerische Fehler kann auf %1 % der bemalten Fläche größer als %2 sein. Prüfen Sie die Stellen, die das Programm auflistet.</translation>
     </message>
     <message>
-        <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
-        <translation>In %1 Schritten des Tauchvorgangs konvergierte der Film nicht; die Restkraft betrug bis zu %2 % der elastischen Kraft. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
-    </message>
-    <message>
         <source>The film does not paint the part. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
         <translation>Der Film bemalt das Teil nicht. Prüfen Sie die Einheit des Modells, seinen Platz über dem Film und die Tauchtiefe.</translation>
     </message>
@@ -5186,18 +5182,6 @@
         <translation>%1 % der Zone sind nicht bemalt; die Grenze ist %2 %. Drehen Sie das Teil so, dass Film die Zone erreicht.</translation>
     </message>
     <message>
-        <source>The numerical error is not known, because this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Cells).</source>
-        <translation>Der numerische Fehler ist unbekannt, weil dieser Tauchvorgang und die gröberen Tauchvorgänge zum Vergleich keine gemeinsame Stelle bemalen. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the sheet.</source>
-        <translation>Numerischer Fehler: höchstens %1 auf 95 % des Blatts.</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set Film &gt; Cells to %3, turn the part, or dip it twice.</source>
-        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie Film &gt; Zellen auf %3, drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
-    </message>
-    <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
         <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte), drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
     </message>
@@ -5206,28 +5190,44 @@
         <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
     </message>
     <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
-        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Drehen Sie das Teil, tauchen Sie es zweimal oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Zellen).</translation>
-    </message>
-    <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Most of this error comes from the length of the steps: set a smaller step (Dipping &gt; Step).</source>
         <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Der größte Teil dieses Fehlers kommt von der Länge der Schritte: Setzen Sie einen kleineren Schritt (Tauchen &gt; Schritt).</translation>
-    </message>
-    <message>
-        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and unpainted. Set smaller cells (Film &gt; Cells).</source>
-        <translation>Der Rand der bemalten Fläche ist unsicher: Mit anderen Zellen oder Schritten wechseln %1 % des Teils zwischen bemalt und unbemalt. Setzen Sie kleinere Zellen (Film &gt; Zellen).</translation>
     </message>
     <message>
         <source>Film that paints the part lies only %1 from the film&apos;s edge; at least %2 are required. Use a larger film, or move the part to the film&apos;s centre.</source>
         <translation>Film, der das Teil bemalt, liegt nur %1 vom Rand des Films entfernt; mindestens %2 sind nötig. Nehmen Sie einen größeren Film oder rücken Sie das Teil in die Mitte des Films.</translation>
     </message>
     <message>
-        <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
-        <translation>Handhabung und numerischer Fehler zusammen: höchstens ±%1 auf 95 % der bemalten Fläche; die Grenze ist ±%2. Verringern Sie den größten Beitrag oder drehen Sie das Teil.</translation>
+        <source>The numerical error is not known, because this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Resolution).</source>
+        <translation>Der numerische Fehler ist unbekannt, weil dieser Tauchvorgang und die gröberen Tauchvorgänge zum Vergleich keine gemeinsame Stelle bemalen. Setzen Sie kleinere Zellen (Film &gt; Auflösung).</translation>
     </message>
     <message>
-        <source>The dip is repeated with film cells of %1 to reduce the numerical error.</source>
-        <translation>Der Tauchvorgang wird mit Filmzellen von %1 wiederholt, um den numerischen Fehler zu verringern.</translation>
+        <source>Numerical error: at most %1 on 95 % of the painted area.</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set cells of %3 (Film &gt; Resolution &gt; Cell size), turn the part, or dip it twice.</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie Zellen von %3 (Film &gt; Auflösung &gt; Zellgröße), drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Resolution).</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Drehen Sie das Teil, tauchen Sie es zweimal oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Auflösung).</translation>
+    </message>
+    <message>
+        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and unpainted. Set smaller cells (Film &gt; Resolution).</source>
+        <translation>Der Rand der bemalten Fläche ist unsicher: Mit anderen Zellen oder Schritten wechseln %1 % des Teils zwischen bemalt und unbemalt. Setzen Sie kleinere Zellen (Film &gt; Auflösung).</translation>
+    </message>
+    <message>
+        <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Resolution).</source>
+        <translation>In %1 Schritten des Tauchvorgangs konvergierte der Film nicht; die Restkraft betrug bis zu %2 % der elastischen Kraft. Setzen Sie kleinere Zellen (Film &gt; Auflösung).</translation>
+    </message>
+    <message>
+        <source>This verdict is expected: the run repeats the dip with film cells of %1 and judges it again.</source>
+        <translation>Dieses Urteil ist erwartet: Der Lauf wiederholt den Tauchvorgang mit Filmzellen von %1 und urteilt neu.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest cause that the results list under Tolerances, or turn the part.</source>
+        <translation>Handhabung und numerischer Fehler zusammen: höchstens ±%1 auf 95 % der bemalten Fläche; die Grenze ist ±%2. Verringern Sie die größte Ursache, die die Ergebnisse unter „Toleranzen“ nennen, oder drehen Sie das Teil.</translation>
     </message>
 </context>
 <context>
@@ -9336,6 +9336,10 @@ stretch</source>
 Abdeckung,
 Dehnung</translation>
     </message>
+    <message>
+        <source>%1 (expected)</source>
+        <translation>%1 (erwartet)</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PreferencesDialog</name>
@@ -11191,10 +11195,6 @@ mm je mm</translation>
         <translation>Beendet die Suche und behält die besten gefundenen Lagen</translation>
     </message>
     <message>
-        <source>The project has changed since this search.</source>
-        <translation>Das Projekt wurde seit dieser Suche geändert.</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation>Fortsetzen</translation>
     </message>
@@ -11245,6 +11245,10 @@ mm je mm</translation>
     <message>
         <source>Dipping the best pose with smaller cells</source>
         <translation>Die beste Lage wird mit kleineren Zellen getaucht</translation>
+    </message>
+    <message>
+        <source>The project has changed since this search. Search again.</source>
+        <translation>Das Projekt wurde seit dieser Suche geändert. Suchen Sie neu.</translation>
     </message>
 </context>
 <context>
@@ -12236,8 +12240,8 @@ mm je mm</translation>
         <translation>Wie viel dieses Maß im Vergleich zu den anderen zählt. 0: gar nicht.</translation>
     </message>
     <message>
-        <source>Poses that violate this limit rank below all poses that keep it.</source>
-        <translation>Lagen, die diese Grenze verletzen, kommen nach allen, die sie einhalten.</translation>
+        <source>Of poses with the same verdict, those that miss this limit rank below those that keep it.</source>
+        <translation>Von Lagen mit demselben Urteil kommen die, die diese Grenze verfehlen, nach denen, die sie einhalten.</translation>
     </message>
 </context>
 <context>

@@ -1722,8 +1722,8 @@
         <translation>Os trabalhos diferem nas configurações de tinta ou nos perfis CMYK, de modo que as películas não mantêm todas as quantidades de tinta das imagens CMYK ou não compensam cada tinta por si; dê a todos os trabalhos as mesmas configurações de tinta e os mesmos perfis</translation>
     </message>
     <message>
-        <source>%1: cells of %2 mm might reach the wanted error, but would need about %3 million points × steps; the project allows %4 million.</source>
-        <translation>%1: com células de %2 mm o erro desejado talvez seja atingido, mas seriam necessários cerca de %3 milhões de pontos × passos; o projeto permite %4 milhões.</translation>
+        <source>%1: the sheet can be printed, but its numerical error is above the wanted error. Cells of %2 mm might reach it, with about %3 million points × steps; the project allows %4 million (Film &gt; Work limit).</source>
+        <translation>%1: a folha pode ser impressa, mas seu erro numérico é maior que o desejado. Células de %2 mm talvez atinjam o erro desejado, com cerca de %3 milhões de pontos × passos; o projeto permite %4 milhões (Película &gt; Limite de trabalho).</translation>
     </message>
 </context>
 <context>
@@ -5150,10 +5150,6 @@
         <translation>O erro numérico pode ultrapassar %2 em %1 % da área pintada. Verifique os lugares que o programa lista.</translation>
     </message>
     <message>
-        <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Cells).</source>
-        <translation>Em %1 passos da imersão, a película não convergiu; a força residual foi de até %2 % da força elástica. Ponha células menores (Película &gt; Células).</translation>
-    </message>
-    <message>
         <source>The film does not paint the part. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
         <translation>A película não pinta a peça. Verifique a unidade do modelo, o lugar dele sobre a película e a profundidade da imersão.</translation>
     </message>
@@ -5186,18 +5182,6 @@
         <translation>%1 % da zona não são pintados; o limite é %2 %. Gire a peça de modo que a película alcance a zona.</translation>
     </message>
     <message>
-        <source>The numerical error is not known, because this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Cells).</source>
-        <translation>O erro numérico é desconhecido, porque esta imersão e as imersões de comparação, com células maiores, não pintam nenhum lugar em comum. Ponha células menores (Película &gt; Células).</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the sheet.</source>
-        <translation>Erro numérico: no máximo %1 em 95 % da folha.</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set Film &gt; Cells to %3, turn the part, or dip it twice.</source>
-        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha Película &gt; Células em %3, gire a peça ou mergulhe-a duas vezes.</translation>
-    </message>
-    <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
         <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha mais pontos (Película &gt; Pontos), gire a peça ou mergulhe-a duas vezes.</translation>
     </message>
@@ -5206,28 +5190,44 @@
         <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Gire a peça ou mergulhe-a duas vezes.</translation>
     </message>
     <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Cells).</source>
-        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Gire a peça, mergulhe-a duas vezes ou ponha células bem menores ou mais pontos (Película &gt; Células).</translation>
-    </message>
-    <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Most of this error comes from the length of the steps: set a smaller step (Dipping &gt; Step).</source>
         <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. A maior parte deste erro vem do comprimento dos passos: ponha um passo menor (Imersão &gt; Passo).</translation>
-    </message>
-    <message>
-        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and unpainted. Set smaller cells (Film &gt; Cells).</source>
-        <translation>A borda da área pintada é incerta: com outras células ou passos, %1 % da peça mudam entre pintado e não pintado. Ponha células menores (Película &gt; Células).</translation>
     </message>
     <message>
         <source>Film that paints the part lies only %1 from the film&apos;s edge; at least %2 are required. Use a larger film, or move the part to the film&apos;s centre.</source>
         <translation>Película que pinta a peça fica a apenas %1 da borda da película; são necessários pelo menos %2. Use uma película maior ou leve a peça ao centro dela.</translation>
     </message>
     <message>
-        <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest contributor, or turn the part.</source>
-        <translation>Manuseio e erro numérico juntos: no máximo ±%1 em 95 % da área pintada; o limite é ±%2. Reduza a maior contribuição ou gire a peça.</translation>
+        <source>The numerical error is not known, because this dip and the coarser dips for comparison paint no place in common. Set smaller cells (Film &gt; Resolution).</source>
+        <translation>O erro numérico é desconhecido, porque esta imersão e as imersões de comparação, com células maiores, não pintam nenhum lugar em comum. Ponha células menores (Película &gt; Resolução).</translation>
     </message>
     <message>
-        <source>The dip is repeated with film cells of %1 to reduce the numerical error.</source>
-        <translation>A imersão é repetida com células da película de %1 para reduzir o erro numérico.</translation>
+        <source>Numerical error: at most %1 on 95 % of the painted area.</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set cells of %3 (Film &gt; Resolution &gt; Cell size), turn the part, or dip it twice.</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha células de %3 (Película &gt; Resolução &gt; Tamanho das células), gire a peça ou mergulhe-a duas vezes.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Resolution).</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Gire a peça, mergulhe-a duas vezes ou ponha células bem menores ou mais pontos (Película &gt; Resolução).</translation>
+    </message>
+    <message>
+        <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and unpainted. Set smaller cells (Film &gt; Resolution).</source>
+        <translation>A borda da área pintada é incerta: com outras células ou passos, %1 % da peça mudam entre pintado e não pintado. Ponha células menores (Película &gt; Resolução).</translation>
+    </message>
+    <message>
+        <source>In %1 steps of the dip, the film did not converge; the residual force was up to %2 % of the elastic force. Set smaller cells (Film &gt; Resolution).</source>
+        <translation>Em %1 passos da imersão, a película não convergiu; a força residual foi de até %2 % da força elástica. Ponha células menores (Película &gt; Resolução).</translation>
+    </message>
+    <message>
+        <source>This verdict is expected: the run repeats the dip with film cells of %1 and judges it again.</source>
+        <translation>Este veredito é esperado: a execução repete a imersão com células da película de %1 e julga de novo.</translation>
+    </message>
+    <message>
+        <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest cause that the results list under Tolerances, or turn the part.</source>
+        <translation>Manuseio e erro numérico juntos: no máximo ±%1 em 95 % da área pintada; o limite é ±%2. Reduza a maior causa que os resultados listam em “Tolerâncias”, ou gire a peça.</translation>
     </message>
 </context>
 <context>
@@ -9336,6 +9336,10 @@ stretch</source>
 cobertura,
 estiramento</translation>
     </message>
+    <message>
+        <source>%1 (expected)</source>
+        <translation>%1 (esperado)</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PreferencesDialog</name>
@@ -11191,10 +11195,6 @@ mm por mm</translation>
         <translation>Encerra a busca e guarda as melhores poses encontradas</translation>
     </message>
     <message>
-        <source>The project has changed since this search.</source>
-        <translation>O projeto mudou desde esta busca.</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation>Retomar</translation>
     </message>
@@ -11245,6 +11245,10 @@ mm por mm</translation>
     <message>
         <source>Dipping the best pose with smaller cells</source>
         <translation>Mergulhando a melhor pose com células menores</translation>
+    </message>
+    <message>
+        <source>The project has changed since this search. Search again.</source>
+        <translation>O projeto mudou desde esta busca. Busque de novo.</translation>
     </message>
 </context>
 <context>
@@ -12236,8 +12240,8 @@ mm por mm</translation>
         <translation>Quanto esta medida conta em relação às outras. 0: nada.</translation>
     </message>
     <message>
-        <source>Poses that violate this limit rank below all poses that keep it.</source>
-        <translation>Poses que violam este limite ficam depois de todas que o cumprem.</translation>
+        <source>Of poses with the same verdict, those that miss this limit rank below those that keep it.</source>
+        <translation>Entre poses com o mesmo veredito, as que não cumprem este limite ficam depois das que o cumprem.</translation>
     </message>
 </context>
 <context>

@@ -41,7 +41,7 @@ QString poseText(const Immersion& immersion) {
             .arg(plain(immersion.rotation[0].value()), plain(immersion.rotation[1].value()),
                  plain(immersion.rotation[2].value()));
     if (immersion.offset != std::array<Millimetres, 2>{}) {
-        text += QStringLiteral(" at %1, %2 mm")
+        text += QStringLiteral(" at x %1 mm, z %2 mm")
                     .arg(plain(immersion.offset[0].value()), plain(immersion.offset[1].value()));
     }
     if (const QString path = pathText(immersion.path); !path.isEmpty()) {
@@ -65,9 +65,9 @@ void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) 
         out << QStringLiteral("  %1").arg(measureText(measure, ranked.measures[measure]), 9);
     }
     out << "  " << posesText(ranked) << (ranked.limitsMissed > 0 ? "  misses a limit" : "")
-        << (ranked.tankFaults.isEmpty() ? "" : "  exceeds the tank")
-        << (ranked.isConfirmed ? "" : "  coarse") << (ranked.areOwn ? "  the project's poses" : "")
-        << '\n';
+        << (ranked.tankFaults.isEmpty() ? "" : "  exceeds a limit of the tank")
+        << (ranked.isConfirmed ? "" : "  not confirmed")
+        << (ranked.areOwn ? "  the project's poses" : "") << '\n';
 }
 
 void printRanking(const SearchResult& result, const SearchSettings& settings, QTextStream& out) {
@@ -245,10 +245,13 @@ public:
                           QStringLiteral("The weight of a measure, or of zone_a, zone_b or zone_c, "
                                          "instead of the project's weight. May be repeated."),
                           QStringLiteral("NAME=WEIGHT")});
-        syntax.addOption({limitOption,
-                          QStringLiteral("The limit of a measure, a minimum or a maximum, or none, "
-                                         "instead of the project's limit. May be repeated."),
-                          QStringLiteral("NAME=VALUE")});
+        syntax.addOption(
+            {limitOption,
+             QStringLiteral("A limit, instead of the project's: the lowest value for quality, "
+                            "coverage and certain, the highest for every other "
+                            "measure. Shares are 0 to 1, stretch is a ratio, join is "
+                            "in mm. NAME=none removes the limit. May be repeated."),
+             QStringLiteral("NAME=VALUE")});
         syntax.addOption(
             {shardOption,
              QStringLiteral("Simulates only part K of N of the poses and writes it to --out."),

@@ -93,7 +93,8 @@ void printTolerances(const DipTolerances& tolerances, QTextStream& out) {
         }
     }
     for (const WorstPlace& worst : tolerances.worst) {
-        out << QStringLiteral("    ±%1 mm at %2, %3, %4 mm on the model, largest cause: %5\n")
+        out << QStringLiteral(
+                   "    ±%1 mm at x %2 mm, y %3 mm, z %4 mm on the model, largest cause: %5\n")
                    .arg(number(worst.spread, 2), number(double(worst.place.x()), 1),
                         number(double(worst.place.y()), 1), number(double(worst.place.z()), 1),
                         contributorText(worst.contributor));
@@ -244,9 +245,12 @@ void applyRefinement(Project& project, const QCommandLineParser& parser) {
                          QStringLiteral("--until"));
     }
     if (!isRefinable(project.film)) {
-        throw UsageError(QStringLiteral("Only films with automatic cells and a work limit above 0 "
-                                        "are refined; add --set film.resolution=automatic"),
-                         QStringLiteral("--until"));
+        throw UsageError(
+            QStringLiteral("--until print needs automatic cells and a work limit above 0; "
+                           "add --set film.resolution=automatic, and --work %1 if "
+                           "the limit is 0")
+                .arg(int(newProjectFilmWork)),
+            QStringLiteral("--until"));
     }
     project.film.wantedError.reset();
 }
@@ -335,8 +339,9 @@ public:
             {untilOption,
              QStringLiteral("Repeats the dips with smaller film cells only until the numerical "
                             "error is small enough to print the sheets. Without the option, films "
-                            "with automatic cells also reach for the project's wanted error "
-                            "(film.wanted_error_mm). With the option, other films are refused."),
+                            "with automatic cells are repeated until they reach the project's "
+                            "wanted error (film.wanted_error_mm), too. With the option, other "
+                            "films are refused."),
              QStringLiteral("print")});
         syntax.addOption({workOption,
                           QStringLiteral("The limit for smaller cells: film points times steps of "
@@ -347,8 +352,9 @@ public:
                           QStringLiteral("N")});
         syntax.addOption(
             {motionOption,
-             QStringLiteral("A text template whose {names} are filled in for motion-N.gcode; or "
-                            "linuxcnc, grbl or marlin: the program's own for dips on a path."),
+             QStringLiteral(
+                 "A text template whose {names} are filled in for motion-N.gcode; or "
+                 "linuxcnc, grbl or marlin: the program's own template for dips on a path."),
              QStringLiteral("FILE")});
         syntax.addOption(
             {outputsOption,

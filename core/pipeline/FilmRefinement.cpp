@@ -90,8 +90,10 @@ QStringList refinementNotes(const JobResult& result) {
             const bool isPrintable = !wantedCell(dip.verdict, film);
             notes.append(
                 (isPrintable
-                     ? Text::tr("%1: cells of %2 mm might reach the wanted error, but would need "
-                                "about %3 million points × steps; the project allows %4 million.")
+                     ? Text::tr(
+                           "%1: the sheet can be printed, but its numerical error is above the "
+                           "wanted error. Cells of %2 mm might reach it, with about %3 million "
+                           "points × steps; the project allows %4 million (Film > Work limit).")
                      : Text::tr("%1: cells of %2 mm might be small enough to print the sheet, but "
                                 "would need about %3 million points × steps; the project allows "
                                 "%4 million. Raise this limit (Film > Work limit), or turn the "

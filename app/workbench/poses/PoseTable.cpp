@@ -44,12 +44,23 @@ QString posesText(const RankedPoses& poses) {
     return lines.join(QLatin1Char('\n'));
 }
 
+// Whether the job would repeat a dip with smaller cells, so that the verdict is only expected.
+bool isExpected(const RankedPoses& poses) {
+    return std::any_of(poses.verdicts.begin(), poses.verdicts.end(), [](const Verdict& verdict) {
+        return std::any_of(verdict.reasons.begin(), verdict.reasons.end(),
+                           [](const VerdictReason& reason) {
+                               return reason.kind == VerdictReason::Kind::Refined;
+                           });
+    });
+}
+
 // Returns the verdict on confirmed poses and, if they cannot simply be printed, its worst reason.
 QString adviceOn(const RankedPoses& poses) {
     if (poses.advice() == Advice::NotJudged) {
         return {};
     }
-    QString text = adviceText(poses.advice());
+    const QString advice = adviceText(poses.advice());
+    const QString text = isExpected(poses) ? PoseTable::tr("%1 (expected)").arg(advice) : advice;
     for (const Verdict& verdict : poses.verdicts) {
         if (verdict.advice == poses.advice() && verdict.advice != Advice::Print &&
             !verdict.reasons.empty()) {

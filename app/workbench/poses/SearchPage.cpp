@@ -139,7 +139,7 @@ QWidget* SearchPage::makeProgress() {
     row->addWidget(stop_);
     row->addWidget(progress_, 1);
     note_->setWordWrap(true);
-    note_->setText(tr("The project has changed since this search."));
+    note_->setText(tr("The project has changed since this search. Search again."));
     note_->hide();
     auto* page = new QWidget;
     auto* layout = new QVBoxLayout(page);

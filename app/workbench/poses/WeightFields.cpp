@@ -89,8 +89,8 @@ WeightFields::Row WeightFields::makeRow(Measure measure) {
     row.isLimited->setObjectName(QStringLiteral("limited_") + measureKey(measure));
     row.isLimited->setText(isHigherBetter(measure) ? QStringLiteral("≥") : QStringLiteral("≤"));
     row.isLimited->setAccessibleName(tr("Limit of %1").arg(measureName(measure)));
-    row.isLimited->setToolTip(
-        tr("Poses that violate this limit rank below all poses that keep it."));
+    row.isLimited->setToolTip(tr("Of poses with the same verdict, those that miss this limit rank "
+                                 "below those that keep it."));
     row.limit->setRange(0, scale.most);
     row.limit->setDecimals(scale.factor == 1 ? 2 : 1);
     row.limit->setSuffix(scale.suffix);

@@ -25,9 +25,9 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
     case Kind::NothingAlike:
         return Text::tr(
             "The numerical error is not known, because this dip and the coarser dips for "
-            "comparison paint no place in common. Set smaller cells (Film > Cells).");
+            "comparison paint no place in common. Set smaller cells (Film > Resolution).");
     case Kind::Certain:
-        return Text::tr("Numerical error: at most %1 on 95 % of the sheet.")
+        return Text::tr("Numerical error: at most %1 on 95 % of the painted area.")
             .arg(length(reason.value));
     case Kind::OffBy:
         if (reason.most == 0) {
@@ -36,8 +36,10 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
                 .arg(length(reason.value), length(reason.limit));
         }
         if (cellToSet(reason.most) >= leastFilmCell) {
-            return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit "
-                            "is %2. Set Film > Cells to %3, turn the part, or dip it twice.")
+            return Text::tr(
+                       "Numerical error: at most %1 on 95 % of the painted area; the limit "
+                       "is %2. Set cells of %3 (Film > Resolution > Cell size), turn the part, "
+                       "or dip it twice.")
                 .arg(length(reason.value), length(reason.limit), length(cellToSet(reason.most)));
         }
         return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
@@ -46,7 +48,7 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
     case Kind::OffByMuch:
         return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
                         "Turn the part, dip it twice, or set much smaller cells or more points "
-                        "(Film > Cells).")
+                        "(Film > Resolution).")
             .arg(length(reason.value), length(reason.limit));
     case Kind::Step:
         return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
@@ -60,14 +62,15 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
     case Kind::Border:
         return Text::tr("The border of the painted area is uncertain: with other cells or steps, "
                         "%1 % of the part changes between painted and unpainted. Set smaller cells "
-                        "(Film > Cells).")
+                        "(Film > Resolution).")
             .arg(percent(reason.value));
     case Kind::Unbalanced:
         return Text::tr("In %1 steps of the dip, the film did not converge; the residual force was "
-                        "up to %2 % of the elastic force. Set smaller cells (Film > Cells).")
+                        "up to %2 % of the elastic force. Set smaller cells (Film > Resolution).")
             .arg(QLocale().toString(qlonglong(reason.value)), percent(reason.most));
     case Kind::Refined:
-        return Text::tr("The dip is repeated with film cells of %1 to reduce the numerical error.")
+        return Text::tr("This verdict is expected: the run repeats the dip with film cells of %1 "
+                        "and judges it again.")
             .arg(length(reason.value));
     default:
         return {};
@@ -122,7 +125,8 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
             .arg(percent(reason.value), percent(reason.limit));
     case Kind::ZoneExceeded:
         return Text::tr("Handling and numerical error together: at most ±%1 on 95 % of the painted "
-                        "area; the limit is ±%2. Reduce the largest contributor, or turn the part.")
+                        "area; the limit is ±%2. Reduce the largest cause that the results list "
+                        "under Tolerances, or turn the part.")
             .arg(length(reason.value), length(reason.limit));
     case Kind::NoPicture:
         return Text::tr("The model has no texture and no artwork: one plain colour is printed.");

@@ -87,7 +87,7 @@ private slots:
     // In zone C, the unmarked area, the numerical error may be a third of 1.5 mm.
     void verdictText_coarseFilm_namesTheSettingToChange() {
         QVERIFY(verdictTextOf(0.75, false).contains(QStringLiteral("Film > Points")));
-        QVERIFY(verdictTextOf(0.75, true).contains(QStringLiteral("Set Film > Cells to 0.66 mm")));
+        QVERIFY(verdictTextOf(0.75, true).contains(QStringLiteral("Set cells of 0.66 mm")));
         for (const bool isGraded : {false, true}) {
             const QString line = verdictTextOf(4, isGraded);
             QVERIFY2(line.startsWith(QStringLiteral("Top: Do not print")), qPrintable(line));
@@ -103,7 +103,7 @@ private slots:
             needsCell.reasons = {
                 {VerdictReason::Kind::OffBy, Advice::CheckFirst, 1, 0.5, {}, cell}};
             const QString text = verdictText(QStringLiteral("Top"), needsCell);
-            QCOMPARE(text.contains(QStringLiteral("Set Film > Cells to")), cell == 0.2);
+            QCOMPARE(text.contains(QStringLiteral("Set cells of")), cell == 0.2);
             QCOMPARE(text.contains(QStringLiteral("Turn the part, or dip it twice.")),
                      cell == 0.09);
         }
