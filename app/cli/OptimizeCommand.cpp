@@ -92,6 +92,11 @@ void printRanking(const SearchResult& result, const SearchSettings& settings, QT
                        .arg(rank + 1)
                        .arg(verdictText(poses.immersions[dip].name, poses.verdicts[dip]));
         }
+        if (!poses.together.reasons.empty()) {
+            out << QStringLiteral("Rank %1, %2\n")
+                       .arg(rank + 1)
+                       .arg(verdictText(QStringLiteral("all dips"), poses.together));
+        }
     }
     const auto reasons = [&](const RankedPoses& one, const RankedPoses& other) {
         return reasonText(differences(one, other, settings, result.equator));

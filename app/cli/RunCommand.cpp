@@ -175,13 +175,16 @@ void printSummary(const JobResult& result, QTextStream& out) {
             printTolerances(result.tolerances->dips[i], out);
         }
         const DippedFilm& film = immersion.laid->film();
-        out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the part, %4 steps in %5 s, "
+        out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the part, %4 steps%5, "
                               "coverage %6 %, read-back error of the texture %7 mm (95 %)\n")
                    .arg(immersion.immersion.name)
                    .arg(film.grid.columns)
                    .arg(film.grid.rows)
                    .arg(film.steps)
-                   .arg(number(film.wallSeconds, 2), number(100 * immersion.coverage->share, 1),
+                   .arg(film.wallSeconds > 0
+                            ? QStringLiteral(" in %1 s").arg(number(film.wallSeconds, 2))
+                            : QString(),
+                        number(100 * immersion.coverage->share, 1),
                         number(immersion.readBack->percentile95, 3),
                         number(film.grid.leastSpacing(), 2));
     }
@@ -461,14 +464,17 @@ private:
         return verdictToCompare(result);
     }
 
-    // Does the same, but writes only the outputs of --outputs. Uses dips that the window has
-    // cached.
+    // Does the same, but writes only the outputs of --outputs. Uses cached dips, except with
+    // --no-certainty.
     static Advice runForOutputs(const Project& project, const QString& path, const QString& folder,
                                 const SolverRegistry& registry, const JobOptions& options,
                                 const QCommandLineParser& parser, const Progress& progress,
                                 QTextStream& out) {
         outputsNamed(project, parser.value(outputsOption)); // throws Error before the job
-        const auto cached = usableDips(project, registry, path, progress.silent());
+        // Cached films may be refined, and are judged.
+        const auto cached = options.estimatesNumericalError
+                                ? usableDips(project, registry, path, progress.silent())
+                                : nullptr;
         const JobResult result =
             runJob(project, registry, options, cached.get(), progress.part(0, 0.85));
         printSummary(result, out);

@@ -37,6 +37,17 @@ QByteArrayView bytesOf(const std::vector<Value>& values) {
     return {reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(Value))};
 }
 
+// Returns a hash of what marks can name: the material of each triangle, and the materials' names.
+QString materialsHash(const TexturedMesh& model) {
+    Sha256 hash;
+    hash.add(bytesOf(model.material));
+    for (const Material& material : model.materials) {
+        hash.add(material.name.toUtf8());
+        hash.add(QByteArrayView("\0", 1));
+    }
+    return QString::fromLatin1(hash.result().toHex());
+}
+
 // Computes each dip's key: a hash of everything that the dip depends on (DipInputs), including the
 // versions of program and solver.
 class DipKeys {
@@ -55,11 +66,13 @@ public:
                    {QStringLiteral("film"), values[QLatin1String("film")]},
                    {QStringLiteral("process"), process},
                    {QStringLiteral("field"), project.fieldResolution}};
-        if (isRefinable(project.film)) { // the limits decide how far the film is refined
+        if (isRefinable(project.film)) { // RefinementInputs
             const QJsonObject tolerance = values[QLatin1String("tolerance")].toObject();
             for (const char* key : {"limits_mm", "marks"}) {
                 common_[QLatin1String(key)] = tolerance[QLatin1String(key)];
             }
+            common_[QStringLiteral("masks")] = values[QLatin1String("masks")];
+            common_[QStringLiteral("materials")] = materialsHash(*project.model);
         }
     }
 

@@ -45,7 +45,7 @@ DipInputs dipInputs(const Project& project, std::size_t number, const QString& s
     inputs.process.solver.clear();
     const bool isDraft = project.film.refinement < 1;
     if (isRefinable(project.film) && !isDraft) {
-        inputs.refinement = {project.tolerance.limits, project.tolerance.marks};
+        inputs.refinement = {project.tolerance.limits, project.tolerance.marks, project.masks};
     }
     return inputs;
 }

@@ -58,10 +58,12 @@ struct PaintInputs {
     bool operator==(const PaintInputs&) const = default;
 };
 
-// The limits of the numerical error, which decide how far a film is refined.
+// What decides how far a film is refined: the limits of the numerical error, and the surface that
+// is not judged.
 struct RefinementInputs {
     std::array<Millimetres, zoneCount> limits;
     std::vector<ZoneMark> marks;
+    std::vector<MaskMark> masks;
     bool operator==(const RefinementInputs&) const = default;
 };
 

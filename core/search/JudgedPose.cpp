@@ -262,6 +262,29 @@ std::vector<std::uint8_t> JudgedBody::painters(const std::vector<const JudgedPos
     return painters;
 }
 
+Verdict JudgedBody::unpainted(const std::vector<const JudgedPose*>& dips,
+                              const PoseMeasures& measures, const VerdictSettings& limits) const {
+    ReasonList reasons;
+    if (dips.size() > 1) {
+        reasons.addShare(VerdictReason::Kind::Unreached, 1 - measures[Measure::Coverage],
+                         limits.unreached);
+    }
+    if (zoned_) {
+        const std::vector<std::uint8_t> painters = this->painters(dips);
+        std::array<double, zoneCount> all{}, bare{};
+        for (std::size_t index = 0; index < samples_.size(); ++index) {
+            all[std::size_t(zones_[index])] += 1;
+            bare[std::size_t(zones_[index])] += painters[index] == 0 ? 1 : 0;
+        }
+        for (const Zone zone : {Zone::A, Zone::B}) {
+            reasons.addShare(VerdictReason::Kind::ZoneBare,
+                             bare[std::size_t(zone)] / std::max(all[std::size_t(zone)], 1.0),
+                             limits.zoneBare, zone);
+        }
+    }
+    return std::move(reasons).verdict();
+}
+
 std::vector<double> JudgedBody::paleShares(const std::vector<const JudgedPose*>& dips) const {
     const std::vector<std::uint8_t> painters = this->painters(dips);
     std::vector<double> shares;

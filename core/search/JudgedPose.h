@@ -80,6 +80,10 @@ public:
     // Measures one or two dips together, in this order. Each place counts for the dip that paints
     // it better.
     PoseMeasures measures(const std::vector<const JudgedPose*>& dips) const;
+    // Returns the part of the job's verdict on all dips together that is about unpainted surface:
+    // of the whole body for two dips, and of marked zones. `measures` are those of `dips`.
+    Verdict unpainted(const std::vector<const JudgedPose*>& dips, const PoseMeasures& measures,
+                      const VerdictSettings& limits) const;
     // Returns, for each of one or two dips, the share of its painted places that will be too pale.
     // A place counts only for the dip that paints it better. A dip needs JudgedPose::pale.
     std::vector<double> paleShares(const std::vector<const JudgedPose*>& dips) const;

@@ -139,15 +139,19 @@ bool isBetterToConfirm(const Entry& one, const Entry& other) {
     return rating(one) > rating(other);
 }
 
-// Compares poses. Confirmed poses are compared by their verdicts, and a sheet that needs more work
-// counts less.
+// Compares poses. Confirmed poses are compared by the verdicts on their sheets, then by what no dip
+// paints, and a sheet that needs more work counts less.
 bool isBetter(const Entry& one, const Entry& other) {
     if (refusal(one) != refusal(other)) {
         return refusal(one) < refusal(other);
     }
-    if (one.ranked.isConfirmed && other.ranked.isConfirmed &&
-        one.ranked.advice() != other.ranked.advice()) {
-        return one.ranked.advice() < other.ranked.advice();
+    if (one.ranked.isConfirmed && other.ranked.isConfirmed) {
+        const auto advice = [](const Entry& entry) {
+            return std::pair(entry.ranked.advice(), entry.ranked.together.advice);
+        };
+        if (advice(one) != advice(other)) {
+            return advice(one) < advice(other);
+        }
     }
     if (one.ranked.limitsMissed != other.ranked.limitsMissed) {
         return one.ranked.limitsMissed < other.ranked.limitsMissed;
@@ -534,6 +538,8 @@ private:
         }
         entry.ranked.isConfirmed = isConfirmed;
         if (isConfirmed) {
+            entry.ranked.together =
+                body_.unpainted(judged, entry.ranked.measures, subject_.verdict);
             const std::vector<double> pale = body_.paleShares(judged);
             for (std::size_t number = 0; number < dips.size(); ++number) {
                 entry.ranked.verdicts.push_back(

@@ -29,11 +29,12 @@ struct RankedPoses {
     bool isConfirmed = false;      // dipped with the job's own film
     bool areOwn = false;           // the job's own poses, which take part in the ranking
     std::vector<Verdict> verdicts; // on each dip; empty if not confirmed
+    Verdict together;              // on all dips together: what none of them paints
     // One for each dip; null if that dip failed. Only confirmed poses in the first three ranks keep
     // their films; for all others this is empty.
     std::vector<std::shared_ptr<const JobFilms>> films;
 
-    // Returns the worst of the verdicts.
+    // Returns the worst of the verdicts on the dips.
     Advice advice() const;
 };
 

@@ -56,14 +56,16 @@ bool isExpected(const RankedPoses& poses) {
 
 // Returns the verdict on confirmed poses and, if they cannot simply be printed, its worst reason.
 QString adviceOn(const RankedPoses& poses) {
-    if (poses.advice() == Advice::NotJudged) {
+    if (poses.verdicts.empty()) {
         return {};
     }
-    const QString advice = adviceText(poses.advice());
+    const Advice worst = std::max(poses.advice(), poses.together.advice);
+    const QString advice = adviceText(worst);
     const QString text = isExpected(poses) ? PoseTable::tr("%1 (expected)").arg(advice) : advice;
-    for (const Verdict& verdict : poses.verdicts) {
-        if (verdict.advice == poses.advice() && verdict.advice != Advice::Print &&
-            !verdict.reasons.empty()) {
+    std::vector<Verdict> verdicts = poses.verdicts;
+    verdicts.push_back(poses.together);
+    for (const Verdict& verdict : verdicts) {
+        if (verdict.advice == worst && worst != Advice::Print && !verdict.reasons.empty()) {
             return PoseTable::tr("%1: %2").arg(text,
                                                reasonText(verdict.reasons.front(), millimetres));
         }

@@ -173,6 +173,24 @@ private slots:
         QCOMPARE(cachedDips(changed, *registry_, path_, {}) != nullptr, isSame);
     }
 
+    // The verdict does not judge masked surface, so masks decide how far a film is refined.
+    void cachedDips_automaticCellsAndOtherMasksOrMaterials_areNotFound() {
+        Project automatic = job_;
+        automatic.film.resolution = FilmResolution::Automatic;
+        JobOptions options;
+        options.refines = false;
+        options.draftPictures = 0.1;
+        cacheDips(runJob(automatic, *registry_, options, nullptr, {}), path_);
+        QVERIFY(cachedDips(automatic, *registry_, path_, {}));
+        Project masked = automatic;
+        masked.masks.emplace_back().path.emplace_back();
+        QVERIFY(!cachedDips(masked, *registry_, path_, {}));
+        auto renamed = std::make_shared<TexturedMesh>(*job_.model);
+        renamed->materials.front().name += QLatin1Char('2');
+        automatic.model = renamed;
+        QVERIFY(!cachedDips(automatic, *registry_, path_, {}));
+    }
+
     void cachedDips_otherBody_areNotFound() {
         cacheDips(result_, path_);
         auto dented = std::make_shared<TexturedMesh>(*job_.model);

@@ -1,4 +1,4 @@
-// Tests which dips of a search remain when it ends early.
+// Tests which dips of a search remain when it ends early, and the verdict on what they leave bare.
 #include "search/PoseDips.h"
 #include "SearchSubjects.h"
 #include "TestFolders.h"
@@ -39,6 +39,22 @@ private slots:
     void initTestCase() {
         QStandardPaths::setTestModeEnabled(true);
         registry_ = std::make_unique<SolverRegistry>(QStringList{pluginFolder()});
+    }
+
+    void unpainted_onlyTwoDipsMustReachTheWholeBody() {
+        JudgedPose half;
+        half.samples.resize(body_.places() / 2);
+        half.samples.resize(body_.places(), {4096, 4096, 0});
+        body_.complete(half);
+        const auto adviceOn = [&](const std::vector<const JudgedPose*>& dips, double limit) {
+            VerdictSettings limits;
+            limits.unreached = limit;
+            return body_.unpainted(dips, body_.measures(dips), limits).advice;
+        };
+        QCOMPARE(adviceOn({&half}, 0.05), Advice::Print);
+        QCOMPARE(adviceOn({&half, &half}, 0.6), Advice::Print);
+        QCOMPARE(adviceOn({&half, &half}, 0.4), Advice::CheckFirst);
+        QCOMPARE(adviceOn({&half, &half}, 0.05), Advice::DoNotPrint);
     }
 
     // When the second batch is told of, it is simulated, but not judged.
