@@ -1,5 +1,6 @@
 #include "pipeline/JobVerdict.h"
 
+#include "accuracy/verdict/BareZones.h"
 #include "dip/TankFit.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
@@ -10,6 +11,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
 
 namespace dipwright {
 namespace {
@@ -22,38 +24,23 @@ using Kind = VerdictReason::Kind;
 
 constexpr double bareSamples = 20'000; // number of points on the body
 
-// Returns the share of each zone that no dip paints, 0 … 1.
-std::array<double, zoneCount> bareZones(const JobResult& result, const ZonedBody& zones) {
+// Adds reasons for marked zones that are not painted. Kind::Unreached judges the rest of the body.
+void addBareZones(ReasonList& found, const JobResult& result, const ZonedBody& zoned) {
     const TriangleMesh& mesh = result.project.model->mesh;
     std::vector<SurfacePoint> places = evenSamples(mesh, surfaceArea(mesh) / bareSamples);
     if (result.mask) {
         std::erase_if(places, [&](const auto& place) { return result.mask->covers(place); });
     }
+    std::vector<Zone> zones;
+    std::transform(places.begin(), places.end(), std::back_inserter(zones),
+                   [&](const SurfacePoint& place) { return zoned.at(place); });
     std::vector<std::uint8_t> isPainted(places.size());
     parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
         for (const ImmersionResult& dip : result.immersions) {
             isPainted[i] |= dip.laid->place(places[i]).has_value();
         }
     });
-    std::array<double, zoneCount> all{}, bare{};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto zone = std::size_t(zones.at(places[i]));
-        all[zone] += 1;
-        bare[zone] += isPainted[i] ? 0 : 1;
-    }
-    for (std::size_t zone = 0; zone < zoneCount; ++zone) {
-        bare[zone] = all[zone] > 0 ? bare[zone] / all[zone] : 0;
-    }
-    return bare;
-}
-
-// Adds reasons for marked zones that are not painted. Kind::Unreached judges the rest of the body.
-void addBareZoneReasons(ReasonList& found, const JobResult& result, const ZonedBody& zones) {
-    const std::array<double, zoneCount> bare = bareZones(result, zones);
-    for (const Zone zone : {Zone::A, Zone::B}) {
-        found.addShare(Kind::ZoneBare, bare[std::size_t(zone)], result.project.verdict.zoneBare,
-                       zone);
-    }
+    addBareZoneReasons(found, zones, isPainted, result.project.verdict.zoneBare);
 }
 
 void addHandlingReasons(ReasonList& found, const JobTolerances& tolerances) {
@@ -126,7 +113,7 @@ Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
         found.addShare(Kind::Narrow, result.share->narrow, limits.narrow);
     }
     if (zones) {
-        addBareZoneReasons(found, result, *zones);
+        addBareZones(found, result, *zones);
     }
     if (result.tolerances) {
         addHandlingReasons(found, *result.tolerances);

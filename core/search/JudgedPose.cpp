@@ -1,5 +1,6 @@
 #include "search/JudgedPose.h"
 
+#include "accuracy/verdict/BareZones.h"
 #include "base/Error.h"
 #include "dip/TrappedAir.h"
 #include "geometry/SurfaceSamples.h"
@@ -270,17 +271,7 @@ Verdict JudgedBody::unpainted(const std::vector<const JudgedPose*>& dips,
                          limits.unreached);
     }
     if (zoned_) {
-        const std::vector<std::uint8_t> painters = this->painters(dips);
-        std::array<double, zoneCount> all{}, bare{};
-        for (std::size_t index = 0; index < samples_.size(); ++index) {
-            all[std::size_t(zones_[index])] += 1;
-            bare[std::size_t(zones_[index])] += painters[index] == 0 ? 1 : 0;
-        }
-        for (const Zone zone : {Zone::A, Zone::B}) {
-            reasons.addShare(VerdictReason::Kind::ZoneBare,
-                             bare[std::size_t(zone)] / std::max(all[std::size_t(zone)], 1.0),
-                             limits.zoneBare, zone);
-        }
+        addBareZoneReasons(reasons, zones_, painters(dips), limits.zoneBare);
     }
     return std::move(reasons).verdict();
 }

@@ -80,8 +80,8 @@ public:
     // Measures one or two dips together, in this order. Each place counts for the dip that paints
     // it better.
     PoseMeasures measures(const std::vector<const JudgedPose*>& dips) const;
-    // Returns the part of the job's verdict on all dips together that is about unpainted surface:
-    // of the whole body for two dips, and of marked zones. `measures` are those of `dips`.
+    // Judges as the job does what no dip paints: of the whole body if there are two dips, and of
+    // each marked zone. `measures`: the result of measures(dips).
     Verdict unpainted(const std::vector<const JudgedPose*>& dips, const PoseMeasures& measures,
                       const VerdictSettings& limits) const;
     // Returns, for each of one or two dips, the share of its painted places that will be too pale.
