@@ -58,11 +58,18 @@ QString posesText(const RankedPoses& ranked) {
     return poses.join(QStringLiteral(" and "));
 }
 
+// Returns the width of a column of the table, which is headed by the name that --weight and --limit
+// take.
+int columnWidth(Measure measure) {
+    return std::max(9, int(measureKey(measure).size()));
+}
+
 // Prints one row for these poses, with a column for each measure.
 void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) {
     out << QStringLiteral("%1  %2").arg(name, 7).arg(100 * ranked.objective, 9, 'f', 2);
     for (const Measure measure : allMeasures()) {
-        out << QStringLiteral("  %1").arg(measureText(measure, ranked.measures[measure]), 9);
+        out << "  "
+            << measureText(measure, ranked.measures[measure]).rightJustified(columnWidth(measure));
     }
     out << "  " << posesText(ranked) << (ranked.limitsMissed > 0 ? "  misses a limit" : "")
         << (ranked.tankFaults.isEmpty() ? "" : "  exceeds a limit of the tank")
@@ -71,8 +78,11 @@ void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) 
 }
 
 void printRanking(const SearchResult& result, const SearchSettings& settings, QTextStream& out) {
-    out << "   Rank  objective    quality   coverage    stretch   unmarked   wrinkled       torn   "
-           "     air       seam     narrow  film used  rotation about X, Y, Z\n";
+    out << "   Rank  objective";
+    for (const Measure measure : allMeasures()) {
+        out << "  " << measureKey(measure).rightJustified(columnWidth(measure));
+    }
+    out << "  rotation about X, Y, Z\n";
     const std::size_t shown = std::min(result.ranking.size(), shownPoses);
     for (std::size_t rank = 0; rank < shown; ++rank) {
         printRow(QString::number(rank + 1), result.ranking[rank], out);

@@ -65,7 +65,8 @@ void bindSearch(py::module_& module) {
                                "0 to 1, lengths mm.")
         .def_property_readonly(
             "advice", [](const RankedPoses& poses) { return adviceKey(poses.advice()); },
-            "The worst verdict on its dips, without ink; \"not_judged\" if not confirmed.")
+            "The worst verdict on its dips and on all of them together; \"not_judged\" if not\n"
+            "confirmed.")
         .def_readonly("confirmed", &RankedPoses::isConfirmed,
                       "Whether it was simulated with the job's own film.")
         .def_readonly("limits_missed", &RankedPoses::limitsMissed, "0 if all limits are kept.")

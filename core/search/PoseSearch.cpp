@@ -65,7 +65,7 @@ bool exceedsTank(const Entry& entry) {
 }
 
 bool canBePrinted(const Entry& entry) {
-    return entry.ranked.advice() == Advice::Print;
+    return entry.ranked.adviceOnDips() == Advice::Print;
 }
 
 bool isRepeated(const Judged& dip) {
@@ -89,7 +89,7 @@ Advice predictedAdvice(const Entry& entry) {
 // Whether the sheets must not be printed: by their verdicts if the poses are confirmed, otherwise
 // by the prediction.
 bool isForbidden(const Entry& entry) {
-    return (entry.ranked.isConfirmed ? entry.ranked.advice() : predictedAdvice(entry)) ==
+    return (entry.ranked.isConfirmed ? entry.ranked.adviceOnDips() : predictedAdvice(entry)) ==
            Advice::DoNotPrint;
 }
 
@@ -147,7 +147,7 @@ bool isBetter(const Entry& one, const Entry& other) {
     }
     if (one.ranked.isConfirmed && other.ranked.isConfirmed) {
         const auto advice = [](const Entry& entry) {
-            return std::pair(entry.ranked.advice(), entry.ranked.together.advice);
+            return std::pair(entry.ranked.adviceOnDips(), entry.ranked.together.advice);
         };
         if (advice(one) != advice(other)) {
             return advice(one) < advice(other);
@@ -1215,12 +1215,16 @@ SearchShard searchShard(const SearchSubject& subject, const SearchSettings& sett
     return part;
 }
 
-Advice RankedPoses::advice() const {
+Advice RankedPoses::adviceOnDips() const {
     Advice advice = Advice::NotJudged;
     for (const Verdict& verdict : verdicts) {
         advice = std::max(advice, verdict.advice);
     }
     return advice;
+}
+
+Advice RankedPoses::advice() const {
+    return std::max(adviceOnDips(), together.advice);
 }
 
 std::vector<MeasureDifference> differences(const RankedPoses& poses, const RankedPoses& others,

@@ -34,7 +34,9 @@ struct RankedPoses {
     // their films; for all others this is empty.
     std::vector<std::shared_ptr<const JobFilms>> films;
 
-    // Returns the worst of the verdicts on the dips.
+    // Returns the worst of the verdicts on the dips alone.
+    Advice adviceOnDips() const;
+    // Returns the worst of all verdicts, also of the one on all dips together.
     Advice advice() const;
 };
 

@@ -3,10 +3,12 @@
 #include "search/JudgedPose.h"
 
 #include "base/Error.h"
+#include "base/Sha256.h"
 
 #include <QCoreApplication>
 #include <QDataStream>
 #include <QIODevice>
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -18,7 +20,8 @@ struct Text {
 };
 
 constexpr quint32 signature = 0x44505350; // "DPSP"
-constexpr qint32 partVersion = 3;
+constexpr qint32 partVersion = 4;
+constexpr qsizetype hashBytes = 32; // SHA-256 of all other bytes, at the end
 constexpr int longestKey = 64, mostParts = 1000;
 constexpr qint32 mostPoses = 2000, mostSamples = 100'000;
 constexpr qsizetype mostBytes = 2'000'000'000;
@@ -100,7 +103,7 @@ QByteArray shardFile(const SearchShard& shard) {
     for (const auto& pose : shard.poses) {
         write(out, *pose);
     }
-    return body;
+    return body + sha256(body);
 }
 
 bool isShardFile(const QByteArray& file) {
@@ -113,13 +116,19 @@ SearchShard shardFromFile(const QByteArray& file, const QString& where) {
     if (file.size() > mostBytes) {
         throw damaged(where);
     }
-    QDataStream in(file);
+    const QByteArray body = file.chopped(std::min(hashBytes, file.size()));
+    QDataStream in(body);
     in.setVersion(QDataStream::Qt_6_0);
     quint32 found = 0;
     qint32 version = 0, number = 0, count = 0, poses = 0;
     SearchShard shard;
     in >> found >> version;
-    if (found != signature || version != partVersion) {
+    if (found == signature && in.status() == QDataStream::Ok && version != partVersion) {
+        throw Error(Text::tr("This part of a pose search is from another version of the program; "
+                             "create it again with --shard"),
+                    where);
+    }
+    if (found != signature || sha256(body) != file.last(std::min(hashBytes, file.size()))) {
         throw damaged(where);
     }
     in >> shard.key >> number >> count >> poses;

@@ -59,7 +59,7 @@ QString adviceOn(const RankedPoses& poses) {
     if (poses.verdicts.empty()) {
         return {};
     }
-    const Advice worst = std::max(poses.advice(), poses.together.advice);
+    const Advice worst = poses.advice();
     const QString advice = adviceText(worst);
     const QString text = isExpected(poses) ? PoseTable::tr("%1 (expected)").arg(advice) : advice;
     std::vector<Verdict> verdicts = poses.verdicts;

@@ -57,6 +57,34 @@ private slots:
         QVERIFY2(merged.err.contains("each of the 2 result files"), merged.err);
     }
 
+    void optimizeMerge_changedPart_isRefused_data() {
+        QTest::addColumn<qsizetype>("place"); // of the changed byte; negative: from the end
+        QTest::addColumn<QByteArray>("sentence");
+        QTest::newRow("number in a dip") << qsizetype(-1000) << QByteArray("is damaged");
+        QTest::newRow("last byte") << qsizetype(-1) << QByteArray("is damaged");
+        QTest::newRow("signature") << qsizetype(0) << QByteArray("no part of a pose search");
+        QTest::newRow("version") << qsizetype(7) << QByteArray("another version of the program");
+    }
+    void optimizeMerge_changedPart_isRefused() {
+        QFETCH(const qsizetype, place);
+        QFETCH(const QByteArray, sentence);
+        QFile part(path(QStringLiteral("part1")));
+        QVERIFY(part.open(QIODevice::ReadOnly));
+        QByteArray bytes = part.readAll();
+        char& changed = bytes.data()[place < 0 ? bytes.size() + place : place];
+        changed = char(changed ^ 1);
+        QFile copy(path(QStringLiteral("changed")));
+        QVERIFY(copy.open(QIODevice::WriteOnly));
+        QCOMPARE(copy.write(bytes), bytes.size());
+        copy.close();
+        const Outcome merged =
+            cli(search(QStringLiteral("parts.dipw")) << "--merge" << path(QStringLiteral("changed"))
+                                                     << "--merge" << path(QStringLiteral("part2")));
+        QCOMPARE(merged.exitCode, 1);
+        QCOMPARE(merged.errorLines().size(), 1);
+        QVERIFY2(merged.err.contains(sentence), merged.err);
+    }
+
     void optimizeShard_outIsNoPart_isKept() {
         const QString project = path(QStringLiteral("kept.dipw"));
         QVERIFY(QFile::copy(sampleFolder("/tetrahedron.dipw"), project));

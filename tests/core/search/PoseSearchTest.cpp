@@ -177,8 +177,8 @@ private slots:
             const RankedPoses &better = once.ranking[rank - 1], &worse = once.ranking[rank];
             QVERIFY(better.isConfirmed || !worse.isConfirmed);
             if (better.isConfirmed == worse.isConfirmed) {
-                QVERIFY(better.advice() < worse.advice() ||
-                        (better.advice() == worse.advice() && better.objective >= worse.objective));
+                QVERIFY(better.adviceOnDips() < worse.adviceOnDips() ||
+                        (better.adviceOnDips() == worse.adviceOnDips() && better.objective >= worse.objective));
             }
         }
         // Further poses are confirmed only while no sheet can be printed.
@@ -186,8 +186,8 @@ private slots:
             std::count_if(once.ranking.begin(), once.ranking.end(),
                           [](const RankedPoses& poses) { return poses.isConfirmed; });
         QVERIFY(confirmed >= 1 && confirmed <= 3);
-        QVERIFY(confirmed == 1 || once.ranking[1].advice() != Advice::Print);
-        QVERIFY(once.ranking[0].advice() != Advice::NotJudged);
+        QVERIFY(confirmed == 1 || once.ranking[1].adviceOnDips() != Advice::Print);
+        QVERIFY(once.ranking[0].adviceOnDips() != Advice::NotJudged);
         QVERIFY(once.isComplete);
         if (test::isWholeRun()) {
             compare(search(board_, settings), once);
@@ -208,12 +208,12 @@ private slots:
         const std::vector<RankedPoses> ranking = search(subject, settings).ranking;
         const auto forbidden =
             std::find_if(ranking.begin(), ranking.end(), [](const RankedPoses& each) {
-                return each.advice() == Advice::DoNotPrint;
+                return each.adviceOnDips() == Advice::DoNotPrint;
             });
         QVERIFY(forbidden != ranking.begin() && forbidden != ranking.end());
         QVERIFY(forbidden->objective > ranking.front().objective);
         QVERIFY(std::all_of(forbidden, ranking.end(), [](const RankedPoses& each) {
-            return !each.isConfirmed || each.advice() == Advice::DoNotPrint;
+            return !each.isConfirmed || each.adviceOnDips() == Advice::DoNotPrint;
         }));
         const VerdictReason& reason = forbidden->verdicts.front().reasons.front();
         QCOMPARE(reason.advice, Advice::DoNotPrint);
@@ -258,7 +258,7 @@ private slots:
         QCOMPARE(std::distance(firstConfirmed, ranking.end()), std::ptrdiff_t(3));
         QVERIFY(firstConfirmed != ranking.begin());
         QVERIFY(std::all_of(firstConfirmed, ranking.end(), [](const RankedPoses& poses) {
-            return poses.advice() == Advice::DoNotPrint;
+            return poses.adviceOnDips() == Advice::DoNotPrint;
         }));
     }
 
@@ -286,7 +286,7 @@ private slots:
         SearchSubject subject = bowlThatMustVent();
         subject.film.columns = subject.film.rows = 73;
         const std::vector<RankedPoses> ranking = search(subject, settings).ranking;
-        QCOMPARE(ranking.front().advice(), Advice::Print);
+        QCOMPARE(ranking.front().adviceOnDips(), Advice::Print);
         const auto confirmed =
             std::count_if(ranking.begin(), ranking.end(),
                           [](const RankedPoses& poses) { return poses.isConfirmed; });
