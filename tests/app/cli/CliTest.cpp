@@ -471,6 +471,15 @@ private slots:
         QCOMPARE(info["immersions"].toArray().size(), 2);
         // Settings that apply only to the search are not saved.
         QCOMPARE(info["film"].toObject()["size_mm"].toArray(), (QJsonArray{210, 297}));
+
+        // A run takes over the dips that the search has cached, but without an estimate of the
+        // numerical error it dips again, because cached dips may be refined.
+        const QStringList again{"run",       path("best.dipw"), "--set", "film.size_mm=100x100",
+                                "--outputs", "sheet_png",       "--out", path("again")};
+        const QByteArray cached = cli(again).out;
+        QVERIFY2(cached.contains("steps") && !cached.contains("steps in"), cached);
+        const QByteArray dipped = cli(again + QStringList{"--no-certainty"}).out;
+        QVERIFY2(dipped.contains("NOT JUDGED") && dipped.contains("steps in"), dipped);
     }
 
     void run_verdictWorseThanRequired_exitCodeIsThree() {
