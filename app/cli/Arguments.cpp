@@ -132,11 +132,14 @@ void setByOption(Project& project, const QString& path, const QString& value,
     }
 }
 
-void declareSettings(CommandSyntax& syntax) {
+void declareSettings(CommandSyntax& syntax, bool areStored) {
     syntax.addOption({setOption,
                       QStringLiteral("Sets a value by its path in the project file, for example "
                                      "film.points=240x360 or immersions[0].rotation_deg=0;45;0. "
-                                     "May be repeated. The project file itself does not change."),
+                                     "May be repeated. %1")
+                          .arg(areStored ? QStringLiteral("The project file stores the value.")
+                                         : QStringLiteral("The value holds for this command only; "
+                                                          "the project file does not change.")),
                       QStringLiteral("PATH=VALUE")});
 }
 
@@ -201,6 +204,10 @@ void declareFilmImage(CommandSyntax& syntax) {
          QStringLiteral("The picture to print, stretched to the whole film, or the "
                         "built-in chessboard. The proof shows where it lands on the part."),
          QStringLiteral("chessboard|FILE")});
+}
+
+void declareChessboard(CommandSyntax& syntax, const QString& description) {
+    syntax.addOption({filmImageOption, description, QStringLiteral("chessboard")});
 }
 
 void applyFilmImage(JobOptions& options, const QCommandLineParser& parser) {

@@ -51,8 +51,9 @@ QString pictureOption(const QCommandLineParser& parser, const QString& option,
 void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option);
 
-// Declares --set PATH=VALUE, which may be repeated.
-void declareSettings(CommandSyntax& syntax);
+// Declares --set PATH=VALUE, which may be repeated. `areStored`: the command stores the values in a
+// project file.
+void declareSettings(CommandSyntax& syntax, bool areStored = false);
 // A value of the project by its path.
 struct Setting {
     QString path, value;
@@ -79,6 +80,8 @@ void printWarnings(const QStringList& warnings, QTextStream& out);
 
 // Declares and reads --film-image chessboard|FILE. Throws Error if the picture cannot be read.
 void declareFilmImage(CommandSyntax& syntax);
+// Declares --film-image chessboard with this description, for a film that is printed already.
+void declareChessboard(CommandSyntax& syntax, const QString& description);
 void applyFilmImage(JobOptions& options, const QCommandLineParser& parser);
 
 // Declares --threads N. At most N threads compute while the returned object exists.

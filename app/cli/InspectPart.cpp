@@ -164,7 +164,10 @@ void declarePart(CommandSyntax& syntax) {
                         "print are then searched for in the photos, starting from the pairs: chess "
                         "squares in its texture, or --film-image chessboard."),
          QStringLiteral("JOB.dipw")});
-    declareFilmImage(syntax);
+    declareChessboard(
+        syntax,
+        QStringLiteral("For `part`, `fit` and `built`: the film was printed with the built-in "
+                       "chessboard. Its corners are searched for, not those in the texture."));
     syntax.addOption(
         {keepOption,
          QStringLiteral(

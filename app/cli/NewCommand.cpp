@@ -236,7 +236,7 @@ public:
                  "refers to the model's middle, the height to its lowest point and the size to its "
                  "longest edge, all in mm."),
              QStringLiteral("FILE")});
-        declareSettings(syntax);
+        declareSettings(syntax, true);
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {

@@ -66,7 +66,7 @@ int columnWidth(Measure measure) {
 
 // Prints one row for these poses, with a column for each measure.
 void printRow(const QString& name, const RankedPoses& ranked, QTextStream& out) {
-    out << QStringLiteral("%1  %2").arg(name, 7).arg(100 * ranked.objective, 9, 'f', 2);
+    out << QStringLiteral("%1  %2 %").arg(name, 7).arg(100 * ranked.objective, 7, 'f', 2);
     for (const Measure measure : allMeasures()) {
         out << "  "
             << measureText(measure, ranked.measures[measure]).rightJustified(columnWidth(measure));
@@ -216,7 +216,7 @@ class OptimizeCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("optimize"); }
     QString summary() const override {
-        return QStringLiteral("Searches for dip poses and writes the best ones into the project.");
+        return QStringLiteral("Searches for dip poses and replaces the project's dips by the best.");
     }
 
     void declare(CommandSyntax& syntax) const override {
@@ -263,8 +263,8 @@ public:
         syntax.addOption(
             {limitOption,
              QStringLiteral("A limit, instead of the project's: the lowest value for quality, "
-                            "coverage and certain, the highest for every other "
-                            "measure. Shares are 0 to 1, stretch is a ratio, join is "
+                            "coverage and certain (film without faults), the highest for "
+                            "every other measure. Shares are 0 to 1, stretch is a ratio, join is "
                             "in mm. NAME=none removes the limit. May be repeated."),
              QStringLiteral("NAME=VALUE")});
         syntax.addOption(

@@ -14,6 +14,7 @@
 
 #include <QDir>
 #include <QRegularExpression>
+#include <optional>
 
 namespace dipwright::cli {
 namespace {
@@ -185,20 +186,19 @@ void writePlates(const JobResult& result, const PrintRequest& request, const QSt
     out << QStringLiteral("Wrote %1\n").arg(folder);
 }
 
-// Keeps only the dip that --immersion names.
-void chooseImmersion(Project& project, const QCommandLineParser& parser) {
-    if (parser.isSet(immersionOption)) {
-        const int count = int(project.immersions.size());
-        const int number = wholeNumberOption(parser, immersionOption, 1, count);
-        project.immersions = {project.immersions[std::size_t(number - 1)]};
+// Returns the index of the dip that --immersion names; none without the option.
+std::optional<std::size_t> chosenDip(const QCommandLineParser& parser, const Project& project) {
+    if (!parser.isSet(immersionOption)) {
+        return std::nullopt;
     }
+    return wholeNumberOption(parser, immersionOption, 1, int(project.immersions.size())) - 1;
 }
 
 // Returns the name of the file for the soft proof, or an empty string without --proof.
-QString proofFile(const QCommandLineParser& parser, const Project& project,
-                  const PrintTarget& target, const PrintRequest& request) {
+QString proofFile(const QCommandLineParser& parser, bool hasTwoSheets, const PrintTarget& target,
+                  const PrintRequest& request) {
     const QString proof = pictureOption(parser, proofOption, {".png"});
-    if (!(target.file + proof).isEmpty() && project.immersions.size() > 1) {
+    if (!(target.file + proof).isEmpty() && hasTwoSheets) {
         throw UsageError(QStringLiteral("The project has two sheets; choose one with --immersion"),
                          target.file + proof);
     }
@@ -283,8 +283,8 @@ public:
             return;
         }
         const ThreadLimit threads = threadLimit(parser);
-        Project project = projectArgument(parser);
-        chooseImmersion(project, parser);
+        const Project project = projectArgument(parser);
+        const std::optional<std::size_t> dip = chosenDip(parser, project);
         const QString plates = parser.value(platesOption);
         const bool isProofOnly = !plates.isEmpty() && !namesTarget(parser);
         const PrintTarget target = isProofOnly ? PrintTarget() : printTarget(parser);
@@ -292,7 +292,7 @@ public:
         if (!target.file.isEmpty()) {
             checkFileFirst(target.file, project, request);
         }
-        const QString proof = proofFile(parser, project, target, request);
+        const QString proof = proofFile(parser, !dip && project.immersions.size() > 1, target, request);
         if (!plates.isEmpty()) {
             plateColour(request, plates);
         }
@@ -307,12 +307,14 @@ public:
         const SolverRegistry registry;
         const Progress progress = console.progress();
         const auto kept = usableDips(project, registry, projectPath(parser), progress.silent());
-        const JobResult result =
-            runJob(project, registry, options, kept.get(), progress.part(0, 0.8));
+        JobResult result = runJob(project, registry, options, kept.get(), progress.part(0, 0.8));
         for (const QString& note : result.notes) {
             console.out() << note << '\n';
         }
         printVerdict(result, console.out());
+        if (dip) { // the other dip was needed, because the dips share the body's surface
+            result.immersions = {result.immersions[*dip]};
+        }
         for (const ImmersionResult& immersion : result.immersions) {
             printGamutShare(immersion.sheet, request, console.out());
         }

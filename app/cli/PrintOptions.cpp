@@ -39,7 +39,7 @@ void declarePrinterOnly(CommandSyntax& syntax) {
     syntax.addOption({printerOption, QStringLiteral("The printer's name in the system."),
                       QStringLiteral("NAME")});
     syntax.addOption({profileOption,
-                      QStringLiteral("The printer profile, instead of the project's own."),
+                      QStringLiteral("The printer profile, instead of the one in the project."),
                       QStringLiteral("NAME")});
     syntax.addOption(
         {otherPaperOption,

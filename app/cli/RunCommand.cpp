@@ -155,6 +155,21 @@ void printCradle(const QString& name, const Cradle& cradle, QTextStream& out) {
     }
 }
 
+void printFilm(const ImmersionResult& result, QTextStream& out) {
+    const DippedFilm& film = result.laid->film();
+    out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the part, %4 steps%5, coverage "
+                          "%6 %, read-back error of the texture %7 mm (95 %)\n")
+               .arg(result.immersion.name)
+               .arg(film.grid.columns)
+               .arg(film.grid.rows)
+               .arg(film.steps)
+               .arg(film.wallSeconds > 0
+                        ? QStringLiteral(" in %1 s").arg(number(film.wallSeconds, 2))
+                        : QString(),
+                    number(100 * result.coverage->share, 1),
+                    number(result.readBack->percentile95, 3), number(film.grid.leastSpacing(), 2));
+}
+
 void printSummary(const JobResult& result, QTextStream& out) {
     out << QStringLiteral("Solver: %1 %2 on %3\n")
                .arg(result.solver.name, result.solver.version, result.solver.device);
@@ -169,24 +184,12 @@ void printSummary(const JobResult& result, QTextStream& out) {
     printVerdict(result, out);
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
+        printFilm(immersion, out);
         printPlaces(immersion, out);
         printLaws(immersion.laws, out);
         if (result.tolerances) {
             printTolerances(result.tolerances->dips[i], out);
         }
-        const DippedFilm& film = immersion.laid->film();
-        out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the part, %4 steps%5, "
-                              "coverage %6 %, read-back error of the texture %7 mm (95 %)\n")
-                   .arg(immersion.immersion.name)
-                   .arg(film.grid.columns)
-                   .arg(film.grid.rows)
-                   .arg(film.steps)
-                   .arg(film.wallSeconds > 0
-                            ? QStringLiteral(" in %1 s").arg(number(film.wallSeconds, 2))
-                            : QString(),
-                        number(100 * immersion.coverage->share, 1),
-                        number(immersion.readBack->percentile95, 3),
-                        number(film.grid.leastSpacing(), 2));
     }
     if (result.share) {
         printShare(result, out);

@@ -129,8 +129,8 @@ void bindFilm(py::module_& module) {
                                "float32, mm, x and z\nfrom the film's centre. A copy.")
         .def_property_readonly(
             "states", stateArray,
-            "State of each point: (points,) uint8; 0 free, 1 adhered, 2 caught by an overhanging "
-            "face.")
+            "State of each point: (points,) uint8; 0 free, 1 adhered, 2 trapped under an "
+            "overhanging face.")
         .def_property_readonly(
             "marks", markArray,
             "Marks of each point: (points,) uint8, bits; 1 torn, 2 released, 4 did not converge.")

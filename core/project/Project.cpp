@@ -234,12 +234,19 @@ QJsonObject migrated(QJsonObject json) {
     return json;
 }
 
-// Returns the paths in the same section as an unknown one, for a hint.
+const QString tessellationPath = QStringLiteral("model.tessellation_mm");
+
+// Whether a value of the project can be set by its path. Most of the model's come from its file.
+bool isSettable(const QString& path) {
+    return !path.startsWith(QLatin1String("model.")) || path == tessellationPath;
+}
+
+// Returns the paths that can be set in the same section as an unknown one, for a hint.
 QStringList siblingPaths(const QString& path) {
     const QString section = path.left(path.indexOf(QLatin1Char('.')) + 1);
     QStringList paths;
     for (const auto& field : projectFields()) {
-        if (!section.isEmpty() && field.path.startsWith(section)) {
+        if (!section.isEmpty() && field.path.startsWith(section) && isSettable(field.path)) {
             paths.append(field.path);
         }
     }
@@ -348,7 +355,7 @@ bool setMarksAt(Project& project, const QString& path, const QString& value) {
 // Makes the triangles of a CAD model again if the path and value ask for it. Returns false for
 // another path. Without a model, as in a new project, only notes the value.
 bool setTessellationAt(Project& project, const QString& path, const QString& value) {
-    if (path != QLatin1String("model.tessellation_mm")) {
+    if (path != tessellationPath) {
         return false;
     }
     Project changed = project;
@@ -381,7 +388,7 @@ void setByPath(Project& project, const QString& path, const QString& value) {
         }
     } else if (setTessellationAt(project, path, value) || setMarksAt(project, path, value) ||
                setArtworkAt(project.artwork, path, value) ||
-               (!path.startsWith(QLatin1String("model.")) &&
+               (isSettable(path) &&
                 setFieldAt(project, projectFields(), path, path, value))) {
         return;
     }

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <array>
 
 namespace dipwright {
 namespace {
@@ -12,8 +13,19 @@ struct Text {
 
 using Kind = VerdictReason::Kind;
 
-QString percent(double share) {
-    return QLocale().toString(100 * share, 'f', share < 0.1 ? 1 : 0);
+QString percent(double share, int moreDecimals = 0) {
+    return QLocale().toString(100 * share, 'f', (share < 0.1 ? 1 : 0) + moreDecimals);
+}
+
+// Returns value and limit of a reason in per cent, with enough decimals to show that they differ.
+std::array<QString, 2> percents(const VerdictReason& reason) {
+    constexpr int most = 3;
+    int more = 0;
+    while (more < most && reason.value != reason.limit &&
+           percent(reason.value, more) == percent(reason.limit, more)) {
+        ++more;
+    }
+    return {percent(reason.value, more), percent(reason.limit, more)};
 }
 
 QString errorText(const VerdictReason& reason, const LengthText& length) {
@@ -78,6 +90,7 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
 }
 
 QString paintText(const VerdictReason& reason, const LengthText& length) {
+    const std::array<QString, 2> shares = percents(reason);
     switch (reason.kind) {
     case Kind::Unpainted:
         return Text::tr("The film does not paint the part. Check the model's unit, its place over "
@@ -85,16 +98,16 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
     case Kind::Air:
         return Text::tr("Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part "
                         "so that the air escapes, or drill a vent hole.")
-            .arg(percent(reason.value), percent(reason.limit));
+            .arg(shares[0], shares[1]);
     case Kind::Pale:
         return Text::tr("%1 % of the painted area will be too pale; the limit is %2 %. The film "
                         "stretches more than the ink limit (Ink > Ink limit) can compensate. Turn "
                         "the part, or choose lighter colours.")
-            .arg(percent(reason.value), percent(reason.limit));
+            .arg(shares[0], shares[1]);
     case Kind::Damaged:
         return Text::tr("The film tore or was released on %1 % of the painted area; the limit is "
                         "%2 %. Turn the part, or dip it twice.")
-            .arg(percent(reason.value), percent(reason.limit));
+            .arg(shares[0], shares[1]);
     case Kind::FilmEdge:
         return Text::tr("Film that paints the part lies only %1 from the film's edge; at least %2 "
                         "are required. Use a larger film, or move the part to the film's centre.")
@@ -108,21 +121,22 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
 
 // Returns the text of a reason about all dips together.
 QString jobText(const VerdictReason& reason, const LengthText& length) {
+    const std::array<QString, 2> shares = percents(reason);
     switch (reason.kind) {
     case Kind::Unreached:
         return Text::tr("%1 % of the part is painted by neither dip; the limit is %2 %. Turn the "
                         "part in one of the dips.")
-            .arg(percent(reason.value), percent(reason.limit));
+            .arg(shares[0], shares[1]);
     case Kind::Narrow:
         return Text::tr("%1 % of the overlap is too narrow; the limit is %2 %. A small placement "
                         "error of the second film shows there. Widen the overlap (Seam > Overlap), "
                         "or turn the part in one of the dips.")
-            .arg(percent(reason.value), percent(reason.limit));
+            .arg(shares[0], shares[1]);
     case Kind::ZoneBare:
         return Text::tr(
                    "%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film "
                    "reaches it.")
-            .arg(percent(reason.value), percent(reason.limit));
+            .arg(shares[0], shares[1]);
     case Kind::ZoneExceeded:
         return Text::tr("Handling and numerical error together: at most ±%1 on 95 % of the painted "
                         "area; the limit is ±%2. Reduce the largest cause that the results list "

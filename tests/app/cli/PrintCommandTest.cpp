@@ -65,6 +65,7 @@ private slots:
     void print_chessboard_hasTrueSize();
     void calibrate_measuredRulers_makePrintsTrue();
     void print_toFile_writesSheet();
+    void print_oneOfTwoDips_isTheSheetOfTheRun();
     void print_toFile_keepsPrinterMargins();
     void print_iccProfile_convertsColours();
     void print_wideGamutProfile_keepsWideColours();
@@ -193,6 +194,30 @@ void PrintCommandTest::print_toFile_writesSheet() {
     }
     QVERIFY(std::abs(rulerLength(folder_.filePath("sheet.pdf")) - 100) < 0.02);
     QCOMPARE(cli({"print", turtle, "--to", folder_.filePath("both.pdf")}).exitCode, 2);
+}
+
+// Two dips share the body's surface. So the sheet of one of them depends on the other.
+void PrintCommandTest::print_oneOfTwoDips_isTheSheetOfTheRun() {
+    const QString results = folder_.filePath("results");
+    QCOMPARE(
+        cli(QStringList{"run", turtle, "--out", results, "--no-certainty"} + coarse).exitCode, 0);
+    QFile report(results + "/report.json");
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const QJsonArray dips =
+        QJsonDocument::fromJson(report.readAll()).object()["immersions"].toArray();
+    QCOMPARE(dips.size(), 2);
+    for (int dip = 0; dip < 2; ++dip) {
+        const QString path = folder_.filePath(QStringLiteral("dip-%1.pdf").arg(dip));
+        QCOMPARE(cli(QStringList{"print", turtle, "--immersion", QString::number(dip + 1), "--to",
+                                 path} +
+                     coarse)
+                     .exitCode,
+                 0);
+        const QString job = dips[dip]["job"].toString();
+        QVERIFY(!job.isEmpty());
+        const QByteArray printed = cli({"print", "--history"}).out.split('\n')[0];
+        QVERIFY2(printed.contains("job " + job.toUtf8()), printed);
+    }
 }
 
 // A file for a printer is checked like a job that is sent to it.
