@@ -216,7 +216,8 @@ class OptimizeCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("optimize"); }
     QString summary() const override {
-        return QStringLiteral("Searches for dip poses and replaces the project's dips by the best.");
+        return QStringLiteral(
+            "Searches for dip poses and replaces the project's dips by the best.");
     }
 
     void declare(CommandSyntax& syntax) const override {

@@ -259,11 +259,12 @@ public:
                           QStringLiteral("Also writes a soft proof of the film image as PNG. "
                                          "Colours out of the printer's gamut are magenta."),
                           QStringLiteral("FILE")});
-        syntax.addOption({platesOption,
-                          QStringLiteral("Writes a proof of the plates: one picture per ink, the "
-                                         "total ink, and their figures. Prints only if --printer "
-                                         "or --to is given, too."),
-                          QStringLiteral("DIR")});
+        syntax.addOption(
+            {platesOption,
+             QStringLiteral("Writes a picture of each plate, of the total ink and of "
+                            "their composite, and their figures. Prints only if --printer "
+                            "or --to is given, too."),
+             QStringLiteral("DIR")});
         syntax.addOption({solverOption,
                           QStringLiteral("The solver plugin, instead of the project's choice."),
                           QStringLiteral("ID")});
@@ -292,7 +293,8 @@ public:
         if (!target.file.isEmpty()) {
             checkFileFirst(target.file, project, request);
         }
-        const QString proof = proofFile(parser, !dip && project.immersions.size() > 1, target, request);
+        const QString proof =
+            proofFile(parser, !dip && project.immersions.size() > 1, target, request);
         if (!plates.isEmpty()) {
             plateColour(request, plates);
         }

@@ -388,8 +388,7 @@ void setByPath(Project& project, const QString& path, const QString& value) {
         }
     } else if (setTessellationAt(project, path, value) || setMarksAt(project, path, value) ||
                setArtworkAt(project.artwork, path, value) ||
-               (isSettable(path) &&
-                setFieldAt(project, projectFields(), path, path, value))) {
+               (isSettable(path) && setFieldAt(project, projectFields(), path, path, value))) {
         return;
     }
     throwUnknownPath(path);

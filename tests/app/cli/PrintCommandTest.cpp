@@ -199,8 +199,8 @@ void PrintCommandTest::print_toFile_writesSheet() {
 // Two dips share the body's surface. So the sheet of one of them depends on the other.
 void PrintCommandTest::print_oneOfTwoDips_isTheSheetOfTheRun() {
     const QString results = folder_.filePath("results");
-    QCOMPARE(
-        cli(QStringList{"run", turtle, "--out", results, "--no-certainty"} + coarse).exitCode, 0);
+    QCOMPARE(cli(QStringList{"run", turtle, "--out", results, "--no-certainty"} + coarse).exitCode,
+             0);
     QFile report(results + "/report.json");
     QVERIFY(report.open(QIODevice::ReadOnly));
     const QJsonArray dips =
