@@ -178,7 +178,8 @@ private slots:
             QVERIFY(better.isConfirmed || !worse.isConfirmed);
             if (better.isConfirmed == worse.isConfirmed) {
                 QVERIFY(better.adviceOnDips() < worse.adviceOnDips() ||
-                        (better.adviceOnDips() == worse.adviceOnDips() && better.objective >= worse.objective));
+                        (better.adviceOnDips() == worse.adviceOnDips() &&
+                         better.objective >= worse.objective));
             }
         }
         // Further poses are confirmed only while no sheet can be printed.
