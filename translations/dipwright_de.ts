@@ -1874,6 +1874,10 @@
         <source>Dipping the best pose with smaller cells</source>
         <translation>Die beste Lage wird mit kleineren Zellen getaucht</translation>
     </message>
+    <message>
+        <source>This part of a pose search is from another version of the program; create it again with --shard</source>
+        <translation>Dieser Teil einer Posensuche stammt von einer anderen Version des Programms; erzeugen Sie ihn mit --shard neu</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>

@@ -1874,6 +1874,10 @@
         <source>Dipping the best pose with smaller cells</source>
         <translation>Mergulhando a melhor pose com células menores</translation>
     </message>
+    <message>
+        <source>This part of a pose search is from another version of the program; create it again with --shard</source>
+        <translation>Esta parte de uma busca de poses é de outra versão do programa; crie-a novamente com --shard</translation>
+    </message>
 </context>
 <context>
     <name>ProfileSpecs</name>

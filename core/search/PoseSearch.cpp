@@ -5,6 +5,7 @@
 #include "parallel/ParallelFor.h"
 #include "parallel/Tasks.h"
 #include "reduction/ReducedMesh.h"
+#include "search/DipNames.h"
 #include "search/JudgedPose.h"
 #include "search/Objective.h"
 #include "search/PlaceWeights.h"
@@ -1122,7 +1123,7 @@ private:
             each.ranked.areOwn =
                 std::equal(each.ranked.immersions.begin(), each.ranked.immersions.end(),
                            subject_.immersions.begin(), subject_.immersions.end(), isSamePose);
-            nameImmersions(each.ranked.immersions);
+            nameDips(each.ranked.immersions, subject_.immersions);
             if (result_.ranking.size() >= keptFilms) { // films and their bodies are large
                 each.ranked.films.clear();
             }
@@ -1131,7 +1132,7 @@ private:
         result_.current.reset();
         if (current_ && current_->ranked.measures[Measure::Coverage] > 0) {
             result_.current = current_->ranked;
-            nameImmersions(result_.current->immersions);
+            nameDips(result_.current->immersions, subject_.immersions);
         }
         fillDirections();
     }
@@ -1147,15 +1148,6 @@ private:
         for (const PoseCandidate& candidate : candidates_.all) {
             result_.directions.push_back(
                 {candidate.down, candidate.coverage, objectives[candidate.like]});
-        }
-    }
-
-    // Uses the job's own names if the number of dips is the same.
-    void nameImmersions(std::vector<Immersion>& immersions) const {
-        for (std::size_t index = 0; index < immersions.size(); ++index) {
-            immersions[index].name = subject_.immersions.size() == immersions.size()
-                                         ? subject_.immersions[index].name
-                                         : Text::tr("Dip %1").arg(index + 1);
         }
     }
 
