@@ -5233,6 +5233,10 @@
         <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest cause that the results list under Tolerances, or turn the part.</source>
         <translation>Handhabung und numerischer Fehler zusammen: höchstens ±%1 auf 95 % der bemalten Fläche; die Grenze ist ±%2. Verringern Sie die größte Ursache, die die Ergebnisse unter „Toleranzen“ nennen, oder drehen Sie das Teil.</translation>
     </message>
+    <message>
+        <source>The film tears, and up to %1 % of the surface that it should paint stays bare; the limit is %2 %. Turn the part, dip it twice, or use a film that stretches more.</source>
+        <translation>Der Film reißt, und bis zu %1 % der Fläche, die er bedrucken soll, bleiben frei; die Grenze ist %2 %. Drehen Sie das Teil, tauchen Sie es zweimal, oder nehmen Sie einen Film, der sich weiter dehnt.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>

@@ -5233,6 +5233,10 @@
         <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest cause that the results list under Tolerances, or turn the part.</source>
         <translation>Manuseio e erro numérico juntos: no máximo ±%1 em 95 % da área pintada; o limite é ±%2. Reduza a maior causa que os resultados listam em “Tolerâncias”, ou gire a peça.</translation>
     </message>
+    <message>
+        <source>The film tears, and up to %1 % of the surface that it should paint stays bare; the limit is %2 %. Turn the part, dip it twice, or use a film that stretches more.</source>
+        <translation>O filme se rasga, e até %1 % da superfície que ele deve pintar ficam sem tinta; o limite é %2 %. Gire a peça, mergulhe-a duas vezes ou use um filme que se estique mais.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>

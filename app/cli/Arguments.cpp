@@ -132,6 +132,20 @@ void setByOption(Project& project, const QString& path, const QString& value,
     }
 }
 
+void requireReplaceable(const QString& path, const std::function<bool(const QByteArray&)>& isOwn,
+                        const QString& kind) {
+    constexpr qint64 bytes = 64 << 10;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        return; // checkWritable() reports what is wrong, if anything
+    }
+    const QByteArray begin = file.read(bytes);
+    if (!begin.isEmpty() && !isOwn(begin)) {
+        throw Error(QStringLiteral("This file exists and is not %1; name another file").arg(kind),
+                    path);
+    }
+}
+
 void declareSettings(CommandSyntax& syntax, bool areStored) {
     syntax.addOption({setOption,
                       QStringLiteral("Sets a value by its path in the project file, for example "

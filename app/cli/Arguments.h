@@ -6,6 +6,7 @@
 #include "pipeline/JobOptions.h"
 
 #include <QStringList>
+#include <functional>
 
 namespace dipwright {
 
@@ -50,6 +51,11 @@ QString pictureOption(const QCommandLineParser& parser, const QString& option,
 // option.
 void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option);
+
+// Throws Error if a file exists at `path` whose beginning (64 KiB) is not as `isOwn` says; an empty
+// file may be replaced. `kind` names what may be replaced, such as "a table of costs".
+void requireReplaceable(const QString& path, const std::function<bool(const QByteArray&)>& isOwn,
+                        const QString& kind);
 
 // Declares --set PATH=VALUE, which may be repeated. `areStored`: the command stores the values in a
 // project file.

@@ -233,15 +233,17 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
         page.tones.append(QString::number(tone));
     }
     const std::vector<WedgeInk> patches = addRows(page, parser, path);
+    const QString table = path.left(path.lastIndexOf(u'.')) + QStringLiteral(".csv");
+    constexpr int stretches = 4;
+    const QByteArray blank = blankWedge(patches, stretches);
+    const auto isBlank = [&](const QByteArray& begin) { return begin == blank; };
+    requireReplaceable(table, isBlank, QStringLiteral("the blank table for this wedge's readings"));
     writeAtomically(path, [&](QIODevice& device) {
         path.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)
             ? writeWedgePng(page, DotsPerInch(600), device)
             : writeWedgePdf(page, device);
     });
-    const QString table = path.left(path.lastIndexOf(u'.')) + QStringLiteral(".csv");
-    constexpr int stretches = 4;
-    writeAtomically(table,
-                    [&](QIODevice& device) { device.write(blankWedge(patches, stretches)); });
+    writeAtomically(table, [&](QIODevice& device) { device.write(blank); });
     out << QStringLiteral("Wrote %1 and the table for its readings, %2. Both rulers are %3 mm long "
                           "before the film is stretched\n")
                .arg(path, table)

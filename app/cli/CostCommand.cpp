@@ -63,7 +63,13 @@ public:
     void run(const QCommandLineParser& parser, Console& console) const override {
         const QStringList paths = projectPaths(parser);
         if (parser.isSet(csvOption)) {
-            checkWritable(parser.value(csvOption)); // fails now instead of after the dips
+            // Fails now instead of after the dips.
+            checkWritable(parser.value(csvOption));
+            const auto isTable = [](const QByteArray& begin) {
+                return begin.startsWith(costCsv({}).trimmed());
+            };
+            requireReplaceable(parser.value(csvOption), isTable,
+                               QStringLiteral("a table of costs"));
         }
         const ThreadLimit threads = threadLimit(parser);
         const Progress progress = console.progress();

@@ -260,6 +260,8 @@ public:
         }
         requireOther(path, parser.value(modelOption));
         requireOther(path, parser.value(textureOption));
+        const auto isZip = [](const QByteArray& begin) { return begin.startsWith("PK"); };
+        requireReplaceable(path, isZip, QStringLiteral("a project"));
         ProjectFile file(path);
         checkWritable(path); // fails now instead of after the import
         Project project = newProject(path);

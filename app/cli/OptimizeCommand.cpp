@@ -198,20 +198,6 @@ std::array<int, 2> shardOf(const QCommandLineParser& parser) {
     return {number, count};
 }
 
-// Throws Error if a part must not be written there: it may replace only a part or an empty file.
-void requireReplaceable(const QString& path) {
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return; // checkWritable() reports what is wrong, if anything
-    }
-    const QByteArray begin = file.read(16);
-    if (!begin.isEmpty() && !isShardFile(begin)) {
-        throw Error(QStringLiteral("This file exists and is not a part of a search; name another "
-                                   "file for the part"),
-                    path);
-    }
-}
-
 class OptimizeCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("optimize"); }
@@ -308,7 +294,7 @@ private:
                 QStringLiteral("--shard"));
         }
         checkWritable(out);
-        requireReplaceable(out);
+        requireReplaceable(out, isShardFile, QStringLiteral("a part of a search"));
         const SolverRegistry registry;
         SolverChoice solver = solverOf(parser, project, registry, console);
         const SearchShard part =

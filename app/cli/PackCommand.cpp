@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 #include "cli/PackOptions.h"
 #include "cli/PrintOptions.h"
+#include "cli/VerdictOutput.h"
 
 #include "pipeline/DipCache.h"
 #include "pipeline/JobPacking.h"
@@ -83,6 +84,10 @@ public:
         const ThreadLimit threads = threadLimit(parser);
         const Progress progress = console.progress();
         const std::vector<JobResult> results = dipped(projects, parser, progress.part(0, 0.9));
+        for (const JobResult& result : results) {
+            console.out() << result.project.name << QStringLiteral(": ");
+            printVerdict(result, console.out());
+        }
         const Project& first = results.front().project;
         PrintRequest request = printRequest(parser, target, first.profiles.printer);
         request.source = printSource(first, projects.front().path);

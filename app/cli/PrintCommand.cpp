@@ -291,6 +291,11 @@ public:
         const PrintTarget target = isProofOnly ? PrintTarget() : printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
         if (!target.file.isEmpty()) {
+            if (request.copies > 1) {
+                throw UsageError(QStringLiteral("A file holds each sheet once; leave out --copies, "
+                                                "or print with --printer"),
+                                 QStringLiteral("--copies"));
+            }
             checkFileFirst(target.file, project, request);
         }
         const QString proof =

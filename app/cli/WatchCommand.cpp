@@ -125,19 +125,20 @@ public:
                 console_.out().flush();
             } else if (parser_.isSet(onceOption) && !folder_.hasJobs()) {
                 return;
-            } else {
-                wait(progress.cancelToken);
+            } else if (!wait(progress.cancelToken)) {
+                return;
             }
         }
     }
 
 private:
-    static void wait(const CancelToken& user) {
+    // Waits for a second. Returns false at once if the user ends the program.
+    static bool wait(const CancelToken& user) {
         constexpr unsigned long step = 100; // milliseconds
-        for (int i = 0; i < 10; ++i) {
-            user.throwIfCancelled();
+        for (int i = 0; i < 10 && !user.isCancelled(); ++i) {
             QThread::msleep(step);
         }
+        return !user.isCancelled();
     }
 
     void process(const HotJob& job, const Progress& progress) {

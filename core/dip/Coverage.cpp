@@ -1,5 +1,6 @@
 #include "dip/Coverage.h"
 
+#include "dip/TornFilm.h"
 #include "dip/TrianglePieces.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
@@ -15,18 +16,21 @@ constexpr double samplesPerFilmCell = 4;
 // Number of samples along a side of a triangle; its square limits the samples per triangle.
 constexpr int mostPieces = 64;
 constexpr int samplesOfBody = 40'000;
+// A connected bare surface is put down to torn film if this share of it lies at torn film.
+constexpr double leastTornShare = 0.2;
 
 // Result of the samples of one body triangle.
 struct TriangleCover {
     double painted = 0;               // mm²
+    double bare = 0, bareAtTorn = 0;  // mm² that film might have reached, and of it at torn film
     double masked = 0, maskedAir = 0; // mm², masked in all, and masked in trapped air
     MarkedArea marked;
     std::uint8_t marks = 0; // the marks that apply to at least half of the painted area
     bool isCovered = false; // at least half of the triangle is painted or masked
 };
 
-TriangleCover triangleCover(const LaidFilm& laid, const SurfaceMask* mask, std::size_t triangle,
-                            double sampleArea) {
+TriangleCover triangleCover(const LaidFilm& laid, const TornFilm& torn, const SurfaceMask* mask,
+                            std::size_t triangle, double sampleArea) {
     const double area = triangleArea(laid.body().mesh, triangle);
     const int pieces =
         int(std::clamp(std::ceil(std::sqrt(area / sampleArea)), 1.0, double(mostPieces)));
@@ -40,6 +44,9 @@ TriangleCover triangleCover(const LaidFilm& laid, const SurfaceMask* mask, std::
         } else if (const auto place = laid.place(sample)) {
             ++hits;
             cover.marked.add(laid.marks(place->triangle), pieceArea);
+        } else if (!torn.isNone() && torn.isInReach(sample)) {
+            cover.bare += pieceArea;
+            cover.bareAtTorn += torn.isAt(sample) ? pieceArea : 0;
         }
     });
     cover.painted = area * hits / (pieces * pieces);
@@ -54,15 +61,38 @@ TriangleCover triangleCover(const LaidFilm& laid, const SurfaceMask* mask, std::
     return cover;
 }
 
+// Returns Coverage::tornBare. Beside torn film, the whole connected bare surface counts if torn
+// film lies at enough of it: the body that passes a hole is bare beyond the hole, too. But a small
+// tear does not explain a large bare surface.
+double tornBare(const TriangleMesh& mesh, const std::vector<TriangleCover>& covers) {
+    const std::vector<std::uint32_t> opposite = oppositeEdges(mesh);
+    const auto isBare = [&](std::uint32_t triangle) { return covers[triangle].bare > 0; };
+    std::vector<std::uint8_t> seen(covers.size(), 0);
+    double area = 0;
+    for (std::uint32_t start = 0; start < covers.size(); ++start) {
+        if (!isBare(start) || seen[start] != 0) {
+            continue;
+        }
+        double bare = 0, atTorn = 0;
+        for (const std::uint32_t triangle : connectedTriangles(opposite, start, isBare, seen)) {
+            bare += covers[triangle].bare;
+            atTorn += covers[triangle].bareAtTorn;
+        }
+        area += atTorn >= leastTornShare * bare ? bare : atTorn;
+    }
+    return area;
+}
+
 } // namespace
 
-Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask) {
+Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask, Degrees overhang) {
     const TriangleMesh& mesh = laid.body().mesh;
     const solver::FilmGrid& grid = laid.film().grid;
     const double sampleArea = grid.leastSpacingX() * grid.leastSpacingZ() / samplesPerFilmCell;
+    const TornFilm torn(laid, overhang);
     std::vector<TriangleCover> covers(mesh.triangles.size());
     parallelFor(std::size_t(0), mesh.triangles.size(), [&](std::size_t triangle) {
-        covers[triangle] = triangleCover(laid, mask, triangle, sampleArea);
+        covers[triangle] = triangleCover(laid, torn, mask, triangle, sampleArea);
     });
     Coverage result;
     double masked = 0, maskedAir = 0; // mm²
@@ -74,6 +104,7 @@ Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask) {
         maskedAir += cover.maskedAir;
         result.marked.add(cover.marked);
     }
+    result.tornBare = torn.isNone() ? 0 : tornBare(mesh, covers);
     const double open = surfaceArea(mesh) - masked;
     result.share = open > 0 ? result.paintedArea / open : 0;
     result.trappedAir = trappedAir(laid.body());

@@ -5,6 +5,7 @@
 #include "dip/FilmMarks.h"
 #include "dip/TrappedAir.h"
 #include "marks/SurfaceMask.h"
+#include "settings/ProcessSettings.h"
 
 namespace dipwright {
 
@@ -15,14 +16,16 @@ struct Coverage {
     std::vector<std::uint8_t> marks;
     double paintedArea = 0; // mm²
     MarkedArea marked;      // the part of paintedArea that marked film paints
+    double tornBare = 0;    // mm² of bare surface that would be painted if the film had not torn
     double share = 0;       // painted share of the surface that is not masked, 0 … 1
     TrappedAir trappedAir;  // air pockets, whose walls film cannot reach
 };
 
 // Computes the coverage of one dip from samples: about four per film cell area, at least one per
-// body triangle. Masked surface counts neither as painted nor as bare; `mask` may be null. Uses all
-// cores; deterministic.
-Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask = nullptr);
+// body triangle. Masked surface counts neither as painted nor as bare; `mask` may be null.
+// `overhang` is ProcessSettings::overhang. Uses all cores; deterministic.
+Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask = nullptr,
+                  Degrees overhang = ProcessSettings().overhang);
 
 // Returns the share of the surface that at least one of the films paints, from evenly spread
 // samples, without masked surface. All films must be of the same body. Throws Cancelled.

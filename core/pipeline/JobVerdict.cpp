@@ -4,6 +4,7 @@
 #include "dip/TankFit.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
+#include "pipeline/ModelNotes.h"
 #include "project/Profiles.h"
 #include "share/UnpaintedPlaces.h"
 #include "texture/ReverseTexture.h"
@@ -88,6 +89,9 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
     if (const QString expiry = expiryWarning(project.profiles.film); !expiry.isEmpty()) {
         found.add({Kind::ExpiredFilm, project.verdict.expiredFilm, 0, 0, expiry});
     }
+    for (const QString& note : missingMaterialNotes(project)) {
+        found.add({Kind::UnknownName, Advice::CheckFirst, 0, 0, note});
+    }
 }
 
 } // namespace
@@ -99,7 +103,7 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
                     tankFaults(project.profiles.tank, project.process, dip.immersion,
                                dip.body->mesh, dip.body->path)
                         .join(QStringLiteral(". ")),
-                    mask},
+                    mask, project.immersions.size() == 1},
                    project.tolerance, project.verdict);
 }
 

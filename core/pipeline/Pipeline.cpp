@@ -211,7 +211,8 @@ void measure(ImmersionResult& result, const ImmersionResult* earlier, const Run&
         earlier && earlier->inputs.texture.masks != result.inputs.texture.masks;
     run.user.throwIfCancelled();
     if (isLaidAnew || isMaskedAnew) {
-        result.coverage = std::make_shared<const Coverage>(coverage(*result.laid, run.mask.get()));
+        result.coverage = std::make_shared<const Coverage>(
+            coverage(*result.laid, run.mask.get(), run.project.process.overhang));
     }
     run.user.throwIfCancelled();
     if (!run.options.draftPictures && (isLaidAnew || earlier->appearance != result.appearance)) {
@@ -751,7 +752,6 @@ QStringList notesOf(const JobResult& result) {
     if (result.coverageTotal < negligibleShare && isInsideOut(*result.project.model)) {
         notes.append(insideOutNote());
     }
-    notes += missingMaterialNotes(result.project);
     notes += fontWarnings(result.project.artwork);
     notes += colourNotes(*result.project.model) + colourNotes(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {

@@ -235,6 +235,7 @@ QJsonObject immersionJson(const ImmersionResult& result) {
         {"certainty", numericalErrorJson(result)},
         {"marked", markedJson(*result.coverage)},
         {"marked_area_mm2", result.coverage->marked.any}, // as in earlier versions
+        {"torn_bare_area_mm2", result.coverage->tornBare},
         {"read_back_mm", toJson(*result.readBack)},
         {"registration_mm",
          toJson(*result.readBack)}, // name of the read-back error in earlier versions

@@ -130,6 +130,11 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
                    (marked.of(solver::PointMark::Torn) + marked.of(solver::PointMark::LetGo)) /
                        painted,
                    limits.damaged);
+    const double bare = dip.coverage.tornBare / (painted + dip.coverage.tornBare);
+    if (dip.isOnlyDip && bare > mostTornBare) { // of two dips, the other may paint it: Unreached
+        found.add({Kind::TornBare, bare > spoiltTornBare ? Advice::DoNotPrint : Advice::CheckFirst,
+                   bare, mostTornBare});
+    }
     const double edge = edgeDistance(dip.laid);
     if (edge < limits.edge.value()) {
         found.add({Kind::FilmEdge, edgeIsOnBody(dip.laid) ? Advice::DoNotPrint : Advice::CheckFirst,
@@ -230,6 +235,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"air", "verdict.air"},
                                KindWords{"pale", "verdict.pale"},
                                KindWords{"damaged", "verdict.damaged"},
+                               KindWords{"torn_bare", ""},
                                KindWords{"film_edge", "verdict.edge_mm"},
                                KindWords{"tank", ""},
                                KindWords{"unreached", "verdict.unreached"},
@@ -239,8 +245,9 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"no_picture", "verdict.no_picture"},
                                KindWords{"changed_model", "verdict.changed_model"},
                                KindWords{"guessed_film", "verdict.guessed_film"},
-                               KindWords{"expired_film", "verdict.expired_film"}};
-static_assert(kindWords.size() == std::size_t(Kind::ExpiredFilm) + 1);
+                               KindWords{"expired_film", "verdict.expired_film"},
+                               KindWords{"unknown_name", ""}};
+static_assert(kindWords.size() == std::size_t(Kind::UnknownName) + 1);
 
 } // namespace
 

@@ -32,8 +32,10 @@ struct VerdictReason {
         Air,          // trapped air keeps the share `value` of the body's surface dry
         Pale,         // the share `value` of the painted area will be too pale
         Damaged,      // film tore or was released on the share `value` of the painted area
-        FilmEdge,     // film that paints the body lies only `value` mm from the film's edge
-        Tank,         // `text`: the limits of the tank or its machine that the dip exceeds
+        TornBare, // only dip of a job: the share `value` of the surface that it should paint stays
+                  // bare because the film tears before
+        FilmEdge, // film that paints the body lies only `value` mm from the film's edge
+        Tank,     // `text`: the limits of the tank or its machine that the dip exceeds
         // Reasons about all dips together.
         Unreached,    // neither dip paints the share `value` of the body's surface
         Narrow,       // the share `value` of the overlap is too narrow
@@ -44,6 +46,7 @@ struct VerdictReason {
         ChangedModel, // `text`: what the import repaired, or what is missing
         GuessedFilm,  // the film's swell was not measured
         ExpiredFilm,  // `text`: which film, and since when
+        UnknownName,  // `text`: a face or material that a mark or layer names but the model lacks
     };
     Kind kind;
     Advice advice = Advice::Print; // the verdict if this is the only reason
@@ -84,6 +87,10 @@ inline constexpr double mostFarOffArea = 0.01;
 // Do not print if more than this share of the body's surface is painted by only one of the compared
 // dips.
 inline constexpr double spoiltPaintedOnce = 0.15;
+// Limits for the share of the surface to paint that stays bare because the only film tears
+// (Coverage::tornBare): above the first the verdict is *check first*, above the second *do not
+// print*. In ordinary dips up to 0.28 is counted where 0.06 is lost.
+inline constexpr double mostTornBare = 0.2, spoiltTornBare = 0.4;
 // The smallest cell that a reason proposes, relative to the film's own cell. An error that
 // would need even smaller cells does not shrink in proportion to the cells.
 inline constexpr double finestCellNamed = 0.15;
@@ -99,6 +106,7 @@ struct JudgedDip {
     const ZonedBody* zones = nullptr;                       // null: the whole body is in zone C
     QString tankFaults = {}; // sentences on limits of the tank that the dip exceeds; empty: none
     const SurfaceMask* mask = nullptr; // masked surface is not judged; null: none
+    bool isOnlyDip = false;            // the job has no other dip
 };
 
 // Returns the verdict on one dip by the limits in `tolerance` and `limits`.

@@ -108,6 +108,11 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("The film tore or was released on %1 % of the painted area; the limit is "
                         "%2 %. Turn the part, or dip it twice.")
             .arg(shares[0], shares[1]);
+    case Kind::TornBare:
+        return Text::tr("The film tears, and up to %1 % of the surface that it should paint stays "
+                        "bare; the limit is %2 %. Turn the part, dip it twice, or use a film that "
+                        "stretches more.")
+            .arg(shares[0], shares[1]);
     case Kind::FilmEdge:
         return Text::tr("Film that paints the part lies only %1 from the film's edge; at least %2 "
                         "are required. Use a larger film, or move the part to the film's centre.")
@@ -150,6 +155,7 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("The film's swell is guessed, not measured: the picture may be a few per "
                         "cent too large or too small. Measure the film.");
     case Kind::ExpiredFilm:
+    case Kind::UnknownName:
         return reason.text + QLatin1Char('.');
     default:
         return {};

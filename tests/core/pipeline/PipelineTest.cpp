@@ -108,6 +108,29 @@ private slots:
         QVERIFY(first_.coverageTotal <= one + other + 0.01);
     }
 
+    // The body passes through film that tears at a tenth of stretch, and stays bare.
+    void runJob_weakFilm_mustNotBePrinted() {
+        Project job = ballJob();
+        job.immersions.resize(1);
+        const auto isTornBare = [](const JobResult& result) {
+            const std::vector<VerdictReason>& reasons = result.immersions.front().verdict.reasons;
+            return std::any_of(reasons.begin(), reasons.end(), [](const VerdictReason& reason) {
+                return reason.kind == VerdictReason::Kind::TornBare;
+            });
+        };
+        const JobResult whole = runJob(job, *registry_, {}, nullptr, {});
+        QVERIFY(!isTornBare(whole));
+        job.process.tearStretch = 1.1;
+        const JobResult torn = runJob(job, *registry_, {}, nullptr, {});
+        QVERIFY(isTornBare(torn));
+        QCOMPARE(torn.immersions.front().verdict.advice, Advice::DoNotPrint);
+        const auto painted = [](const JobResult& result) {
+            return result.immersions.front().coverage->paintedArea;
+        };
+        const double lost = painted(whole) - painted(torn);
+        QVERIFY(std::abs(torn.immersions.front().coverage->tornBare / lost - 1) < 0.1);
+    }
+
     void runJob_sameDipTwice_coversNoMoreThanOnce() {
         Project job = job_;
         job.immersions[1].rotation = job.immersions[0].rotation;
