@@ -136,8 +136,8 @@ void requireReplaceable(const QString& path, const std::function<bool(const QByt
                         const QString& kind) {
     constexpr qint64 bytes = 64 << 10;
     QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-        return; // checkWritable() reports what is wrong, if anything
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly)) {
+        return; // who writes the file reports what is wrong, if anything
     }
     const QByteArray begin = file.read(bytes);
     if (!begin.isEmpty() && !isOwn(begin)) {
