@@ -131,6 +131,17 @@ private slots:
         QVERIFY(std::abs(torn.immersions.front().coverage->tornBare / lost - 1) < 0.1);
     }
 
+    void runJob_maskOnUnknownFace_isToBeChecked() {
+        Project job = ballJob();
+        job.masks.emplace_back().material = QStringLiteral("Thread");
+        JobOptions options;
+        options.estimatesNumericalError = false;
+        const Verdict verdict = runJob(job, *registry_, options, nullptr, {}).verdict;
+        QCOMPARE(verdict.advice, Advice::CheckFirst);
+        QCOMPARE(verdict.reasons.front().kind, VerdictReason::Kind::UnknownName);
+        QVERIFY(verdict.reasons.front().text.contains("Thread"));
+    }
+
     void runJob_sameDipTwice_coversNoMoreThanOnce() {
         Project job = job_;
         job.immersions[1].rotation = job.immersions[0].rotation;
