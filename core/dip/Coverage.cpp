@@ -29,7 +29,7 @@ struct TriangleCover {
     bool isCovered = false; // at least half of the triangle is painted or masked
 };
 
-TriangleCover triangleCover(const LaidFilm& laid, const TornFilm& torn, const SurfaceMask* mask,
+TriangleCover triangleCover(const LaidFilm& laid, const TornFilm* torn, const SurfaceMask* mask,
                             std::size_t triangle, double sampleArea) {
     const double area = triangleArea(laid.body().mesh, triangle);
     const int pieces =
@@ -44,9 +44,9 @@ TriangleCover triangleCover(const LaidFilm& laid, const TornFilm& torn, const Su
         } else if (const auto place = laid.place(sample)) {
             ++hits;
             cover.marked.add(laid.marks(place->triangle), pieceArea);
-        } else if (!torn.isNone() && torn.isInReach(sample)) {
+        } else if (torn && torn->isInReach(sample)) {
             cover.bare += pieceArea;
-            cover.bareAtTorn += torn.isAt(sample) ? pieceArea : 0;
+            cover.bareAtTorn += torn->isAt(sample) ? pieceArea : 0;
         }
     });
     cover.painted = area * hits / (pieces * pieces);
@@ -85,11 +85,13 @@ double tornBare(const TriangleMesh& mesh, const std::vector<TriangleCover>& cove
 
 } // namespace
 
-Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask, Degrees overhang) {
+Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask, std::optional<Degrees> overhang) {
     const TriangleMesh& mesh = laid.body().mesh;
     const solver::FilmGrid& grid = laid.film().grid;
     const double sampleArea = grid.leastSpacingX() * grid.leastSpacingZ() / samplesPerFilmCell;
-    const TornFilm torn(laid, overhang);
+    const std::optional<TornFilm> found =
+        overhang ? std::optional<TornFilm>(std::in_place, laid, *overhang) : std::nullopt;
+    const TornFilm* torn = found && !found->isNone() ? &*found : nullptr;
     std::vector<TriangleCover> covers(mesh.triangles.size());
     parallelFor(std::size_t(0), mesh.triangles.size(), [&](std::size_t triangle) {
         covers[triangle] = triangleCover(laid, torn, mask, triangle, sampleArea);
@@ -104,7 +106,7 @@ Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask, Degrees overhan
         maskedAir += cover.maskedAir;
         result.marked.add(cover.marked);
     }
-    result.tornBare = torn.isNone() ? 0 : tornBare(mesh, covers);
+    result.tornBare = torn ? tornBare(mesh, covers) : 0;
     const double open = surfaceArea(mesh) - masked;
     result.share = open > 0 ? result.paintedArea / open : 0;
     result.trappedAir = trappedAir(laid.body());

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "base/Units.h"
 #include "dip/FilmMarks.h"
 #include "dip/TrappedAir.h"
 #include "marks/SurfaceMask.h"
-#include "settings/ProcessSettings.h"
+
+#include <optional>
 
 namespace dipwright {
 
@@ -23,9 +25,10 @@ struct Coverage {
 
 // Computes the coverage of one dip from samples: about four per film cell area, at least one per
 // body triangle. Masked surface counts neither as painted nor as bare; `mask` may be null.
-// `overhang` is ProcessSettings::overhang. Uses all cores; deterministic.
+// `overhang` is ProcessSettings::overhang; without it, tornBare is not measured. Uses all cores;
+// deterministic.
 Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask = nullptr,
-                  Degrees overhang = ProcessSettings().overhang);
+                  std::optional<Degrees> overhang = {});
 
 // Returns the share of the surface that at least one of the films paints, from evenly spread
 // samples, without masked surface. All films must be of the same body. Throws Cancelled.

@@ -430,7 +430,7 @@ PoseDips::refinedAlone(const std::vector<std::shared_ptr<const JudgedPose>>& dip
 Verdict PoseDips::verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
                             const QString& tankFaults) const {
     const SurfaceMask* mask = subject_.mask.get();
-    const Coverage covered = coverage(laid, mask, subject_.process.overhang);
+    const Coverage covered = coverage(laid, mask);
     return verdict({laid, covered, error, 0, body_.zoned(), tankFaults, mask}, subject_.tolerance,
                    subject_.verdict);
 }
