@@ -463,6 +463,10 @@
         <source>Reducing the triangles of the cradle</source>
         <translation>Dreiecke der Halterung werden verringert</translation>
     </message>
+    <message>
+        <source>%1: no cradle is possible, because the bore is wider than the place where the part rests; choose a smaller bore (cradle.bore_mm)</source>
+        <translation>%1: Keine Halterung ist möglich, weil die Bohrung breiter ist als die Stelle, auf der das Teil ruht; wählen Sie eine kleinere Bohrung (cradle.bore_mm)</translation>
+    </message>
 </context>
 <context>
     <name>Dip</name>

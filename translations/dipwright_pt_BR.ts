@@ -463,6 +463,10 @@
         <source>Reducing the triangles of the cradle</source>
         <translation>Reduzindo os triângulos do berço</translation>
     </message>
+    <message>
+        <source>%1: no cradle is possible, because the bore is wider than the place where the part rests; choose a smaller bore (cradle.bore_mm)</source>
+        <translation>%1: nenhum berço é possível, porque o furo é mais largo do que o lugar onde a peça se apoia; escolha um furo menor (cradle.bore_mm)</translation>
+    </message>
 </context>
 <context>
     <name>Dip</name>

@@ -140,6 +140,14 @@ Cradle nothingToHold(const HeldDip& dip, const CradleSettings& settings, const F
     return result;
 }
 
+Cradle boredAway(const HeldDip& dip) {
+    Cradle result;
+    result.notes << Text::tr("%1: no cradle is possible, because the bore is wider than the place "
+                             "where the part rests; choose a smaller bore (cradle.bore_mm)")
+                        .arg(dip.immersion.name);
+    return result;
+}
+
 Cradle touchesWater(const HeldDip& dip) {
     Cradle result;
     result.notes << Text::tr("%1: no cradle is possible, because on this path it would touch the "
@@ -203,6 +211,9 @@ Cradle makeCradle(const HeldDip& dip, const CradleSettings& settings, const Prog
     result.check =
         checkCradle(result.mesh, body.mesh, body.query, painted ? &*painted : nullptr, seat,
                     distances.body + result.cell, settings.padding.value(), progress.part(0.8, 1));
+    if (result.check.seatArea <= 0) {
+        return boredAway(dip);
+    }
     result.notes = notesOn(result, dip, settings, plate);
     return result;
 }

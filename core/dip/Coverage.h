@@ -21,6 +21,9 @@ struct Coverage {
     double tornBare = 0;    // mm² of bare surface that would be painted if the film had not torn
     double share = 0;       // painted share of the surface that is not masked, 0 … 1
     TrappedAir trappedAir;  // air pockets, whose walls film cannot reach
+
+    // Returns tornBare as a share of the surface that would be painted then; 0 if there is none.
+    double tornBareShare() const { return tornBare > 0 ? tornBare / (paintedArea + tornBare) : 0; }
 };
 
 // Computes the coverage of one dip from samples: about four per film cell area, at least one per

@@ -17,7 +17,8 @@ struct JobFilms {
     double refinement = 1; // of `own`, relative to the film with which the job begins
     // The refinement with which the job would repeat the dip; none: the job ends with this film.
     std::optional<double> next;
-    Verdict verdict; // by these films, on everything but the ink
+    Verdict verdict;          // by these films, on everything but the ink and torn film
+    double tornBareShare = 0; // Coverage::tornBareShare()
 };
 
 } // namespace dipwright

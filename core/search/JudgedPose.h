@@ -42,8 +42,8 @@ struct JudgedPose {
     PredictedSheet predicted; // of the job, by coarser dips
     // Which of these a dip has depends on its resolution (DipDetail).
     double jobCell = 0; // smallest cell of the film with which the job would begin, mm; 0: none
-    // On everything but the ink. If the job would repeat the dip with smaller cells, this is the
-    // verdict to be expected then.
+    // On everything but the ink and torn film. If the job would repeat the dip with smaller cells,
+    // this is the verdict to be expected then.
     Verdict verdict;
     // Per sampled place: whether it will be too pale; empty: not known.
     std::vector<std::uint8_t> pale;

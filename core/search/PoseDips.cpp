@@ -333,7 +333,8 @@ JudgedPose PoseDips::judgedDip(Batch& batch, std::size_t item, const Immersion& 
         judgeAsJob(pose, std::move(laid), batch.coarser[item]->laid(), batch.before[item]);
     } else if (laid && jobFilms_) {
         pose.jobCell = jobFilms_->cellUnder(*body);
-        pose.verdict = verdictOf(*laid, nullptr, pose.tankFaults);
+        pose.verdict =
+            verdictOf(*laid, coverage(*laid, subject_.mask.get()), nullptr, pose.tankFaults);
     } else if (!laid) {
         ReasonList reasons;
         reasons.add({VerdictReason::Kind::Unpainted, Advice::DoNotPrint});
@@ -353,7 +354,9 @@ void PoseDips::judgeAsJob(JudgedPose& pose, std::shared_ptr<const LaidFilm> laid
         estimateNumericalError(*laid, coarser, filmsBefore));
     JobFilms films;
     films.refinement = refinementAfter(before);
-    films.verdict = verdictOf(*laid, error.get(), pose.tankFaults);
+    const Coverage covered = coverage(*laid, subject_.mask.get(), subject_.process.overhang);
+    films.verdict = verdictOf(*laid, covered, error.get(), pose.tankFaults);
+    films.tornBareShare = covered.tornBareShare();
     if (error->failure.isEmpty()) {
         films.next = nextRefinement(films.verdict, film, error->offBy.percentile95,
                                     films.refinement, subject_.film);
@@ -425,14 +428,12 @@ PoseDips::refinedAlone(const std::vector<std::shared_ptr<const JudgedPose>>& dip
     return result;
 }
 
-// Judges a dip as the job would, but for its ink. Without an estimate of the numerical error, the
-// other reasons alone count.
-Verdict PoseDips::verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
-                            const QString& tankFaults) const {
-    const SurfaceMask* mask = subject_.mask.get();
-    const Coverage covered = coverage(laid, mask);
-    return verdict({laid, covered, error, 0, body_.zoned(), tankFaults, mask}, subject_.tolerance,
-                   subject_.verdict);
+// Judges a dip as the job would, but for its ink and torn film. Without an estimate of the
+// numerical error, the other reasons alone count.
+Verdict PoseDips::verdictOf(const LaidFilm& laid, const Coverage& covered,
+                            const NumericalErrorEstimate* error, const QString& tankFaults) const {
+    return verdict({laid, covered, error, 0, body_.zoned(), tankFaults, subject_.mask.get()},
+                   subject_.tolerance, subject_.verdict);
 }
 
 } // namespace dipwright

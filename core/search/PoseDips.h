@@ -135,8 +135,8 @@ private:
     // The same after a failure, one dip at a time. Null for a single dip.
     std::vector<std::shared_ptr<const JudgedPose>>
     refinedAlone(const std::vector<std::shared_ptr<const JudgedPose>>& dips) const;
-    Verdict verdictOf(const LaidFilm& laid, const NumericalErrorEstimate* error,
-                      const QString& tankFaults) const;
+    Verdict verdictOf(const LaidFilm& laid, const Coverage& covered,
+                      const NumericalErrorEstimate* error, const QString& tankFaults) const;
 
     const SearchSubject& subject_;
     const JudgedBody& body_;

@@ -170,13 +170,19 @@ bool isRankedBefore(const Entry& one, const Entry& other) {
     return isBetter(one, other);
 }
 
-// Returns the verdict with a reason if too large a share of the painted area will be too pale.
-Verdict withInk(Verdict verdict, double pale, const VerdictSettings& limits) {
+// Returns the verdict on a dip with a reason if too large a share of the painted area will be too
+// pale, and one if it is the only dip and its film tears.
+Verdict withInkAndTears(const JudgedPose& dip, double pale, bool isOnlyDip,
+                        const VerdictSettings& limits) {
+    Verdict verdict = dip.verdict;
     ReasonList reasons;
     for (const VerdictReason& reason : verdict.reasons) {
         reasons.add(reason);
     }
     reasons.addShare(VerdictReason::Kind::Pale, pale, limits.pale);
+    if (isOnlyDip) {
+        reasons.addTornBare(dip.films ? dip.films->tornBareShare : 0);
+    }
     Verdict all = std::move(reasons).verdict();
     verdict.advice = all.advice;
     verdict.reasons = std::move(all.reasons);
@@ -543,8 +549,8 @@ private:
                 body_.unpainted(judged, entry.ranked.measures, subject_.verdict);
             const std::vector<double> pale = body_.paleShares(judged);
             for (std::size_t number = 0; number < dips.size(); ++number) {
-                entry.ranked.verdicts.push_back(
-                    withInk(dips[number]->verdict, pale[number], subject_.verdict));
+                entry.ranked.verdicts.push_back(withInkAndTears(
+                    *dips[number], pale[number], dips.size() == 1, subject_.verdict));
                 entry.ranked.films.push_back(dips[number]->films);
             }
         }

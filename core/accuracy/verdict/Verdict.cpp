@@ -130,10 +130,8 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
                    (marked.of(solver::PointMark::Torn) + marked.of(solver::PointMark::LetGo)) /
                        painted,
                    limits.damaged);
-    const double bare = dip.coverage.tornBare / (painted + dip.coverage.tornBare);
-    if (dip.isOnlyDip && bare > mostTornBare) { // of two dips, the other may paint it: Unreached
-        found.add({Kind::TornBare, bare > spoiltTornBare ? Advice::DoNotPrint : Advice::CheckFirst,
-                   bare, mostTornBare});
+    if (dip.isOnlyDip) {
+        found.addTornBare(dip.coverage.tornBareShare());
     }
     const double edge = edgeDistance(dip.laid);
     if (edge < limits.edge.value()) {
@@ -157,6 +155,13 @@ void ReasonList::addShare(Kind kind, double share, double limit, std::optional<Z
              {},
              0,
              zone});
+    }
+}
+
+void ReasonList::addTornBare(double share) {
+    if (share > mostTornBare) {
+        add({Kind::TornBare, share > spoiltTornBare ? Advice::DoNotPrint : Advice::CheckFirst,
+             share, mostTornBare});
     }
 }
 

@@ -88,8 +88,8 @@ inline constexpr double mostFarOffArea = 0.01;
 // dips.
 inline constexpr double spoiltPaintedOnce = 0.15;
 // Limits for the share of the surface to paint that stays bare because the only film tears
-// (Coverage::tornBare): above the first the verdict is *check first*, above the second *do not
-// print*. In ordinary dips up to 0.28 is counted where 0.06 is lost.
+// (Coverage::tornBareShare()): above the first the verdict is *check first*, above the second *do
+// not print*. In ordinary dips up to 0.28 is counted where 0.06 is lost.
 inline constexpr double mostTornBare = 0.2, spoiltTornBare = 0.4;
 // The smallest cell that a reason proposes, relative to the film's own cell. An error that
 // would need even smaller cells does not shrink in proportion to the cells.
@@ -126,6 +126,9 @@ public:
     // share exceeds doNotPrintFactor times the limit.
     void addShare(VerdictReason::Kind kind, double share, double limit,
                   std::optional<Zone> zone = {});
+    // Adds a reason if the only dip of a job leaves too much bare because its film tears. `share`:
+    // Coverage::tornBareShare(). Of two dips, the other may paint it, so Kind::Unreached decides.
+    void addTornBare(double share);
     bool isEmpty() const { return reasons_.empty(); }
     // Returns the verdict. Its reasons are sorted, the worst first; equally bad ones keep the order
     // in which they were added. Without reasons the advice is `Print`.

@@ -327,6 +327,15 @@ private slots:
 
     // The holes have the pins' diameter plus clearance. They lie where the sheet's marks float, or
     // between that place and the centre.
+    // The bore leaves nothing of the seat, which is about 40 mm wide.
+    void makeCradle_boreWiderThanTheSeat_isEmptyAndNoted() {
+        CradleSettings wide = settings();
+        wide.bore = Millimetres(60);
+        const Cradle cradle = cradleOf(*halfPainted(), wide);
+        QVERIFY(cradle.mesh.triangles.empty());
+        QVERIFY(cradle.notes.join(QLatin1Char(' ')).contains(QStringLiteral("cradle.bore_mm")));
+    }
+
     void datumPins_areInLineWithTheSheetsMarks() {
         FilmSettings film;
         film.swellX = 1.1;

@@ -242,6 +242,25 @@ private slots:
         QVERIFY(!isPale(200));
     }
 
+    // The ball passes through film that tears at a tenth of stretch, and stays bare. If the other
+    // dip may paint that, it is no fault of one dip.
+    void searchPoses_weakFilmInOneDip_isForbidden() {
+        SearchSubject subject = subjectOf(sphereMesh(20, 40, 60));
+        subject.process.tearStretch = 1.1;
+        const auto isTornBare = [&](int dips) {
+            SearchSettings settings = sidesOnly(dips);
+            settings.finer = settings.confirmed = 1;
+            const RankedPoses best = search(subject, settings).ranking.front();
+            const std::vector<VerdictReason>& reasons = best.verdicts.front().reasons;
+            return std::any_of(reasons.begin(), reasons.end(), [](const VerdictReason& reason) {
+                return reason.kind == VerdictReason::Kind::TornBare &&
+                       reason.advice == Advice::DoNotPrint;
+            });
+        };
+        QVERIFY(isTornBare(1));
+        QVERIFY(!isTornBare(2));
+    }
+
     // The numerical error forbids every sheet, which no prediction tells.
     void searchPoses_forbiddenSheets_standBelowPosesThatAreNotConfirmed() {
         SearchSubject subject = subjectOf(ellipsoidMesh({14, 22, 10}, 40, 60));
