@@ -250,6 +250,27 @@ private slots:
         QVERIFY(QFile::remove(path("film.json")));
     }
 
+    // A wrong name must not cost a file of another kind.
+    void cli_fileOfAnotherKind_isKept_data() {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QString>("file");
+        const QString ball = path("ball.dipw");
+        QTest::newRow("cost table onto a project")
+            << QStringList{"cost", ball, "--csv", path("kept.dipw")} << "kept.dipw";
+        QTest::newRow("project onto a picture")
+            << QStringList{"new", path("kept.png"), "--model", path("ball.obj")} << "kept.png";
+        QTest::newRow("wedge beside filled-in readings")
+            << QStringList{"calibrate", "wedge", "--to", path("kept.pdf")} << "kept.csv";
+    }
+
+    void cli_fileOfAnotherKind_isKept() {
+        QFETCH(QString, file);
+        const QByteArray content = bytesOf(path(file.endsWith("png") ? "ball.png" : "ball.dipw"));
+        writeFile(path(file), content);
+        refused(1);
+        QCOMPARE(bytesOf(path(file)), content);
+    }
+
     void info_outputNotWritable_exitCodeIsOne() {
         const Outcome outcome = program(
             "/bin/sh", {"-c", "exec \"$0\" info \"$1\" > /dev/full", cliPath(), path("ball.dipw")});

@@ -371,6 +371,7 @@ void PrintCommandTest::printCommands_wrongUsage_exitCodeIsTwo() {
          {QStringList{"print", turtle},
           QStringList{"print", turtle, "--printer", "pigment", "--to", "x.pdf"},
           QStringList{"print", turtle, "--to", "x.bmp"},
+          QStringList{"print", turtle, "--to", "x.pdf", "--copies", "2"},
           QStringList{"print", turtle, "--printer", "pigment", "--copies", "0"},
           QStringList{"print", turtle, "--printer", "pigment", "--immersion", "3"},
           QStringList{"profile"}, QStringList{"profile", "set", "scanner", "x"},
