@@ -43,15 +43,15 @@ QJsonObject modelJson(const TexturedMesh& model) {
             {"textures", textures}};
 }
 
-void printModel(const TexturedMesh& model, const QString& remarks, QTextStream& out) {
+void printModel(const TexturedMesh& model, const QString& notes, QTextStream& out) {
     const Eigen::Vector3f size = boundingBox(model.mesh).sizes();
     out << QStringLiteral("Model: %1 triangles, %2 × %3 × %4 mm, %5 cm³, %6\n")
                .arg(model.mesh.triangles.size())
                .arg(plain(size.x()), plain(size.y()), plain(size.z()),
                     plain(volume(model.mesh) / 1000),
                     isClosed(model.mesh) ? QStringLiteral("closed") : QStringLiteral("not closed"));
-    if (!remarks.isEmpty()) {
-        out << QStringLiteral("Notes from the import: %1\n").arg(remarks);
+    if (!notes.isEmpty()) {
+        out << QStringLiteral("Notes from the import: %1\n").arg(notes);
     }
     for (const QImage& texture : model.textures) {
         out << QStringLiteral("Texture: %1 × %2 pixels\n")
@@ -98,7 +98,7 @@ void printImmersion(const Immersion& immersion, QTextStream& out) {
 
 void printProject(const Project& project, QTextStream& out) {
     out << QStringLiteral("Project: %1, created on %2\n").arg(project.name, project.date);
-    printModel(*project.model, project.modelOrigin.remarks, out);
+    printModel(*project.model, project.modelOrigin.notes(), out);
     if (const QString cad = cadText(project); !cad.isEmpty()) {
         out << cad << '\n';
         out << QStringLiteral("Faces: %1\n")

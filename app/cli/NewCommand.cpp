@@ -161,21 +161,26 @@ int jigFieldResolution(int resolution, const std::vector<JigPart>& parts, const 
 void importJig(Project& project, const std::vector<JigSpec>& specs,
                const QCommandLineParser& parser, Console& console) {
     std::vector<JigPart> parts;
-    QStringList remarks;
+    QStringList remarks, losses;
     for (const JigSpec& spec : specs) {
         ImportOptions options = spec.options;
         options.allowOutside = parser.isSet(outsideOption);
         options.tessellation = project.modelOrigin.tessellation;
         const ImportedModel imported = importModel(spec.path, options, console.progress());
         print(imported.report, spec.part.placed.name + QStringLiteral(": "), console);
-        if (const QString remark = imported.report.remarks(); !remark.isEmpty()) {
-            remarks.push_back(spec.part.placed.name + QStringLiteral(": ") + remark);
-        }
+        const auto keep = [&](const QString& sentences, QStringList& all) {
+            if (!sentences.isEmpty()) {
+                all.push_back(spec.part.placed.name + QStringLiteral(": ") + sentences);
+            }
+        };
+        keep(imported.report.remarks(), remarks);
+        keep(imported.report.losses.join(QStringLiteral("; ")), losses);
         parts.push_back(spec.part);
         parts.back().model = std::make_shared<const TexturedMesh>(imported.model);
     }
     project.modelOrigin.tessellation = Millimetres(0); // the jig is no CAD model
     project.modelOrigin.remarks = remarks.join(QStringLiteral("; "));
+    project.modelOrigin.losses = losses.join(QStringLiteral("; "));
     auto jig = std::make_shared<const TexturedMesh>(jigModel(parts));
     if (project.fieldResolution == Project().fieldResolution) {
         project.fieldResolution = jigFieldResolution(project.fieldResolution, parts, *jig);

@@ -27,9 +27,8 @@ AirInPoses::AirInPoses(const TriangleMesh& model) {
     const auto grid = std::make_shared<const SpaceGrid>(model, query, cells);
     before_.assign(model.triangles.size(), noPoint);
     parallelFor(std::size_t(0), before_.size(), [&](std::size_t triangle) {
-        const Eigen::Vector3f place =
-            position(model, middleOf(std::uint32_t(triangle))) +
-            offSurface * grid->spacing() * triangleNormal(model, triangle);
+        const Eigen::Vector3f place = position(model, middleOf(std::uint32_t(triangle))) +
+                                      offSurface * grid->width() * triangleNormal(model, triangle);
         const Eigen::Vector3i cell = grid->cellOf(place);
         float nearest = std::numeric_limits<float>::infinity();
         for (int corner = 0; corner < 8; ++corner) {

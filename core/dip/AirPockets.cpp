@@ -22,8 +22,11 @@ constexpr std::size_t mostPockets = std::numeric_limits<std::uint16_t>::max();
 // In cells: distance in front of a face at which the air is looked up.
 constexpr float offSurface = 0.02f;
 
-bool isLargeEnough(const AirChamber& chamber) {
-    return chamber.points >= leastPocketPoints && chamber.depth() >= leastPocketDepth;
+// Whether the grid resolves a chamber in all directions.
+bool isDeep(const AirChamber& chamber, const SpaceGrid& grid) {
+    const float height = grid.height() / grid.width();
+    return height * float(chamber.depth()) >= leastPocketDepth &&
+           height * float(chamber.points) >= leastPocketCells;
 }
 
 // Calls visit(point, cell) for all trapped points of the grid.
@@ -36,12 +39,41 @@ void forEachTrapped(const SpaceGrid& grid, const AirSweep& sweep, const Visit& v
     });
 }
 
+// Whether the eight neighbours of a trapped point in its layer are in the same chamber.
+bool isInner(const SpaceGrid& grid, const AirSweep& sweep, std::size_t point) {
+    const std::size_t row = grid.stride(2);
+    for (const std::size_t middle : {point - row, point, point + row}) {
+        for (const std::size_t other : {middle - 1, middle, middle + 1}) {
+            if (!sweep.isTrapped(other) || sweep.chamber[other] != sweep.chamber[point]) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+// Removes the chambers in which the grid cannot tell that air is trapped.
+void eraseSmall(std::map<std::uint32_t, AirChamber>& chambers, const SpaceGrid& grid,
+                const AirSweep& sweep) {
+    std::erase_if(chambers,
+                  [](const auto& each) { return each.second.depth() < leastPocketLayers; });
+    std::map<std::uint32_t, int> inner;
+    forEachTrapped(grid, sweep, [&](std::size_t point, const Eigen::Vector3i&) {
+        if (chambers.contains(sweep.chamber[point])) {
+            inner[sweep.chamber[point]] += isInner(grid, sweep, point) ? 1 : 0;
+        }
+    });
+    std::erase_if(chambers, [&](const auto& each) {
+        return !isDeep(each.second, grid) && inner[each.first] < leastInnerPoints;
+    });
+}
+
 // Returns the trapped chambers that are large enough and outside the body. The inside of an open
 // mesh is a chamber, too, and is removed here.
 std::map<std::uint32_t, AirChamber> hollows(const SpaceGrid& grid, const AirSweep& sweep,
                                             const SurfaceQuery& query) {
     std::map<std::uint32_t, AirChamber> chambers = trappedChambers(sweep);
-    std::erase_if(chambers, [](const auto& each) { return !isLargeEnough(each.second); });
+    eraseSmall(chambers, grid, sweep);
     std::map<std::uint32_t, std::vector<Eigen::Vector3f>> places;
     forEachTrapped(grid, sweep, [&](std::size_t point, const Eigen::Vector3i& cell) {
         if (chambers.contains(sweep.chamber[point])) {
@@ -70,7 +102,7 @@ public:
           columns_(std::size_t(grid.size()[0]) * std::size_t(grid.size()[2])),
           ceiling_(columns_, 0) {
         forEachColumn([&](std::size_t column, const Eigen::Vector3i& cell) {
-            forEachHit(query_, grid_.position(cell), 1, grid_.spacing(), grid_.spacing(),
+            forEachHit(query_, grid_.position(cell), 1, grid_.height(), grid_.height(),
                        [&](float height) { ceiling_[column] = height; });
         });
     }
@@ -78,7 +110,7 @@ public:
     // Returns the level of a chamber that is open in the lower layer and closed in the layer above
     // it.
     double levelOf(std::uint32_t chamber) const {
-        float free = 0, closed = grid_.spacing(); // heights above the lower layer
+        float free = 0, closed = grid_.height(); // heights above the lower layer
         for (int i = 0; i < halvings; ++i) {
             const float middle = (free + closed) / 2;
             (leadsOut(chamber, middle) ? free : closed) = middle;
@@ -103,14 +135,14 @@ private:
         std::vector<std::uint8_t> crossed(columns_, 0);
         const auto width = std::size_t(grid_.size()[0]);
         const std::size_t stride = axis == 0 ? 1 : width;
-        const float length = grid_.spacing() * float(grid_.size()[axis] - 1);
+        const float length = grid_.width() * float(grid_.size()[axis] - 1);
         parallelFor(0, grid_.size()[2 - axis], [&](int row) {
             const Eigen::Vector3i cell =
                 axis == 0 ? Eigen::Vector3i(0, lower_, row) : Eigen::Vector3i(row, lower_, 0);
             const Eigen::Vector3f start = grid_.position(cell) + height * Eigen::Vector3f::UnitY();
             const std::size_t first = std::size_t(row) * (axis == 0 ? width : 1);
-            forEachHit(query_, start, axis, length, grid_.spacing(), [&](float distance) {
-                const int at = std::min(int(distance / grid_.spacing()), grid_.size()[axis] - 1);
+            forEachHit(query_, start, axis, length, grid_.width(), [&](float distance) {
+                const int at = std::min(int(distance / grid_.width()), grid_.size()[axis] - 1);
                 crossed[first + stride * std::size_t(at)] = 1;
             });
         });
@@ -219,8 +251,9 @@ std::vector<std::uint16_t> verticalsAtTheWater(const SpaceGrid& grid,
 } // namespace
 
 AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int cells) {
-    auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells);
-    cell_ = grid->spacing();
+    const float height = boundingBox(mesh).sizes().y() / float(airLayersPerCell * cells);
+    auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells, std::max(height, airLayer));
+    cell_ = grid->width();
     const AirSweep sweep = sweepAir(*grid, Eigen::Vector3f::UnitY());
     // Pocket number of each chamber that is a pocket.
     std::map<std::uint32_t, std::uint16_t> numbers;
@@ -261,7 +294,7 @@ void AirPockets::keep(std::shared_ptr<const SpaceGrid> grid) {
 AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query,
                        const solver::BodyPath& path, int cells) {
     auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells);
-    cell_ = grid->spacing();
+    cell_ = grid->width();
     isOnPath_ = true;
     const std::vector<PathMoment> moments = momentsOf(path, 2 * double(cell_));
     const Verticals verticals = verticalsOf(moments);
@@ -320,14 +353,17 @@ const AirPocket* AirPockets::at(const Eigen::Vector3f& place, const SurfaceQuery
             return pocket;
         }
     }
-    // Where a slanting ceiling comes down to the level, the nearest points of the pocket are
-    // farther away.
-    for (int across = -1; across <= 2; ++across) {
-        for (int along = -1; along <= 2; ++along) {
-            const Eigen::Vector3i point =
-                (cell + Eigen::Vector3i(across, 1, along)).cwiseMax(0).cwiseMin(grid_->last());
-            if (const AirPocket* pocket = seen(point, false)) {
-                return pocket;
+    // Under a slanting ceiling, the nearest points of the pocket are farther away: aside where it
+    // comes down to the level, and below where it is steep.
+    const int lowest = -int(std::ceil(grid_->width() / grid_->height()));
+    for (int up = 1; up >= lowest; --up) {
+        for (int across = -1; across <= 2; ++across) {
+            for (int along = -1; along <= 2; ++along) {
+                const Eigen::Vector3i point =
+                    (cell + Eigen::Vector3i(across, up, along)).cwiseMax(0).cwiseMin(grid_->last());
+                if (const AirPocket* pocket = seen(point, false)) {
+                    return pocket;
+                }
             }
         }
     }

@@ -24,10 +24,18 @@ class SpaceGrid;
 
 // Default number of grid cells along the body's longest edge for the search for air.
 inline constexpr int airCells = 96;
-// Smallest depth of a pocket, in cells.
+// The grid has at most this many layers for each of these cells, so that shallow hollows are seen,
+// but layers are at least `airLayer` mm high. On paths, cells are cubes.
+inline constexpr int airLayersPerCell = 4;
+inline constexpr float airLayer = 0.25f;
+// A pocket is at least so many cells deep and has the volume of at least so many cells.
 inline constexpr int leastPocketDepth = 2;
-// Smallest number of grid points in a pocket.
-inline constexpr int leastPocketPoints = 32;
+inline constexpr int leastPocketCells = 32;
+// Shallower hollows are pockets if they have at least so many layers and so many grid points whose
+// eight neighbours in the layer are in the hollow, too. On narrow ones the grid cannot tell air
+// that is trapped from air that escapes along a slanting ceiling.
+inline constexpr int leastPocketLayers = 2;
+inline constexpr int leastInnerPoints = 16;
 
 struct AirPocket {
     double level = 0; // y of the water surface under the pocket, mm; on a path, of its lowest place
@@ -36,7 +44,7 @@ struct AirPocket {
 
 // The air pockets of a body, in the frame of its mesh; +Y is up. Hollows and ways out that are
 // narrower than a cell are missed. The inside of an open mesh is not a pocket. Levels are accurate
-// to 1/100 of a cell. Immutable; any thread may query it.
+// to 1/100 of a layer. Immutable; any thread may query it.
 class AirPockets {
 public:
     // `query` must search `mesh`. Uses all cores; deterministic.
@@ -48,7 +56,7 @@ public:
 
     bool isEmpty() const { return pockets_.empty(); }
     const std::vector<AirPocket>& all() const { return pockets_; }
-    float cell() const { return cell_; } // edge of a grid cell, mm
+    float cell() const { return cell_; } // width of a grid cell, mm
 
     // Returns the pocket that contains a place outside the body; null in the open and under water.
     // `query` must search the mesh of the constructor.

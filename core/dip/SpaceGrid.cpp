@@ -15,12 +15,14 @@ const Eigen::Vector3f gridShift(0.37f, 0.29f, 0.43f);
 
 } // namespace
 
-SpaceGrid::SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int resolution) {
+SpaceGrid::SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int resolution,
+                     float height) {
     const BoundingBox box = boundingBox(mesh);
-    spacing_ = box.sizes().maxCoeff() / float(resolution);
-    origin_ = box.min() - spacing_ * (Eigen::Vector3f::Ones() + gridShift);
+    spacing_.setConstant(box.sizes().maxCoeff() / float(resolution));
+    spacing_.y() = std::min(spacing_.y(), height);
+    origin_ = box.min() - spacing_.cwiseProduct(Eigen::Vector3f::Ones() + gridShift);
     for (int axis = 0; axis < 3; ++axis) {
-        size_[axis] = int(std::ceil(box.sizes()[axis] / spacing_)) + 4;
+        size_[axis] = int(std::ceil(box.sizes()[axis] / spacing_[axis])) + 4;
     }
     stride_ = {1, std::size_t(size_[0]) * std::size_t(size_[2]), std::size_t(size_[0])};
     for (int axis = 0; axis < 3; ++axis) {
@@ -33,15 +35,16 @@ SpaceGrid::SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int re
 void SpaceGrid::findCrossings(const SurfaceQuery& query, int axis) {
     const int second = (axis + 1) % 3;
     const int third = (axis + 2) % 3;
-    const float length = spacing_ * float(size_[axis] - 1);
+    const float spacing = spacing_[axis];
+    const float length = spacing * float(size_[axis] - 1);
     parallelFor(0, size_[second], [&](int along) {
         for (int across = 0; across < size_[third]; ++across) {
             Eigen::Vector3i cell = Eigen::Vector3i::Zero();
             cell[second] = along;
             cell[third] = across;
             const Eigen::Vector3f start = position(cell);
-            forEachHit(query, start, axis, length, spacing_, [&](float distance) {
-                cell[axis] = std::min(int(distance / spacing_), size_[axis] - 1);
+            forEachHit(query, start, axis, length, spacing, [&](float distance) {
+                cell[axis] = std::min(int(distance / spacing), size_[axis] - 1);
                 crossed_[std::size_t(axis)][index(cell)] = 1;
             });
         }

@@ -5,24 +5,28 @@
 #include "geometry/SurfaceQuery.h"
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace dipwright {
 
-// The grid extends at least one cell past the body on every side. `resolution` is the number of
-// cells along the body's longest edge. Immutable.
+// The grid extends at least one cell past the body on every side. Its cells are square seen from
+// above. Immutable.
 class SpaceGrid {
 public:
-    // `query` must search `mesh`. The grid is in the coordinates of `mesh`. Uses all cores;
-    // deterministic.
-    SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int resolution);
+    // `query` must search `mesh`. The grid is in the coordinates of `mesh`. `resolution` is the
+    // number of cells along the body's longest edge. Cells are cubes, or `height` mm high if that
+    // is less. Uses all cores; deterministic.
+    SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int resolution,
+              float height = std::numeric_limits<float>::infinity());
 
     std::size_t count() const {
         return std::size_t(size_[0]) * std::size_t(size_[1]) * std::size_t(size_[2]);
     }
     const Eigen::Vector3i& size() const { return size_; }
     Eigen::Vector3i last() const { return size_ - Eigen::Vector3i::Ones(); }
-    float spacing() const { return spacing_; }
+    float width() const { return spacing_.x(); }  // of a cell, mm
+    float height() const { return spacing_.y(); } // of a cell, mm
     // Index difference to the next point along an axis.
     std::size_t stride(int axis) const { return stride_[std::size_t(axis)]; }
     std::size_t index(const Eigen::Vector3i& cell) const {
@@ -30,13 +34,13 @@ public:
                std::size_t(cell[2]) * stride_[2];
     }
     Eigen::Vector3f position(const Eigen::Vector3i& cell) const {
-        return origin_ + spacing_ * cell.cast<float>();
+        return origin_ + spacing_.cwiseProduct(cell.cast<float>());
     }
     // Returns the first corner of the cell that contains a place; of the nearest cell if it is
     // outside the grid.
     Eigen::Vector3i cellOf(const Eigen::Vector3f& place) const {
         const Eigen::Vector3i cell =
-            ((place - origin_) / spacing_).array().floor().cast<int>().matrix();
+            (place - origin_).cwiseQuotient(spacing_).array().floor().cast<int>().matrix();
         return cell.cwiseMax(0).cwiseMin(size_ - Eigen::Vector3i::Constant(2));
     }
     // Returns the offset of one of a cell's eight corners from the first corner.
@@ -84,7 +88,7 @@ private:
     void findFreeWays();
 
     Eigen::Vector3f origin_;
-    float spacing_ = 0;
+    Eigen::Vector3f spacing_; // mm
     Eigen::Vector3i size_;
     std::array<std::size_t, 3> stride_{};
     std::array<std::vector<std::uint8_t>, 3> crossed_;

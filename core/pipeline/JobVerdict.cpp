@@ -24,6 +24,9 @@ struct Text {
 using Kind = VerdictReason::Kind;
 
 constexpr double bareSamples = 20'000; // number of points on the body
+// Largest share of the surface that two dips may paint twice if they do not share the body. Along
+// the ends of two films that meet, less is painted twice.
+constexpr double mostPaintedTwice = 0.02;
 
 // Adds reasons for marked zones that are not painted. Kind::Unreached judges the rest of the body.
 void addBareZones(ReasonList& found, const JobResult& result, const ZonedBody& zoned) {
@@ -63,6 +66,18 @@ double unreached(const JobResult& result) {
                                         : 1 - result.coverageTotal;
 }
 
+// Returns the share of the surface that both of two dips paint, if the sheets come from the model.
+double paintedTwice(const JobResult& result) {
+    const auto isReversed = [](const ImmersionResult& dip) {
+        return dip.inputs.texture.isReversed();
+    };
+    if (!std::all_of(result.immersions.begin(), result.immersions.end(), isReversed)) {
+        return 0;
+    }
+    return result.immersions[0].coverage->share + result.immersions[1].coverage->share -
+           result.coverageTotal;
+}
+
 // Tells whether the model shows only one colour.
 bool isPlain(const Project& project) {
     const std::vector<Material>& materials = project.model->materials;
@@ -83,6 +98,10 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
         found.add(
             {Kind::ChangedModel, project.verdict.changedModel, 0, 0, project.modelOrigin.remarks});
     }
+    if (!project.modelOrigin.losses.isEmpty()) {
+        found.add({Kind::IncompleteModel, project.verdict.incompleteModel, 0, 0,
+                   project.modelOrigin.losses});
+    }
     if (!hasMeasuredSwell(project.film, project.profiles)) {
         found.add({Kind::GuessedFilm, project.verdict.guessedFilm});
     }
@@ -91,6 +110,25 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
     }
     for (const QString& note : missingMaterialNotes(project)) {
         found.add({Kind::UnknownName, Advice::CheckFirst, 0, 0, note});
+    }
+}
+
+// Adds reasons for how much of the body is painted: too little, or twice.
+void addAmountReasons(ReasonList& found, const JobResult& result) {
+    const VerdictSettings& limits = result.project.verdict;
+    const std::vector<ImmersionResult>& dips = result.immersions;
+    const double share = dips.front().coverage->share;
+    if (result.project.immersions.size() == 1 && share > 0 && share < limits.leastPainted) {
+        found.add({Kind::LittlePainted, Advice::CheckFirst, share, limits.leastPainted});
+    }
+    if (dips.size() < 2) {
+        return;
+    }
+    found.addShare(Kind::Unreached, unreached(result), limits.unreached);
+    if (result.share) {
+        found.addShare(Kind::Narrow, result.share->narrow, limits.narrow);
+    } else if (const double twice = paintedTwice(result); twice > mostPaintedTwice) {
+        found.add({Kind::PaintedTwice, Advice::CheckFirst, twice, mostPaintedTwice});
     }
 }
 
@@ -109,13 +147,7 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
 
 Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
     ReasonList found;
-    const VerdictSettings& limits = result.project.verdict;
-    if (result.immersions.size() > 1) {
-        found.addShare(Kind::Unreached, unreached(result), limits.unreached);
-    }
-    if (result.share) {
-        found.addShare(Kind::Narrow, result.share->narrow, limits.narrow);
-    }
+    addAmountReasons(found, result);
     if (zones) {
         addBareZones(found, result, *zones);
     }

@@ -131,8 +131,8 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     }
     warnings += chooseSolver(project.process.solver, registry).notes;
     const SurfaceQuery query(project.model->mesh);
-    if (!project.modelOrigin.remarks.isEmpty()) {
-        warnings.append(Text::tr("Import of the model: %1").arg(project.modelOrigin.remarks));
+    if (const QString notes = project.modelOrigin.notes(); !notes.isEmpty()) {
+        warnings.append(Text::tr("Import of the model: %1").arg(notes));
     }
     if (const QString note = thinPartNote(project, project.model->mesh, query); !note.isEmpty()) {
         warnings.append(note);

@@ -22,6 +22,7 @@ void takeModel(Project& project, ImportedModel imported, const QString& path) {
     ModelOrigin& origin = project.modelOrigin;
     origin.source = path;
     origin.remarks = imported.report.remarks();
+    origin.losses = imported.report.losses.join(QStringLiteral("; "));
     origin.sha256.clear();
     origin.tessellation = Millimetres(0);
     origin.fileUnit.clear();

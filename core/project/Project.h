@@ -35,11 +35,17 @@ struct ModelOrigin {
     QString source;  // the imported file, for "reload from disk"
     QString texture; // the picture that replaced the model's texture, or empty
     double unitMillimetres = 1;
-    QString remarks;   // sentences about repairs and missing files; empty: none
+    QString remarks;   // sentences about repairs and oddities; empty: none
+    QString losses;    // sentences on what the import left out; empty: nothing
     QByteArray sha256; // of the embedded model, hexadecimal
     // For a CAD model, the largest distance of its triangles from its surfaces; 0: no CAD model.
     Millimetres tessellation{0};
     QString fileUnit; // of a CAD model, such as "inch"
+    // Returns the sentences in one line.
+    QString notes() const {
+        return losses + (losses.isEmpty() || remarks.isEmpty() ? QString() : QStringLiteral("; ")) +
+               remarks;
+    }
     bool operator==(const ModelOrigin&) const = default;
 };
 

@@ -97,6 +97,8 @@ void addModelFields(std::vector<Field<Project>>& fields) {
         [](auto& p) -> auto& { return p.modelOrigin.unitMillimetres; }));
     fields.push_back(omittedIfDefault(notHashedIfDefault(text(
         "model.remarks", 4000, [](auto& p) -> auto& { return p.modelOrigin.remarks; }))));
+    fields.push_back(omittedIfDefault(notHashedIfDefault(text(
+        "model.losses", 4000, [](auto& p) -> auto& { return p.modelOrigin.losses; }))));
     fields.push_back(modelHash());
     fields.push_back(omittedIfDefault(notHashedIfDefault(number(
         "model.tessellation_mm", 0, coarsestTessellation,
@@ -357,11 +359,13 @@ void addVerdictFields(std::vector<Field<Project>>& fields) {
     share("verdict.unreached", &V::unreached);
     share("verdict.narrow", &V::narrow);
     share("verdict.zone_bare", &V::zoneBare);
+    share("verdict.least_painted", &V::leastPainted);
     share("verdict.damaged", &V::damaged);
     add(number(
         "verdict.edge_mm", 0, 1000, [](auto& p) -> auto& { return p.verdict.edge; }));
     add(adviceField("verdict.no_picture", &V::noPicture));
     add(adviceField("verdict.changed_model", &V::changedModel));
+    add(adviceField("verdict.incomplete_model", &V::incompleteModel));
     add(adviceField("verdict.guessed_film", &V::guessedFilm));
     add(adviceField("verdict.expired_film", &V::expiredFilm));
 }

@@ -20,13 +20,17 @@ struct VerdictSettings {
     double unreached = 0.05; // share of the body's surface that neither of two dips paints
     // share of the overlap of two dips that is narrower than their registration error
     double narrow = 0.3;
-    double zoneBare = 0.02; // share of a marked zone that no dip paints
-    double damaged = 0.05;  // share of the painted area under torn or released film
-    Millimetres edge{5};    // least distance of the painted film from the film's edge
+    double zoneBare = 0.02;    // share of a marked zone that no dip paints
+    double leastPainted = 0.1; // share of the surface that the only dip should paint
+    double damaged = 0.05;     // share of the painted area under torn or released film
+    Millimetres edge{5};       // least distance of the painted film from the film's edge
     // The verdict on a model of one plain colour, without artwork.
     Advice noPicture = Advice::CheckFirst;
-    Advice changedModel = Advice::Print; // verdict on a model that was repaired or lacks something
-    Advice guessedFilm = Advice::Print;  // verdict on a film whose swell was not measured
+    Advice changedModel = Advice::Print; // verdict on a model that was repaired
+    // The verdict on a model of which the import left something out, or cannot show it as its file
+    // means it, such as a missing texture.
+    Advice incompleteModel = Advice::CheckFirst;
+    Advice guessedFilm = Advice::Print;      // verdict on a film whose swell was not measured
     Advice expiredFilm = Advice::CheckFirst; // verdict on a film after the expiry date of its lot
     bool operator==(const VerdictSettings&) const = default;
 };

@@ -270,8 +270,8 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
         if (const QString cad = cadText(project); !cad.isEmpty()) {
             lines.append(cad);
         }
-        if (!project.modelOrigin.remarks.isEmpty()) {
-            lines.append(project.modelOrigin.remarks);
+        if (const QString notes = project.modelOrigin.notes(); !notes.isEmpty()) {
+            lines.append(notes);
         }
         facts->setText(lines.join(QLatin1Char('\n')));
     });

@@ -673,6 +673,8 @@ PropertySection verdictProperties() {
                       "of the second film.")),
         spec("verdict.zone_bare", Text::tr("Unpainted in a zone"),
              Text::tr("The share of a marked zone A or B that may stay unpainted.")),
+        spec("verdict.least_painted", Text::tr("Least painted area"),
+             Text::tr("The share of the part's surface that the only dip of a job should paint.")),
         {.path = QStringLiteral("verdict.edge_mm"),
          .label = Text::tr("Distance to film's edge"),
          .help = Text::tr("The smallest allowed distance between film that paints and the film's "
@@ -684,8 +686,12 @@ PropertySection verdictProperties() {
          .words = advice},
         {.path = QStringLiteral("verdict.changed_model"),
          .label = Text::tr("Repaired model"),
-         .help = Text::tr(
-             "The verdict for a model that was repaired, or that refers to a missing file."),
+         .help = Text::tr("The verdict for a model that was repaired."),
+         .words = advice},
+        {.path = QStringLiteral("verdict.incomplete_model"),
+         .label = Text::tr("Incomplete model"),
+         .help = Text::tr("The verdict for a model of which the import left something out, such as "
+                          "a missing texture or a texture transform."),
          .words = advice},
         {.path = QStringLiteral("verdict.guessed_film"),
          .label = Text::tr("Film not measured"),

@@ -251,8 +251,11 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"changed_model", "verdict.changed_model"},
                                KindWords{"guessed_film", "verdict.guessed_film"},
                                KindWords{"expired_film", "verdict.expired_film"},
-                               KindWords{"unknown_name", ""}};
-static_assert(kindWords.size() == std::size_t(Kind::UnknownName) + 1);
+                               KindWords{"unknown_name", ""},
+                               KindWords{"incomplete_model", "verdict.incomplete_model"},
+                               KindWords{"painted_twice", "share.enabled"},
+                               KindWords{"little_painted", "verdict.least_painted"}};
+static_assert(kindWords.size() == std::size_t(Kind::LittlePainted) + 1);
 
 } // namespace
 

@@ -43,10 +43,13 @@ struct VerdictReason {
         ZoneExceeded, // handling and numerical error together: 95 % of the zone's painted area is
                       // within `value` mm, which exceeds `limit`
         NoPicture,    // the model has one plain colour
-        ChangedModel, // `text`: what the import repaired, or what is missing
+        ChangedModel, // `text`: what the import repaired or found odd
         GuessedFilm,  // the film's swell was not measured
         ExpiredFilm,  // `text`: which film, and since when
         UnknownName,  // `text`: a face or material that a mark or layer names but the model lacks
+        IncompleteModel, // `text`: what the import left out or cannot show as the file means it
+        PaintedTwice,    // both dips print the share `value` of the body's surface at full strength
+        LittlePainted,   // the only dip paints the share `value` of the surface, less than `limit`
     };
     Kind kind;
     Advice advice = Advice::Print; // the verdict if this is the only reason

@@ -149,6 +149,15 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
             .arg(length(reason.value), length(reason.limit));
     case Kind::NoPicture:
         return Text::tr("The model has no texture and no artwork: one plain colour is printed.");
+    case Kind::PaintedTwice:
+        return Text::tr("Both dips print %1 % of the part at full strength, so these places become "
+                        "too dark. Let the dips share the part (Seam > Share between dips).")
+            .arg(shares[0]);
+    case Kind::LittlePainted:
+        return Text::tr("The dip paints only %1 % of the part; the limit is %2 %. Check the depth "
+                        "and the pose.")
+            .arg(shares[0], shares[1]);
+    case Kind::IncompleteModel:
     case Kind::ChangedModel:
         return Text::tr("Model: %1").arg(reason.text);
     case Kind::GuessedFilm:

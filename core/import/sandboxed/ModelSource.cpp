@@ -44,4 +44,17 @@ bool mayBeFurtherRows(QByteArrayView left, qsizetype rowBytes) {
            std::any_of(left.begin(), left.end(), [](char byte) { return byte != '\0'; });
 }
 
+bool isPastPicture(const std::array<Eigen::Vector2f, 3>& coordinates) {
+    constexpr float slack = 1e-3f; // of the picture
+    return std::any_of(coordinates.begin(), coordinates.end(), [](const Eigen::Vector2f& each) {
+        return each.minCoeff() < -slack || each.maxCoeff() > 1 + slack;
+    });
+}
+
+QString notRepeatedWarning() {
+    return Text::tr(
+        "The model mirrors a texture past its edge, or ends it there; here it repeats, so these "
+        "places are wrong. Apply this to the picture in a modelling program");
+}
+
 } // namespace dipwright

@@ -34,6 +34,12 @@ struct ModelSource {
 // not count. Bytes without meaning are common there. Zero bytes never count as rows.
 bool mayBeFurtherRows(QByteArrayView left, qsizetype rowBytes);
 
+// Whether a triangle reaches past the edge of its picture, where the picture repeats. Rounding does
+// not count.
+bool isPastPicture(const std::array<Eigen::Vector2f, 3>& coordinates);
+// The warning for such triangles whose picture should not repeat.
+QString notRepeatedWarning();
+
 // Texture coordinates of a triangle that has none.
 inline std::array<Eigen::Vector2f, 3> noCoordinates() {
     std::array<Eigen::Vector2f, 3> corners;

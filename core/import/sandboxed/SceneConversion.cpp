@@ -8,6 +8,8 @@
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -38,6 +40,8 @@ public:
         std::uint16_t material; // index into the model's materials
         unsigned channel;       // channel of texture coordinates in the scene's mesh
         PicturePlacement placement;
+        // Whether the picture is mirrored or ends at its edge where texture coordinates go on.
+        bool isNotRepeated = false;
     };
 
     Found find(unsigned sceneMaterial) {
@@ -46,7 +50,8 @@ public:
             return known->second;
         }
         requireWithin(Budget::Materials, qint64(model_.materials.size()) + 1, source_.path);
-        Found found{std::uint16_t(model_.materials.size()), read(sceneMaterial), {}};
+        Found found{std::uint16_t(model_.materials.size()), 0, {}};
+        read(sceneMaterial, found);
         const auto placed = meaning_.placements.find(model_.materials.back().name);
         if (placed != meaning_.placements.end()) {
             found.placement = placed->second;
@@ -55,11 +60,11 @@ public:
     }
 
 private:
-    // Adds the material to the model. Returns the channel of its texture coordinates.
-    unsigned read(unsigned sceneMaterial) {
+    // Adds the material to the model, and sets what is read from it.
+    void read(unsigned sceneMaterial, Found& found) {
         Material& material = model_.materials.emplace_back();
         if (sceneMaterial >= scene_.mNumMaterials) {
-            return 0;
+            return;
         }
         const aiMaterial& source = *scene_.mMaterials[sceneMaterial];
         material.name = QString::fromUtf8(source.GetName().C_Str()).left(longestMaterialName);
@@ -72,13 +77,27 @@ private:
         }
         for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
             aiString name;
-            unsigned channel = 0;
-            if (source.GetTexture(type, 0, &name, nullptr, &channel) == aiReturn_SUCCESS) {
+            std::array<aiTextureMapMode, 3> modes{}; // U, V, and one that pictures do not have
+            if (source.GetTexture(type, 0, &name, nullptr, &found.channel, nullptr, nullptr,
+                                  modes.data()) == aiReturn_SUCCESS) {
                 material.texture = source_.withTextures ? textureIndex(name) : -1;
-                return channel;
+                found.isNotRepeated = material.texture >= 0 && (modes[0] != aiTextureMapMode_Wrap ||
+                                                                modes[1] != aiTextureMapMode_Wrap);
+                noteTint(material);
+                return;
             }
         }
-        return 0;
+    }
+
+    // In glTF, the material's colour multiplies its picture.
+    void noteTint(const Material& material) {
+        if (meaning_.linearColours && material.texture >= 0 && material.colour != Qt::white &&
+            !isTintNoted_) {
+            isTintNoted_ = true;
+            warnings_.push_back(Text::tr(
+                "The model tints a texture with its material's colour, which is not shown; apply "
+                "the colour to the picture"));
+        }
     }
 
     int textureIndex(const aiString& name) {
@@ -130,7 +149,15 @@ private:
     QStringList& warnings_;
     std::map<unsigned, Found> found_;
     std::map<std::string, int> textures_;
+    bool isTintNoted_ = false;
 };
+
+// Whether vertex colours would change a picture that they multiply.
+bool isTinted(const aiMesh& mesh) {
+    const aiColor4D white(1, 1, 1, 1);
+    return std::any_of(mesh.mColors[0], mesh.mColors[0] + mesh.mNumVertices,
+                       [&](const aiColor4D& colour) { return colour != white; });
+}
 
 class TriangleReader {
 public:
@@ -151,6 +178,15 @@ public:
         if (hasColours_) {
             warnings_.push_back(Text::tr(
                 "The model's vertex colours are not used; bake them into a texture to print them"));
+        }
+        if (isPastPicture_) {
+            warnings_.push_back(notRepeatedWarning());
+        }
+        if (bare_ > 0 && bare_ < model_.mesh.triangles.size()) {
+            warnings_.push_back(
+                Text::tr("%1 triangles have no place on the model's texture; they show the colour "
+                         "of its corner")
+                    .arg(bare_));
         }
     }
 
@@ -186,11 +222,13 @@ private:
             const aiVector3D position = transform * mesh.mVertices[v];
             model_.mesh.positions.emplace_back(position.x, position.y, position.z);
         }
-        const auto [material, channel, placement] = materials_.find(mesh.mMaterialIndex);
+        const auto [material, channel, placement, isNotRepeated] =
+            materials_.find(mesh.mMaterialIndex);
+        const bool hasPicture = model_.materials[material].texture >= 0;
         const bool isMirrored = transform.Determinant() < 0;
         const bool hasCoordinates =
             channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(channel);
-        hasColours_ |= mesh.HasVertexColors(0) && model_.materials[material].texture < 0;
+        hasColours_ |= mesh.HasVertexColors(0) && (!hasPicture || isTinted(mesh));
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
             if (face.mNumIndices != 3) { // skip points and lines
@@ -204,6 +242,13 @@ private:
             addTriangle(mesh, corners, firstPosition,
                         hasCoordinates ? mesh.mTextureCoords[channel] : nullptr, placement);
             model_.material.push_back(material);
+            if (hasPicture && hasCoordinates) {
+                const auto& uv = model_.textureCoordinates.back();
+                isPastPicture_ |= isNotRepeated && isPastPicture(uv);
+                // Readers fill missing coordinates with zeros.
+                const auto isZero = [](const Eigen::Vector2f& each) { return each.isZero(0); };
+                bare_ += std::all_of(uv.begin(), uv.end(), isZero) ? 1 : 0;
+            }
         }
     }
 
@@ -231,7 +276,8 @@ private:
     const Progress& progress_;
     MaterialReader materials_;
     std::size_t total_ = 0;
-    bool hasColours_ = false;
+    bool hasColours_ = false, isPastPicture_ = false;
+    std::size_t bare_ = 0; // triangles with a picture, all of whose coordinates are 0
 };
 
 } // namespace

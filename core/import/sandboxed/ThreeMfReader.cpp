@@ -76,6 +76,7 @@ struct PropertyGroup {
     std::vector<Eigen::Vector2f> coordinates; // texture coordinates
     int texture = noTexture;                  // index of the texture that the coordinates are for
     QString picture;                          // file of that texture
+    bool isNotRepeated = false;               // the texture is mirrored or ends at its edge
 };
 
 struct ObjectTriangle {
@@ -101,6 +102,7 @@ struct Object {
 struct Part {
     double unit = 1; // in mm
     std::map<int, QString> pictures;
+    std::set<int> notRepeated; // textures
     std::map<int, PropertyGroup> groups;
     std::map<int, Object> objects;
     std::vector<Placement> build;
@@ -180,6 +182,9 @@ private:
             openGroup_ = &added(part_.groups);
         } else if (name == u"texture2d") {
             added(part_.pictures) = text("path");
+            if (!isRepeated("tilestyleu") || !isRepeated("tilestylev")) {
+                part_.notRepeated.insert(integer("id"));
+            }
         } else if (name == u"texture2dgroup") {
             openGroup_ = &added(part_.groups);
             openGroup_->texture = integer("texid");
@@ -248,6 +253,7 @@ private:
             const auto picture = part_.pictures.find(group.texture);
             if (picture != part_.pictures.end()) {
                 group.picture = picture->second;
+                group.isNotRepeated = part_.notRepeated.contains(group.texture);
             } else if (group.texture != noTexture) {
                 throwNoSuchResource();
             }
@@ -343,6 +349,11 @@ private:
 
     // Returns an attribute of any namespace, because the production extension's path has its own.
     // Null if there is none.
+    bool isRepeated(const char* style) const {
+        const QString name = text(style);
+        return name.isEmpty() || name == u"wrap";
+    }
+
     QString text(const char* name) const {
         for (const QXmlStreamAttribute& attribute : attributes_) {
             if (attribute.name() == QLatin1String(name)) {
@@ -405,6 +416,9 @@ public:
         }
         for (const Placement& item : root.build) {
             place(item, toMillimetres);
+        }
+        if (isPastPicture_) {
+            warnings_.push_back(notRepeatedWarning());
         }
         return std::move(model_);
     }
@@ -490,6 +504,8 @@ private:
             const auto group = inPart.groups.find(triangle.group);
             if (group != inPart.groups.end()) {
                 fillCoordinates(group->second, triangle, uv);
+                isPastPicture_ |=
+                    source_.withTextures && group->second.isNotRepeated && isPastPicture(uv);
             }
             for (auto& corner : corners) {
                 corner += first;
@@ -561,6 +577,7 @@ private:
     Package package_;
     std::map<QString, Part> parts_;
     TexturedMesh model_;
+    bool isPastPicture_ = false;
     std::map<std::tuple<QString, int, int>, std::uint16_t> materials_;
     std::map<QString, int> textures_;
     std::map<std::pair<QString, int>, std::size_t> triangleCounts_;

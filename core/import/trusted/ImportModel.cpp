@@ -246,7 +246,7 @@ ImportedModel finished(UntrustedModel foreign, const ReadPicture& texture, const
     TexturedMesh& model = result.model;
     ImportReport& report = result.report;
     model = std::move(foreign.mesh);
-    report.warnings = foreign.warnings;
+    report.losses = foreign.warnings;
     report.cad = foreign.cad;
     if (model.mesh.triangles.empty()) {
         throw Error(Text::tr("The model has no triangles; save it with its surface"), path);
@@ -256,12 +256,12 @@ ImportedModel finished(UntrustedModel foreign, const ReadPicture& texture, const
     }
     progress(0, Text::tr("Checking the model"));
     checkPositions(model.mesh, path);
-    dropUnusableCoordinates(model, report.warnings);
+    dropUnusableCoordinates(model, report.losses);
     report.repaired = repair(model, path, repairCheckpoint(path, fileBytes, progress));
     report.repairs = sentencesOf(report.repaired);
     report.unitMillimetres = scaleAsAsked(model.mesh, options, path);
-    dropUselessTextures(model, report.warnings);
-    report.warnings += colourNotes(model);
+    dropUselessTextures(model, report.losses);
+    report.warnings = report.losses + colourNotes(model);
     progress(0.66, Text::tr("Finding the texture's charts"));
     model.chart = findCharts(model);
     describe(model, report);

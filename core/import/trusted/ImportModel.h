@@ -52,12 +52,16 @@ struct ImportReport {
     ModelRepairs repaired;
     // The repairs as sentences, such as "Triangles without area that were removed: 12".
     QStringList repairs;
-    QStringList warnings;        // such as "The mesh is not closed: …"
+    QStringList warnings; // such as "The mesh is not closed: …"; begin with the losses
+    // What was left out, or cannot be shown as the file means it.
+    QStringList losses;
     std::optional<CadFacts> cad; // of a CAD file
     double unitMillimetres = 1;  // factor by which the file's lengths were multiplied
 
-    // Returns both lists in one line, for ModelOrigin::remarks.
-    QString remarks() const { return (warnings + repairs).join(QStringLiteral("; ")); }
+    // Returns all but the losses in one line, for ModelOrigin::remarks.
+    QString remarks() const {
+        return (warnings.mid(losses.size()) + repairs).join(QStringLiteral("; "));
+    }
 };
 
 struct ImportedModel {

@@ -53,7 +53,7 @@ private Q_SLOTS:
     void airPocketLevel_tippedCup_isTheHeightOfItsUpperLip();
     void trappedAir_bottleNeckDown_fillsItsWholeInside();
     void trappedAir_ring_isNone();
-    void trappedAir_shallowHollow_isNoPocket();
+    void trappedAir_shallowHollow_isFoundDownToTwoLayers();
 };
 
 void TrappedAirTest::trappedAir_convexBodies_isNone() {
@@ -212,14 +212,24 @@ void TrappedAirTest::trappedAir_ring_isNone() {
     }
 }
 
-void TrappedAirTest::trappedAir_shallowHollow_isNoPocket() {
-    // A block with a pit in its bottom, one cell deep.
-    constexpr double cell = 60.0 / airCells;
-    const auto block = [](double depth) {
-        return turned({{0, depth}, {10, depth}, {10, 0}, {30, 0}, {30, 20}, {0, 20}}, 48);
+void TrappedAirTest::trappedAir_shallowHollow_isFoundDownToTwoLayers() {
+    // A block with a pit of radius 10 mm in its bottom. How wide the block is does not matter.
+    const auto block = [](double depth, double radius) {
+        return turned({{0, depth}, {10, depth}, {10, 0}, {radius, 0}, {radius, 20}, {0, 20}}, 48);
     };
-    QCOMPARE(trapped(block(cell)), 0.0);
-    QVERIFY(trapped(block((leastPocketDepth + 1) * cell)) > 300);
+    QCOMPARE(trapped(block(airLayer, 30)), 0.0);
+    for (const double radius : {30.0, 100.0}) {
+        for (const double depth : {0.8, 1.4, 3.0}) {
+            const double area = trapped(block(depth, radius));
+            const double dry = pi * 10 * 10 + 2 * pi * 10 * depth;
+            QVERIFY2(std::abs(area - dry) < 0.03 * dry,
+                     qPrintable(QStringLiteral("%1 mm, %2 mm: dry area %3 mm², expected %4 mm²")
+                                    .arg(radius)
+                                    .arg(depth)
+                                    .arg(area)
+                                    .arg(dry)));
+        }
+    }
 }
 
 QTEST_APPLESS_MAIN(TrappedAirTest)

@@ -30,6 +30,9 @@ QString warningsOf(const ImportedModel& imported) {
 
 } // namespace
 
+// The material's colour in squareGltf().
+const QByteArray tint = R"("baseColorFactor":[0.5,0.5,0.5,1],)";
+
 class OddModelsTest : public QObject {
     Q_OBJECT
 
@@ -42,6 +45,9 @@ private Q_SLOTS:
     void gltf_requiredExtension_isReadOrNamed();
     void gltf_textureInUnsupportedFormat_isAWarning();
     void gltf_scaledTexture_isAWarning();
+    void gltf_mirroredTexture_isALossWhereItRepeats();
+    void gltf_tintedTexture_isALoss();
+    void obj_someCoordinatesMissing_isALoss();
     void gltf_byteOrderMark_isRead();
     void obj_byteOrderMark_isRead();
     void gltf_deeplyNested_isRefused();
@@ -173,6 +179,50 @@ void OddModelsTest::gltf_scaledTexture_isAWarning() {
         write(QStringLiteral("offset.gltf"), moved(R"({"offset":[0.5,0]})", required)), {}, {});
     QVERIFY2(!warningsOf(offset).contains(QStringLiteral("KHR_texture_transform")),
              qPrintable(warningsOf(offset)));
+}
+
+void OddModelsTest::gltf_mirroredTexture_isALossWhereItRepeats() {
+    const auto lossesAt = [&](const QByteArray& offset) {
+        QByteArray text = gltf(R"({"source":0})", R"({"source":0,"sampler":0})");
+        text.replace(tint, "");
+        text.replace(R"("baseColorTexture":{"index":0})",
+                     R"("baseColorTexture":{"index":0,"extensions":{"KHR_texture_transform":)"
+                     R"({"offset":)" +
+                         offset + "}}}");
+        text.replace(R"("asset":)", R"("extensionsUsed":["KHR_texture_transform"],)"
+                                    R"("samplers":[{"wrapS":33648,"wrapT":33648}],"asset":)");
+        return importModel(write(QStringLiteral("mirrored.gltf"), text), {}, {}).report.losses;
+    };
+    const QStringList none = lossesAt("[0,0]");
+    QVERIFY2(none.isEmpty(), qPrintable(none.join(u'|')));
+    const QStringList losses = lossesAt("[0.5,0]");
+    QCOMPARE(losses.size(), 1);
+    QVERIFY2(losses[0].contains(QStringLiteral("mirrors a texture")), qPrintable(losses[0]));
+}
+
+void OddModelsTest::gltf_tintedTexture_isALoss() {
+    const auto losses = [&](const QByteArray& text) {
+        return importModel(write(QStringLiteral("tinted.gltf"), text), {}, {}).report.losses;
+    };
+    QCOMPARE(losses(gltf(tint, "")), QStringList());
+    const QStringList tinted = losses(squareGltf(png(quarters())));
+    QCOMPARE(tinted.size(), 1);
+    QVERIFY2(tinted[0].contains(QStringLiteral("tints a texture")), qPrintable(tinted[0]));
+}
+
+// Two sides of a tetrahedron name texture coordinates, and two do not.
+void OddModelsTest::obj_someCoordinatesMissing_isALoss() {
+    write(QStringLiteral("some.mtl"), "newmtl skin\nmap_Kd skin.png\n");
+    const QByteArray some = "mtllib some.mtl\nusemtl skin\nv 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\n"
+                            "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\n";
+    const auto losses = [&](const QByteArray& others) {
+        const QString file = write(QStringLiteral("some.obj"), some + others);
+        return importModel(file, {}, {}).report.losses;
+    };
+    QCOMPARE(losses("f 2/1 3/2 4/3\nf 3/1 1/2 4/3\n"), QStringList());
+    const QStringList found = losses("f 2 3 4\nf 3 1 4\n");
+    QCOMPARE(found.size(), 1);
+    QVERIFY2(found[0].startsWith(QStringLiteral("2 triangles")), qPrintable(found[0]));
 }
 
 void OddModelsTest::gltf_byteOrderMark_isRead() {

@@ -29,6 +29,11 @@ using namespace dipwright::test;
 
 namespace {
 
+bool hasReason(const Verdict& verdict, VerdictReason::Kind kind) {
+    return std::any_of(verdict.reasons.begin(), verdict.reasons.end(),
+                       [&](const VerdictReason& reason) { return reason.kind == kind; });
+}
+
 Project ballJob() {
     Project project;
     project.name = QStringLiteral("ball");
@@ -113,10 +118,7 @@ private slots:
         Project job = ballJob();
         job.immersions.resize(1);
         const auto isTornBare = [](const JobResult& result) {
-            const std::vector<VerdictReason>& reasons = result.immersions.front().verdict.reasons;
-            return std::any_of(reasons.begin(), reasons.end(), [](const VerdictReason& reason) {
-                return reason.kind == VerdictReason::Kind::TornBare;
-            });
+            return hasReason(result.immersions.front().verdict, VerdictReason::Kind::TornBare);
         };
         const JobResult whole = runJob(job, *registry_, {}, nullptr, {});
         QVERIFY(!isTornBare(whole));
@@ -129,6 +131,23 @@ private slots:
         };
         const double lost = painted(whole) - painted(torn);
         QVERIFY(std::abs(torn.immersions.front().coverage->tornBare / lost - 1) < 0.1);
+    }
+
+    // Nothing in a run compares two prints at full strength, so the verdict must.
+    void runJob_dipsThatDoNotShare_areToBeChecked() {
+        Project job = ballJob();
+        job.share.enabled = false;
+        const JobResult result = runJob(job, *registry_, {}, nullptr, {});
+        QVERIFY(hasReason(result.verdict, VerdictReason::Kind::PaintedTwice));
+        QVERIFY(!hasReason(first_.verdict, VerdictReason::Kind::PaintedTwice));
+    }
+
+    void runJob_dipThatEndsTooEarly_isToBeChecked() {
+        Project job = ballJob();
+        job.immersions.resize(1);
+        job.process.depth = Millimetres(1);
+        const JobResult result = runJob(job, *registry_, {}, nullptr, {});
+        QVERIFY(hasReason(result.verdict, VerdictReason::Kind::LittlePainted));
     }
 
     void runJob_maskOnUnknownFace_isToBeChecked() {

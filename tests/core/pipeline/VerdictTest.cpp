@@ -129,8 +129,13 @@ private slots:
         QVERIFY(has(plain, VerdictReason::Kind::GuessedFilm));
         QVERIFY(!has(plain, VerdictReason::Kind::ChangedModel));
         project.verdict.noPicture = Advice::Print;
+        project.modelOrigin.losses = QStringLiteral("The texture wood.png is missing");
+        const JobResult incomplete = unjudged(project);
+        QCOMPARE(adviceOf(incomplete), Advice::CheckFirst);
+        QVERIFY(has(incomplete, VerdictReason::Kind::IncompleteModel));
+        project.modelOrigin.losses.clear();
         project.verdict.guessedFilm = Advice::DoNotPrint;
-        project.modelOrigin.remarks = QStringLiteral("The texture wood.png is missing");
+        project.modelOrigin.remarks = QStringLiteral("Points that were merged: 14");
         const JobResult guessed = unjudged(project);
         QCOMPARE(adviceOf(guessed), Advice::DoNotPrint);
         QCOMPARE(reasonsOf(guessed).front().reason.kind, VerdictReason::Kind::GuessedFilm);
@@ -140,7 +145,7 @@ private slots:
         const QJsonObject first = json["reasons"].toArray().first().toObject();
         QCOMPARE(first["kind"].toString(), QStringLiteral("guessed_film"));
         QCOMPARE(first["field"].toString(), QStringLiteral("verdict.guessed_film"));
-        QVERIFY(QString::fromUtf8(QJsonDocument(json).toJson()).contains("wood.png"));
+        QVERIFY(QString::fromUtf8(QJsonDocument(json).toJson()).contains("merged: 14"));
     }
 
     // The top of the ball lies above the overhang limit and stays bare.
