@@ -3872,10 +3872,6 @@
         <translation>Weder Textur noch Gestaltung</translation>
     </message>
     <message>
-        <source>The verdict for a model that was repaired, or that refers to a missing file.</source>
-        <translation>Das Urteil für ein Modell, das berichtigt wurde oder auf eine fehlende Datei verweist.</translation>
-    </message>
-    <message>
         <source>Start value of the random deviations in the simulated dips. Another value gives other deviations.</source>
         <translation>Startwert der zufälligen Abweichungen in den simulierten Tauchvorgängen. Ein anderer Wert ergibt andere Abweichungen.</translation>
     </message>
@@ -4082,6 +4078,26 @@
     <message>
         <source>How far the contact line moves in one step, in cells of the film. For a more exact sheet, smaller cells are better than steps below 0.5.</source>
         <translation>Wie weit sich die Kontaktlinie in einem Schritt bewegt, in Zellen des Films. Für ein genaueres Blatt sind kleinere Zellen besser als Schritte unter 0,5.</translation>
+    </message>
+    <message>
+        <source>Least painted area</source>
+        <translation>Kleinste bemalte Fläche</translation>
+    </message>
+    <message>
+        <source>The share of the part&apos;s surface that the only dip of a job should paint.</source>
+        <translation>Der Anteil der Oberfläche des Teils, den der einzige Tauchvorgang eines Auftrags bemalen soll.</translation>
+    </message>
+    <message>
+        <source>The verdict for a model that was repaired.</source>
+        <translation>Das Urteil für ein Modell, das berichtigt wurde.</translation>
+    </message>
+    <message>
+        <source>Incomplete model</source>
+        <translation>Unvollständiges Modell</translation>
+    </message>
+    <message>
+        <source>The verdict for a model of which the import left something out, such as a missing texture or a texture transform.</source>
+        <translation>Das Urteil für ein Modell, von dem beim Import etwas weggelassen wurde, zum Beispiel eine fehlende Textur oder eine Texturtransformation.</translation>
     </message>
 </context>
 <context>
@@ -5240,6 +5256,14 @@
     <message>
         <source>The film tears, and up to %1 % of the surface that it should paint stays bare; the limit is %2 %. Turn the part, dip it twice, or use a film that stretches more.</source>
         <translation>Der Film reißt, und bis zu %1 % der Fläche, die er bedrucken soll, bleiben frei; die Grenze ist %2 %. Drehen Sie das Teil, tauchen Sie es zweimal, oder nehmen Sie einen Film, der sich weiter dehnt.</translation>
+    </message>
+    <message>
+        <source>The dip paints only %1 % of the part; the limit is %2 %. Check the depth and the pose.</source>
+        <translation>Der Tauchvorgang bemalt nur %1 % des Teils; die Grenze ist %2 %. Prüfen Sie die Tiefe und die Lage.</translation>
+    </message>
+    <message>
+        <source>Both dips print %1 % of the part at full strength, so these places become too dark. Split the part between the dips (share.enabled).</source>
+        <translation>Beide Tauchvorgänge drucken %1 % des Teils mit voller Stärke, sodass diese Stellen zu dunkel werden. Teilen Sie das Teil zwischen den Tauchvorgängen auf (share.enabled).</translation>
     </message>
 </context>
 <context>
@@ -7677,6 +7701,22 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>its surfaces cannot be cut into triangles</source>
         <translation>ihre Flächen können nicht in Dreiecke zerlegt werden</translation>
+    </message>
+    <message>
+        <source>The model mirrors a texture past its edge, or ends it there; here it repeats, so these places are wrong. Apply this to the picture in a modelling program</source>
+        <translation>Das Modell spiegelt eine Textur jenseits ihres Randes oder lässt sie dort enden; hier wiederholt sie sich, sodass diese Stellen falsch sind. Wenden Sie dies in einem Modellierprogramm auf das Bild an</translation>
+    </message>
+    <message>
+        <source>The model tints a texture with its material&apos;s colour, which is not shown; apply the colour to the picture</source>
+        <translation>Das Modell tönt eine Textur mit der Farbe ihres Materials, was nicht gezeigt wird; wenden Sie die Farbe auf das Bild an</translation>
+    </message>
+    <message>
+        <source>%1 triangles have no place on the model&apos;s texture; they show the colour of its corner</source>
+        <translation>%1 Dreiecke haben keinen Ort auf der Textur des Modells; sie zeigen die Farbe ihrer Ecke</translation>
+    </message>
+    <message>
+        <source>Triangles of closed cavities that were removed: %1</source>
+        <translation>Entfernte Dreiecke geschlossener Hohlräume: %1</translation>
     </message>
 </context>
 <context>

@@ -3872,10 +3872,6 @@
         <translation>Sem textura nem arte</translation>
     </message>
     <message>
-        <source>The verdict for a model that was repaired, or that refers to a missing file.</source>
-        <translation>O veredito para um modelo que foi corrigido ou que se refere a um arquivo que falta.</translation>
-    </message>
-    <message>
         <source>Start value of the random deviations in the simulated dips. Another value gives other deviations.</source>
         <translation>Valor inicial dos desvios aleatórios nas imersões simuladas. Outro valor dá outros desvios.</translation>
     </message>
@@ -4082,6 +4078,26 @@
     <message>
         <source>How far the contact line moves in one step, in cells of the film. For a more exact sheet, smaller cells are better than steps below 0.5.</source>
         <translation>Quanto a linha de contato avança em um passo, em células da película. Para uma folha mais exata, células menores são melhores do que passos abaixo de 0,5.</translation>
+    </message>
+    <message>
+        <source>Least painted area</source>
+        <translation>Menor área pintada</translation>
+    </message>
+    <message>
+        <source>The share of the part&apos;s surface that the only dip of a job should paint.</source>
+        <translation>A parte da superfície da peça que a única imersão de um trabalho deve pintar.</translation>
+    </message>
+    <message>
+        <source>The verdict for a model that was repaired.</source>
+        <translation>O veredito para um modelo que foi corrigido.</translation>
+    </message>
+    <message>
+        <source>Incomplete model</source>
+        <translation>Modelo incompleto</translation>
+    </message>
+    <message>
+        <source>The verdict for a model of which the import left something out, such as a missing texture or a texture transform.</source>
+        <translation>O veredito para um modelo do qual a importação deixou algo de fora, como uma textura ausente ou uma transformação de textura.</translation>
     </message>
 </context>
 <context>
@@ -5240,6 +5256,14 @@
     <message>
         <source>The film tears, and up to %1 % of the surface that it should paint stays bare; the limit is %2 %. Turn the part, dip it twice, or use a film that stretches more.</source>
         <translation>O filme se rasga, e até %1 % da superfície que ele deve pintar ficam sem tinta; o limite é %2 %. Gire a peça, mergulhe-a duas vezes ou use um filme que se estique mais.</translation>
+    </message>
+    <message>
+        <source>The dip paints only %1 % of the part; the limit is %2 %. Check the depth and the pose.</source>
+        <translation>A imersão pinta só %1 % da peça; o limite é %2 %. Verifique a profundidade e a pose.</translation>
+    </message>
+    <message>
+        <source>Both dips print %1 % of the part at full strength, so these places become too dark. Split the part between the dips (share.enabled).</source>
+        <translation>As duas imersões imprimem %1 % da peça com intensidade total, e esses lugares ficam escuros demais. Divida a peça entre as imersões (share.enabled).</translation>
     </message>
 </context>
 <context>
@@ -7677,6 +7701,22 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>its surfaces cannot be cut into triangles</source>
         <translation>suas superfícies não podem ser divididas em triângulos</translation>
+    </message>
+    <message>
+        <source>The model mirrors a texture past its edge, or ends it there; here it repeats, so these places are wrong. Apply this to the picture in a modelling program</source>
+        <translation>O modelo espelha uma textura além da borda ou a termina ali; aqui ela se repete, e esses lugares ficam errados. Aplique isso à imagem num programa de modelagem</translation>
+    </message>
+    <message>
+        <source>The model tints a texture with its material&apos;s colour, which is not shown; apply the colour to the picture</source>
+        <translation>O modelo tinge uma textura com a cor do material, o que não é mostrado; aplique a cor à imagem</translation>
+    </message>
+    <message>
+        <source>%1 triangles have no place on the model&apos;s texture; they show the colour of its corner</source>
+        <translation>%1 triângulos não têm lugar na textura do modelo; eles mostram a cor do canto dela</translation>
+    </message>
+    <message>
+        <source>Triangles of closed cavities that were removed: %1</source>
+        <translation>Triângulos de cavidades fechadas que foram removidos: %1</translation>
     </message>
 </context>
 <context>

@@ -289,6 +289,30 @@ double enclosedVolume(const TriangleMesh& mesh, const std::vector<std::uint32_t>
     return sixfold / 6;
 }
 
+std::vector<Piece> piecesOf(const TriangleMesh& mesh) {
+    const auto opposite = oppositeEdges(mesh);
+    std::vector<std::int8_t> sense(mesh.triangles.size(), 0);
+    std::vector<Piece> pieces;
+    for (std::uint32_t first = 0; first < sense.size(); ++first) {
+        if (sense[first] == 0) {
+            pieces.push_back(gatherPiece(mesh, opposite, first, sense));
+        }
+    }
+    return pieces;
+}
+
+// Whether a closed piece is inside out, as cavities are.
+bool isHollow(const TriangleMesh& mesh, const Piece& piece) {
+    return piece.isClosed && enclosedVolume(mesh, piece.triangles) < 0;
+}
+
+// Adds the triangles of a piece, without their positions.
+void append(TriangleMesh& part, const TriangleMesh& mesh, const Piece& piece) {
+    for (const std::uint32_t triangle : piece.triangles) {
+        part.triangles.push_back(mesh.triangles[triangle]);
+    }
+}
+
 // Whether about fifty places spread over the piece lie inside the body of `query`.
 bool isInside(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece,
               const std::function<void()>& goOn) {
@@ -410,6 +434,7 @@ QStringList sentencesOf(const ModelRepairs& repairs) {
         repairs.turnedTriangles);
     add(Text::tr("Pieces of the surface flipped because they were inside out: %1"),
         repairs.turnedParts);
+    add(Text::tr("Triangles of closed cavities that were removed: %1"), repairs.cavityTriangles);
     return sentences;
 }
 
@@ -531,22 +556,14 @@ std::size_t orientTriangles(TexturedMesh& mesh) {
 }
 
 std::size_t flipInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn) {
-    const auto opposite = oppositeEdges(mesh.mesh);
-    std::vector<std::int8_t> sense(mesh.mesh.triangles.size(), 0);
     std::vector<Piece> insideOut, open;
     TriangleMesh solid;
-    for (std::uint32_t first = 0; first < sense.size(); ++first) {
-        if (sense[first] != 0) {
-            continue;
-        }
-        Piece piece = gatherPiece(mesh.mesh, opposite, first, sense);
-        if (piece.isClosed && enclosedVolume(mesh.mesh, piece.triangles) < 0) {
+    for (Piece& piece : piecesOf(mesh.mesh)) {
+        if (isHollow(mesh.mesh, piece)) {
             insideOut.push_back(std::move(piece));
             continue;
         }
-        for (const std::uint32_t triangle : piece.triangles) {
-            solid.triangles.push_back(mesh.mesh.triangles[triangle]);
-        }
+        append(solid, mesh.mesh, piece);
         if (!piece.isClosed && piece.isOrientable) {
             open.push_back(std::move(piece));
         }
@@ -564,6 +581,36 @@ std::size_t flipInsideOutParts(TexturedMesh& mesh, const std::function<void()>& 
         }
     }
     return insideOut.size();
+}
+
+std::size_t removeCavities(TexturedMesh& mesh, const std::function<void()>& goOn) {
+    std::vector<Piece> cavities;
+    TriangleMesh solid;
+    for (Piece& piece : piecesOf(mesh.mesh)) {
+        if (!piece.isClosed) {
+            return 0;
+        }
+        if (isHollow(mesh.mesh, piece)) {
+            cavities.push_back(std::move(piece));
+        } else {
+            append(solid, mesh.mesh, piece);
+        }
+    }
+    if (cavities.empty() || solid.triangles.empty()) {
+        return 0;
+    }
+    solid.positions = mesh.mesh.positions;
+    const SurfaceQuery query(solid);
+    std::vector<bool> removed(mesh.mesh.triangles.size());
+    for (const Piece& piece : cavities) {
+        const bool isSealed = isInside(query, mesh.mesh, piece, goOn);
+        for (const std::uint32_t triangle : piece.triangles) {
+            removed[triangle] = isSealed;
+        }
+    }
+    const std::size_t count = remove(mesh, removed);
+    weldPositions(mesh.mesh);
+    return count;
 }
 
 } // namespace dipwright

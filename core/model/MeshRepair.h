@@ -16,6 +16,7 @@ struct ModelRepairs {
     int mergedTriangles = 0;  // duplicate triangles that were removed
     int turnedTriangles = 0;  // triangles flipped to face the same way as their neighbours
     int turnedParts = 0;      // parts flipped because they were inside out
+    int cavityTriangles = 0;  // triangles of closed cavities that were removed
 };
 
 // Returns the repairs as sentences for the user, one for each kind that occurred.
@@ -56,5 +57,9 @@ std::size_t orientTriangles(TexturedMesh& mesh);
 // of thousands of nested parts. So `goOn` is called before each place and may throw to stop; the
 // mesh is then unchanged.
 std::size_t flipInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn);
+
+// Removes the closed cavities inside closed parts, which neither water nor film reaches; returns
+// how many triangles. If a part is open, nothing is removed. `goOn` as above.
+std::size_t removeCavities(TexturedMesh& mesh, const std::function<void()>& goOn);
 
 } // namespace dipwright

@@ -151,7 +151,7 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("The model has no texture and no artwork: one plain colour is printed.");
     case Kind::PaintedTwice:
         return Text::tr("Both dips print %1 % of the part at full strength, so these places become "
-                        "too dark. Let the dips share the part (Seam > Share between dips).")
+                        "too dark. Split the part between the dips (share.enabled).")
             .arg(shares[0]);
     case Kind::LittlePainted:
         return Text::tr("The dip paints only %1 % of the part; the limit is %2 %. Check the depth "

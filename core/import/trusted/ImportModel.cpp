@@ -111,6 +111,7 @@ ModelRepairs repair(TexturedMesh& model, const QString& path,
     repairs.mergedTriangles = int(mergeDoubledTriangles(model));
     repairs.turnedTriangles = int(orientTriangles(model));
     repairs.turnedParts = int(flipInsideOutParts(model, checkpoint));
+    repairs.cavityTriangles = int(removeCavities(model, checkpoint));
     return repairs;
 }
 

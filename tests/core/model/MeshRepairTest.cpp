@@ -187,6 +187,18 @@ private slots:
         QCOMPARE(model.mesh.triangles, textured(nested()).mesh.triangles);
     }
 
+    void removeCavities_onlyClosedOnesInsideParts_areRemoved() {
+        const auto removed = [](const std::vector<TriangleMesh>& parts) {
+            TexturedMesh model = textured(parts);
+            return removeCavities(model, [] {});
+        };
+        const TriangleMesh ball = sphereMesh(35, 20, 40), hollow = insideOut(cube(10));
+        QCOMPARE(removed({ball, hollow}), hollow.triangles.size());
+        QCOMPARE(removed({ball}), std::size_t(0));
+        QCOMPARE(removed({sphereMesh(5, 20, 40), hollow}), std::size_t(0)); // not inside
+        QCOMPARE(removed({cutOff(ball, 25), hollow}), std::size_t(0));      // water may enter
+    }
+
     void flipInsideOutParts_cancelled_leavesTheMesh() {
         std::vector<TriangleMesh> parts = nested();
         parts.push_back(insideOut(cube(40))); // this one would be flipped
