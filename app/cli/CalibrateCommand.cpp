@@ -73,6 +73,25 @@ Measured measured(const QCommandLineParser& parser) {
     return {parsedLength(parts[0]), parsedLength(parts[1])};
 }
 
+// Throws UsageError if the lengths fit the page on another paper, unless --paper is given.
+void requirePaperOfRulers(const Measured& lengths, const CalibrationPage& page,
+                          const PrinterProfile& profile, const QCommandLineParser& parser) {
+    const std::optional<QPageSize> other = otherPaperOf(profile, page, lengths.x, lengths.y);
+    if (!other || parser.isSet(paperOption)) {
+        return;
+    }
+    const QString usual = parser.value(paperOption);
+    const CalibrationLengths nominal = calibrationLengths(page);
+    throw UsageError(
+        QStringLiteral("On %1 the rulers are %2 and %3 mm long. These lengths fit %4 better; name "
+                       "the page's paper with --paper %4 or --paper %1")
+            .arg(usual)
+            .arg(nominal.x.value())
+            .arg(nominal.y.value())
+            .arg(other->key()),
+        QStringLiteral("--measured"));
+}
+
 void saveScale(const Measured& lengths, const CalibrationPage& page,
                const std::optional<Profile>& known, PrinterProfile profile, QTextStream& out) {
     profile = calibrated(profile, page, lengths.x, lengths.y);
@@ -83,14 +102,19 @@ void saveScale(const Measured& lengths, const CalibrationPage& page,
                .arg(profile.scaleY, 0, 'f', 5);
 }
 
-void printRulerLengths(const CalibrationPage& page, QTextStream& out) {
+void printRulerLengths(const CalibrationPage& page, const QCommandLineParser& parser,
+                       QTextStream& out) {
     const CalibrationLengths lengths = calibrationLengths(page);
+    const QString paper =
+        parser.isSet(paperOption)
+            ? QStringLiteral("--%1 %2 ").arg(paperOption, parser.value(paperOption))
+            : QString();
     out << QStringLiteral(
                "The rulers must measure %1 and %2 mm. Measure both and enter the lengths with "
-               "%3--measured %1x%2\n")
+               "%3%4--measured %1x%2\n")
                .arg(lengths.x.value())
                .arg(lengths.y.value())
-               .arg(page.verifies() ? QStringLiteral("--verify ") : QString());
+               .arg(paper, page.verifies() ? QStringLiteral("--verify ") : QString());
 }
 
 BoardKind boardKind(const QString& word) {
@@ -320,7 +344,9 @@ public:
         const CalibrationPage page = calibrationPage(profile, paperSize(parser.value(paperOption)),
                                                      parser.isSet(verifyOption));
         if (parser.isSet(measuredOption)) {
-            saveScale(measured(parser), page, known, profile, console.out());
+            const Measured lengths = measured(parser);
+            requirePaperOfRulers(lengths, page, profile, parser);
+            saveScale(lengths, page, known, profile, console.out());
             return;
         }
         const PrintTarget target = printTarget(parser);
@@ -336,7 +362,7 @@ public:
             const PrintPlan plan = planCalibration(*system, page, request);
             printAndReport(*system, {plan}, console.progress(), console.out());
         }
-        printRulerLengths(page, console.out());
+        printRulerLengths(page, parser, console.out());
     }
 };
 
