@@ -306,7 +306,8 @@ public:
                            "thins on stretched film, with a table for its readings. Needs --to "
                            "FILE.pdf or FILE.png. --profile corrects the printer's scale. With a "
                            "CMYK ICC profile the wedge uses the printer's inks."));
-        declarePrinter(syntax);
+        declarePrinter(syntax, QStringLiteral("Writes the page into a file instead of printing it: "
+                                              "the rulers as PDF, other pages as PDF or PNG."));
         syntax.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
                           QStringLiteral("PAPER"), QStringLiteral("A4")});
         syntax.addOption({lotOption, QStringLiteral("The film's lot, printed on the page."),
@@ -349,6 +350,7 @@ public:
             saveScale(lengths, page, known, profile, console.out());
             return;
         }
+        pictureOption(parser, toOption, {QStringLiteral(".pdf")});
         const PrintTarget target = printTarget(parser);
         if (!target.file.isEmpty()) {
             writeAtomically(target.file,

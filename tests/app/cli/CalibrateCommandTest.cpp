@@ -49,6 +49,13 @@ private slots:
             QVERIFY2(outcome.exitCode == 0, outcome.err);
         }
     }
+
+    void calibrate_rulersAsTiff_areRefused() {
+        const Outcome outcome = cli({"calibrate", "--profile", "Mine", "--to", in("x.tif")});
+        QCOMPARE(outcome.exitCode, 2);
+        QVERIFY2(outcome.err.contains("ends in .pdf"), outcome.err);
+        QVERIFY(!QFile::exists(in("x.tif")));
+    }
 };
 
 QTEST_MAIN(CalibrateCommandTest)
