@@ -23,6 +23,8 @@ const QString verifyOption = QStringLiteral("verify");
 const QString measuredOption = QStringLiteral("measured");
 const QString profileOption = QStringLiteral("profile");
 const QString toOption = QStringLiteral("to");
+const QString printerOption = QStringLiteral("printer");
+const QString otherPaperOption = QStringLiteral("accept-other-paper");
 const QString lotOption = QStringLiteral("lot");
 const QString dateOption = QStringLiteral("date");
 
@@ -275,6 +277,8 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
 }
 
 void writePage(const QCommandLineParser& parser, QTextStream& out) {
+    refuseOptions(parser, {measuredOption, verifyOption, printerOption, otherPaperOption},
+                  QStringLiteral("with film, card or wedge"));
     const QString path =
         pictureOption(parser, toOption, {QStringLiteral(".pdf"), QStringLiteral(".png")});
     const QString kind = parser.positionalArguments().value(0);
@@ -333,6 +337,11 @@ public:
         if (listsPrinters(parser)) {
             listPrinters(console.out());
             return;
+        }
+        refuseOptions(parser, {lotOption, dateOption}, QStringLiteral("on the page of rulers"));
+        if (parser.isSet(measuredOption)) {
+            refuseOptions(parser, {toOption, printerOption, otherPaperOption},
+                          QStringLiteral("with --measured, which prints nothing"));
         }
         const QString name = parser.value(profileOption);
         if (name.simplified().isEmpty()) {

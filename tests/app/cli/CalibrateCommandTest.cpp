@@ -56,6 +56,21 @@ private slots:
         QVERIFY2(outcome.err.contains("ends in .pdf"), outcome.err);
         QVERIFY(!QFile::exists(in("x.tif")));
     }
+
+    void calibrate_ignoredOptions_areRefused() {
+        const QStringList measured{"calibrate", "--profile", "Mine", "--measured", "170x220"};
+        const QStringList film{"calibrate", "film", "--to", in("film.pdf")};
+        for (const QStringList& arguments :
+             {measured + QStringList{"--to", in("x.pdf")},
+              measured + QStringList{"--printer", "pigment"}, measured + QStringList{"--lot", "7"},
+              film + QStringList{"--measured", "170x220"}, film + QStringList{"--verify"},
+              film + QStringList{"--printer", "pigment"}}) {
+            const Outcome outcome = cli(arguments);
+            QVERIFY2(outcome.exitCode == 2, qPrintable(arguments.join(' ')));
+            QVERIFY2(outcome.err.contains("has no effect"), outcome.err);
+        }
+        QVERIFY(!QFile::exists(in("film.pdf")) && !QFile::exists(in("x.pdf")));
+    }
 };
 
 QTEST_MAIN(CalibrateCommandTest)
