@@ -85,6 +85,17 @@ void Words::finish() const {
     }
 }
 
+void refuseOptions(const QCommandLineParser& parser, const QStringList& options,
+                   const QString& when) {
+    for (const QString& option : options) {
+        if (parser.isSet(option)) {
+            throw UsageError(
+                QStringLiteral("--%1 has no effect %2; leave it out").arg(option, when),
+                QStringLiteral("--") + option);
+        }
+    }
+}
+
 double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,
                     double maximum) {
     bool isNumber = false;

@@ -35,6 +35,11 @@ private:
     QStringList words_;
 };
 
+// Throws UsageError if one of these options is given, because the command would ignore it. `when`
+// continues the sentence "--to has no effect", for example "with --measured".
+void refuseOptions(const QCommandLineParser& parser, const QStringList& options,
+                   const QString& when);
+
 // Returns the option's number. Throws UsageError, which names the option, if the number is out of
 // range.
 double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,

@@ -23,6 +23,8 @@ const QString verifyOption = QStringLiteral("verify");
 const QString measuredOption = QStringLiteral("measured");
 const QString profileOption = QStringLiteral("profile");
 const QString toOption = QStringLiteral("to");
+const QString printerOption = QStringLiteral("printer");
+const QString otherPaperOption = QStringLiteral("accept-other-paper");
 const QString lotOption = QStringLiteral("lot");
 const QString dateOption = QStringLiteral("date");
 
@@ -73,6 +75,25 @@ Measured measured(const QCommandLineParser& parser) {
     return {parsedLength(parts[0]), parsedLength(parts[1])};
 }
 
+// Throws UsageError if the lengths fit the page on another paper, unless --paper is given.
+void requirePaperOfRulers(const Measured& lengths, const CalibrationPage& page,
+                          const PrinterProfile& profile, const QCommandLineParser& parser) {
+    const std::optional<QPageSize> other = otherPaperOf(profile, page, lengths.x, lengths.y);
+    if (!other || parser.isSet(paperOption)) {
+        return;
+    }
+    const QString usual = parser.value(paperOption);
+    const CalibrationLengths nominal = calibrationLengths(page);
+    throw UsageError(
+        QStringLiteral("On %1 the rulers are %2 and %3 mm long. These lengths fit %4 better; name "
+                       "the page's paper with --paper %4 or --paper %1")
+            .arg(usual)
+            .arg(nominal.x.value())
+            .arg(nominal.y.value())
+            .arg(other->key()),
+        QStringLiteral("--measured"));
+}
+
 void saveScale(const Measured& lengths, const CalibrationPage& page,
                const std::optional<Profile>& known, PrinterProfile profile, QTextStream& out) {
     profile = calibrated(profile, page, lengths.x, lengths.y);
@@ -83,14 +104,19 @@ void saveScale(const Measured& lengths, const CalibrationPage& page,
                .arg(profile.scaleY, 0, 'f', 5);
 }
 
-void printRulerLengths(const CalibrationPage& page, QTextStream& out) {
+void printRulerLengths(const CalibrationPage& page, const QCommandLineParser& parser,
+                       QTextStream& out) {
     const CalibrationLengths lengths = calibrationLengths(page);
+    const QString paper =
+        parser.isSet(paperOption)
+            ? QStringLiteral("--%1 %2 ").arg(paperOption, parser.value(paperOption))
+            : QString();
     out << QStringLiteral(
                "The rulers must measure %1 and %2 mm. Measure both and enter the lengths with "
-               "%3--measured %1x%2\n")
+               "%3%4--measured %1x%2\n")
                .arg(lengths.x.value())
                .arg(lengths.y.value())
-               .arg(page.verifies() ? QStringLiteral("--verify ") : QString());
+               .arg(paper, page.verifies() ? QStringLiteral("--verify ") : QString());
 }
 
 BoardKind boardKind(const QString& word) {
@@ -251,6 +277,8 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
 }
 
 void writePage(const QCommandLineParser& parser, QTextStream& out) {
+    refuseOptions(parser, {measuredOption, verifyOption, printerOption, otherPaperOption},
+                  QStringLiteral("with film, card or wedge"));
     const QString path =
         pictureOption(parser, toOption, {QStringLiteral(".pdf"), QStringLiteral(".png")});
     const QString kind = parser.positionalArguments().value(0);
@@ -282,7 +310,8 @@ public:
                            "thins on stretched film, with a table for its readings. Needs --to "
                            "FILE.pdf or FILE.png. --profile corrects the printer's scale. With a "
                            "CMYK ICC profile the wedge uses the printer's inks."));
-        declarePrinter(syntax);
+        declarePrinter(syntax, QStringLiteral("Writes the page into a file instead of printing it: "
+                                              "the rulers as PDF, other pages as PDF or PNG."));
         syntax.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
                           QStringLiteral("PAPER"), QStringLiteral("A4")});
         syntax.addOption({lotOption, QStringLiteral("The film's lot, printed on the page."),
@@ -309,6 +338,11 @@ public:
             listPrinters(console.out());
             return;
         }
+        refuseOptions(parser, {lotOption, dateOption}, QStringLiteral("on the page of rulers"));
+        if (parser.isSet(measuredOption)) {
+            refuseOptions(parser, {toOption, printerOption, otherPaperOption},
+                          QStringLiteral("with --measured, which prints nothing"));
+        }
         const QString name = parser.value(profileOption);
         if (name.simplified().isEmpty()) {
             throw UsageError(QStringLiteral("Name the printer profile with --profile NAME. It is "
@@ -320,9 +354,12 @@ public:
         const CalibrationPage page = calibrationPage(profile, paperSize(parser.value(paperOption)),
                                                      parser.isSet(verifyOption));
         if (parser.isSet(measuredOption)) {
-            saveScale(measured(parser), page, known, profile, console.out());
+            const Measured lengths = measured(parser);
+            requirePaperOfRulers(lengths, page, profile, parser);
+            saveScale(lengths, page, known, profile, console.out());
             return;
         }
+        pictureOption(parser, toOption, {QStringLiteral(".pdf")});
         const PrintTarget target = printTarget(parser);
         if (!target.file.isEmpty()) {
             writeAtomically(target.file,
@@ -336,7 +373,7 @@ public:
             const PrintPlan plan = planCalibration(*system, page, request);
             printAndReport(*system, {plan}, console.progress(), console.out());
         }
-        printRulerLengths(page, console.out());
+        printRulerLengths(page, parser, console.out());
     }
 };
 

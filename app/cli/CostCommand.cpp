@@ -107,7 +107,10 @@ private:
         const PackSettings settings = packSettings(parser);
         const WorkCosts work = project.profiles.tank ? project.profiles.tank->costs : WorkCosts();
         const int racks = racksOf(project.partsToMake, work);
-        const FilmAmount film = filmOf(packedFilms(piecesOf(result, racks, settings), settings));
+        const std::optional<FilmProfile>& priced = project.profiles.film;
+        const FilmAmount film =
+            filmOf(packedFilms(piecesOf(result, racks, settings), settings),
+                   priced ? QSizeF(priced->width.value(), priced->height.value()) : QSizeF());
         return {project.name, {jobCost(result, project.profiles, project.partsToMake, film)}};
     }
 

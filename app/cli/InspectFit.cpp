@@ -37,6 +37,7 @@ FitPairs pairsOf(const std::vector<PartPhoto>& photos, const QCommandLineParser&
     pairs.picture = photos.front().picture.size();
     pairs.body = partPairs(parser, pairs.photos);
     pairs.where = parser.value(pairsOption);
+    requireInPhotos(pairs.body, pairs.picture, pairs.where);
     pairs.printed = placesOnPart(photos, pairs.body, parser, lens, progress);
     return pairs;
 }

@@ -180,6 +180,7 @@ void inspectPart(const QStringList& files, const QCommandLineParser& parser,
     std::vector<PlacePair> pairs = partPairs(parser, int(files.size()));
     const Progress progress = console.progress();
     const std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.2));
+    requireInPhotos(pairs, photos.front().picture.size(), parser.value(pairsOption));
     FoundPrint print;
     if (parser.isSet(projectOption)) {
         print = searchPrint(photos, pairs, parser, lens, progress);

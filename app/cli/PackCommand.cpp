@@ -91,7 +91,8 @@ public:
         const Project& first = results.front().project;
         PrintRequest request = printRequest(parser, target, first.profiles.printer);
         request.source = printSource(first, projects.front().path);
-        settings.film.edges = larger(settings.film.edges, unreachable({}, request.profile));
+        settings.film =
+            withinReach(settings.film, marginsOf(target.printer, settings.film), request.profile);
         std::vector<PieceToPack> pieces;
         for (std::size_t i = 0; i < results.size(); ++i) {
             for (PieceToPack& piece : piecesOf(results[i], projects[i].copies, settings)) {
@@ -119,6 +120,11 @@ private:
         if (page) {
             roll.size.setHeight(std::min(roll.size.height(), page->height()));
         }
+    }
+
+    // Returns the margins of the printer, if one is named.
+    static QMarginsF marginsOf(const QString& printer, const PackingFilm& film) {
+        return printer.isEmpty() ? QMarginsF() : printerMargins(*printSystem(), printer, film);
     }
 
     static std::vector<JobResult> dipped(const std::vector<PackedProject>& projects,

@@ -134,7 +134,7 @@ void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& 
 void printGamutShare(const Sheet& sheet, const PrintRequest& request, QTextStream& out) {
     const std::unique_ptr<PrinterColour> colour = printerColour(request.profile);
     if (colour) {
-        const double share = colour->gamutWarning(requestedColours(sheet, *colour)).share;
+        const double share = sheetGamut(sheet, *colour, requestedColours(sheet, *colour)).share;
         out << QStringLiteral("%1: %2 % of the printed colour is out of the printer's gamut\n")
                    .arg(sheet.job.immersion)
                    .arg(100 * share, 0, 'f', 1);

@@ -50,15 +50,16 @@ QString printerName(const QCommandLineParser& parser) {
     return parser.value(printerOption);
 }
 
-void declarePrinter(CommandSyntax& syntax) {
+void declarePrinter(CommandSyntax& syntax, const QString& file) {
     declarePrinterOnly(syntax);
     syntax.addOption(
         {printersOption, QStringLiteral("Lists the printers with their state and papers.")});
-    syntax.addOption(
-        {toOption,
-         QStringLiteral(
-             "Writes a PDF or TIFF file in the printer's scale and colours instead of printing."),
-         QStringLiteral("FILE")});
+    syntax.addOption({toOption,
+                      file.isEmpty()
+                          ? QStringLiteral("Writes a PDF or TIFF file in the printer's scale and "
+                                           "colours instead of printing.")
+                          : file,
+                      QStringLiteral("FILE")});
 }
 
 bool acceptsOtherPaper(const QCommandLineParser& parser) {

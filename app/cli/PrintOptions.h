@@ -12,8 +12,9 @@ namespace dipwright::cli {
 // Declares and reads --printer, --profile and --accept-other-paper.
 void declarePrinterOnly(CommandSyntax& syntax);
 QString printerName(const QCommandLineParser& parser); // empty without --printer
-// Declares and reads these options, --printers and --to.
-void declarePrinter(CommandSyntax& syntax);
+// Declares and reads these options, --printers and --to. `file` describes --to; without it, a sheet
+// is written as PDF or TIFF.
+void declarePrinter(CommandSyntax& syntax, const QString& file = {});
 bool listsPrinters(const QCommandLineParser& parser);
 bool acceptsOtherPaper(const QCommandLineParser& parser);
 void listPrinters(QTextStream& out);

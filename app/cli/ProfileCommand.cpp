@@ -112,9 +112,16 @@ void import(Words words, QTextStream& out) {
     const QString path = words.take(QStringLiteral("FILE"));
     words.finish();
     const Profile profile = importProfile(path);
-    ProfileLibrary().replace(profile);
-    out << QStringLiteral("Saved the %1 profile %2\n")
-               .arg(profileKindName(kindOf(profile)), nameOf(profile));
+    const auto* printer = std::get_if<PrinterProfile>(&profile);
+    if (printer && !printer->iccProfile.isEmpty()) {
+        PrinterColour(*printer, path); // throws Error if no sheet can be printed with it
+    }
+    const ProfileLibrary library;
+    const bool isKnown = library.contains(kindOf(profile), nameOf(profile));
+    library.replace(profile);
+    out << QStringLiteral("%1 the %2 profile %3\n")
+               .arg(isKnown ? QStringLiteral("Replaced") : QStringLiteral("Saved"),
+                    profileKindName(kindOf(profile)), nameOf(profile));
 }
 
 void exportOne(Words words, QTextStream& out) {

@@ -115,6 +115,7 @@ public:
           required_(requiredAdvice(parser)),
           folder_(positionalArgument(parser, QStringLiteral("FOLDER"))) {}
 
+    // Throws Error if jobs failed, after all jobs.
     void processJobs() {
         const Progress progress = console_.progress();
         for (;;) {
@@ -124,6 +125,7 @@ public:
                 process(jobs.front(), progress);
                 console_.out().flush();
             } else if (parser_.isSet(onceOption) && !folder_.hasJobs()) {
+                refuseFailures();
                 return;
             } else if (!wait(progress.cancelToken)) {
                 return;
@@ -139,6 +141,15 @@ private:
             QThread::msleep(step);
         }
         return !user.isCancelled();
+    }
+
+    void refuseFailures() const {
+        if (failures_ > 0) {
+            throw Error(QStringLiteral("Jobs that failed: %1. Correct them as the texts in the "
+                                       "folders “failed” and “held” say")
+                            .arg(failures_),
+                        positionalArgument(parser_, QStringLiteral("FOLDER")));
+        }
     }
 
     void process(const HotJob& job, const Progress& progress) {
@@ -171,7 +182,8 @@ private:
     }
 
     // Once printing has begun, it is not known which sheets came out.
-    static HotState failed(const QString& path, const HotJob& job) {
+    HotState failed(const QString& path, const HotJob& job) {
+        ++failures_;
         return path == job.path ? HotState::Failed : HotState::Held;
     }
 
@@ -246,6 +258,7 @@ private:
     std::optional<Advice> required_;
     HotFolder folder_;
     SolverRegistry registry_;
+    int failures_ = 0; // jobs that failed, also those that are held because of that
 };
 
 class WatchCommand : public Command {
@@ -268,7 +281,9 @@ public:
                         QStringLiteral("Holds jobs with a worse verdict than this: print, check "
                                        "(check first, the default) or any."),
                         QStringLiteral("check"));
-        syntax.addOption({onceOption, QStringLiteral("Ends when the folder has no more jobs.")});
+        syntax.addOption(
+            {onceOption, QStringLiteral("Ends when the folder has no more jobs. The exit "
+                                        "code is 1 if a job failed.")});
         declareThreads(syntax);
     }
 

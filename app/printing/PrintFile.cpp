@@ -188,10 +188,52 @@ const QImage& requestedColours(const Sheet& sheet, const PrinterColour& colour) 
     return sheet.wanted && colour.isCmyk() ? sheet.wanted->image : sheet.image;
 }
 
+namespace {
+
+// Tells for each pixel of a row whether its amounts of ink are printed without a separation.
+std::vector<bool> keptAmounts(const InkPlanes& inks, int y, const PrinterColour& colour) {
+    const auto width = std::size_t(inks.colours.width());
+    const uchar* const colours = inks.colours.constScanLine(y);
+    const uchar* const black = inks.black.constScanLine(y);
+    std::vector<std::uint8_t> amounts(4 * width), separated(4 * width);
+    for (std::size_t at = 0; at < amounts.size(); ++at) {
+        amounts[at] = at % 4 < 3 ? colours[at] : black[at - 3];
+        separated[at] = std::uint8_t(255 - amounts[at]); // differs from every amount that is kept
+    }
+    colour.convertInks(amounts, inks.space, separated);
+    std::vector<bool> kept(width);
+    for (std::size_t x = 0; x < width; ++x) {
+        kept[x] = black[4 * x + 1] != 0 &&
+                  !std::equal(&amounts[4 * x], &amounts[4 * x] + 4, &separated[4 * x]);
+    }
+    return kept;
+}
+
+} // namespace
+
+GamutWarning sheetGamut(const Sheet& sheet, const PrinterColour& colour, const QImage& colours) {
+    GamutWarning warning = colour.gamutWarning(colours);
+    if (!colour.isCmyk() || !sheet.wanted || sheet.wanted->inks.isNull()) {
+        return warning;
+    }
+    qint64 outside = 0, separated = 0;
+    for (int y = 0; y < warning.mask.height(); ++y) {
+        const std::vector<bool> kept = keptAmounts(sheet.wanted->inks, y, colour);
+        uchar* const mask = warning.mask.scanLine(y);
+        for (std::size_t x = 0; x < kept.size(); ++x) {
+            outside += mask[x] != 0;
+            mask[x] = kept[x] ? 0 : mask[x];
+            separated += mask[x] != 0;
+        }
+    }
+    warning.share *= outside > 0 ? double(separated) / double(outside) : 1;
+    return warning;
+}
+
 PrintProof printProof(const Sheet& sheet, const PrintCorrection& correction, bool marked) {
     const PrinterColour& colour = *correction.colour;
     const QImage page = onWhitePaper(requestedColours(sheet, colour));
-    const GamutWarning warning = colour.gamutWarning(page);
+    const GamutWarning warning = sheetGamut(sheet, colour, page);
     const QImage shown = sheet.wanted && colour.isCmyk()
                              ? colour.screen(separate(sheet, correction).cmyk, page.size())
                              : colour.softProof(page);

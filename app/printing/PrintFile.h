@@ -66,5 +66,8 @@ PrintProof printProof(const Sheet& sheet, const PrintCorrection& correction, boo
 // Returns the colours that are requested from the printer: the wanted colours if `colour`
 // compensates each ink separately, else the colours of the film image.
 const QImage& requestedColours(const Sheet& sheet, const PrinterColour& colour);
+// Returns which of `colours`, the sheet's requested colours, are out of gamut. Amounts of ink that
+// are printed without a separation are not.
+GamutWarning sheetGamut(const Sheet& sheet, const PrinterColour& colour, const QImage& colours);
 
 } // namespace dipwright

@@ -1,7 +1,9 @@
 #include "printing/PrintReach.h"
 
 #include "base/Error.h"
+#include "printing/PrintFile.h"
 #include "sheet/page/InkedPixels.h"
+#include "sheet/page/SheetLayout.h"
 #include "sheet/page/SheetRows.h"
 #include "sheet/prepress/PrinterColour.h"
 
@@ -109,6 +111,19 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
     }
     warnings << sentence;
     return inside;
+}
+
+PackingFilm withinReach(PackingFilm film, const QMarginsF& ofPrinter,
+                        const std::optional<PrinterProfile>& profile) {
+    constexpr double stripClearance = 2; // mm between the ruler and the pieces
+    const QMarginsF lost =
+        clippedEdges(film.size, unreachable(ofPrinter, profile), printCorrection(profile, nullptr));
+    film.edges = larger(film.edges, lost);
+    if (!film.wholeSheets) { // whole sheets have their own rulers
+        film.edges.setBottom(
+            std::max(film.edges.bottom(), widest(lost) + rulerDepth + stripClearance));
+    }
+    return film;
 }
 
 } // namespace dipwright

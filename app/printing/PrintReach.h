@@ -3,6 +3,7 @@
 #pragma once
 
 #include "settings/Profile.h"
+#include "sheet/packing/FilmPacking.h"
 #include "sheet/page/Sheet.h"
 
 #include <QMarginsF>
@@ -29,5 +30,11 @@ QMarginsF clippedEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrec
 // or adds a warning if `accept` is set.
 Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorrection& correction,
                   bool accept, const QString& where, QStringList& warnings);
+
+// Returns the film with edges so wide that its pieces, ruler and job line lie where the printer
+// prints at the profile's scale. `ofPrinter` are the printer's own margins. For a roll, the edges
+// are those of its longest page.
+PackingFilm withinReach(PackingFilm film, const QMarginsF& ofPrinter,
+                        const std::optional<PrinterProfile>& profile);
 
 } // namespace dipwright

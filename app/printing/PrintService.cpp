@@ -501,6 +501,19 @@ std::optional<QSizeF> rollSize(const PrinterInfo& printer,
                   std::min(custom->most.height(), mostFilmLength));
 }
 
+QMarginsF printerMargins(PrintSystem& system, const QString& printer, const PackingFilm& film) {
+    const PrinterInfo info = readyPrinter(system, printer);
+    if (film.isRoll) {
+        return info.customMedia ? info.customMedia->margins : QMarginsF();
+    }
+    const std::optional<PaperChoice> paper = findPaper(info, film.size, Turning::Never);
+    if (!paper) {
+        return {};
+    }
+    const QMarginsF& m = paper->media.margins; // of a turned page, the left edge is the top edge
+    return paper->turned ? QMarginsF(m.top(), m.right(), m.bottom(), m.left()) : m;
+}
+
 namespace {
 
 // Returns the roll for a series of sheets, or nothing if the sheets are printed one by one.
@@ -521,10 +534,7 @@ std::optional<PackingFilm> rollFor(PrintSystem& system, const std::vector<Sheet>
     roll.size = *size;
     roll.isRoll = roll.wholeSheets = true;
     roll.spacing = *request.profile->rollGap;
-    roll.edges = larger(
-        roll.edges, clippedEdges(*size, unreachable(printer.customMedia->margins, request.profile),
-                                 printCorrection(request.profile, nullptr))); // of the longest page
-    return roll;
+    return withinReach(roll, printer.customMedia->margins, request.profile);
 }
 
 // Returns all copies of the sheets on a roll. Each result is one page.

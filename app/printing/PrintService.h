@@ -7,7 +7,7 @@
 #include "printing/PrintHistory.h"
 #include "printing/PrintSystem.h"
 #include "settings/Profile.h"
-#include "sheet/packing/RectanglePacking.h"
+#include "sheet/packing/FilmPacking.h"
 #include "sheet/page/CalibrationPage.h"
 #include "sheet/page/Sheet.h"
 
@@ -59,6 +59,10 @@ PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
 // printer reports it, and the length of its longest page, mm. Nothing for other printers.
 std::optional<QSizeF> rollSize(const PrinterInfo& printer,
                                const std::optional<PrinterProfile>& profile);
+
+// Returns the printer's own margins, in mm, on this film: those of its paper of this size, or of
+// its roll. No margins if it is not known to have such a paper.
+QMarginsF printerMargins(PrintSystem& system, const QString& printer, const PackingFilm& film);
 
 // Plans several sheets. Checks all of them before the first is sent, so that no set of sheets is
 // printed only in part. If the profile has a gap for rolls and the printer takes custom sizes, all

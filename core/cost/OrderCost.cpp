@@ -33,7 +33,11 @@ CostItem filmItem(const OrderToCost& order, double sheets) {
     case FilmPriceUnit::Sheet:
         break;
     }
-    return {CostKind::Film, {}, times * film.sheets, CostUnit::Sheet, order.film.price};
+    return {CostKind::Film,
+            {},
+            times * film.sheets,
+            CostUnit::Sheet,
+            film.haveSheetPrice ? order.film.price : std::nullopt};
 }
 
 // Returns one item for each ink that the dips take.

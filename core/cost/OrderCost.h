@@ -29,6 +29,7 @@ struct DipCosts {
 // An amount of film.
 struct FilmAmount {
     double squareMetres = 0, rollMetres = 0, sheets = 0;
+    bool haveSheetPrice = true; // the sheets have the size for which the price of a sheet is given
 };
 
 struct OrderToCost {

@@ -49,9 +49,8 @@ double secondsOf(const WatchedPhoto& photo, double begin) {
 }
 
 // Growth measured at three or more times is not valid for a dip that begins long before the first
-// or after the last of them.
-void requireBeginSeen(const FilmWatch& watch) {
-    constexpr double beyond = 0.25; // share of the time from the first photo to the last
+// or after the last of them. `beyond` is how long, as a share of the time between these two.
+void requireBeginSeen(const FilmWatch& watch, double beyond) {
     std::set<double> moments;
     for (const WatchedPhoto& photo : watch.photos) {
         moments.insert(secondsOf(photo, watch.begin));
@@ -183,12 +182,16 @@ FilmWatch evaluatedFilmWatch(std::vector<WatchedPhoto> photos, double begin, dou
                      [&](const WatchedPhoto& a, const WatchedPhoto& b) {
                          return secondsOf(a, begin) < secondsOf(b, begin);
                      });
-    requireBeginSeen(watch);
+    constexpr double bySaturation = 0.25; // the law of growth holds that far beyond the photos
+    requireBeginSeen(watch, bySaturation);
     std::vector<SwellAt> moments;
     for (const WatchedPhoto& photo : watch.photos) {
         moments.push_back({secondsOf(photo, begin), photo.film.swellX, photo.film.swellY});
     }
-    watch.growth = fitGrowth(moments, begin);
+    watch.growth = fitGrowth(moments, begin, watch.photos.front().where);
+    if (watch.growth.known != GrowthKnowledge::Both) {
+        requireBeginSeen(watch, 0); // the film may have grown at another rate
+    }
     watch.growth.swellX = withRulers(watch.growth.swellX, rulerError);
     watch.growth.swellY = withRulers(watch.growth.swellY, rulerError);
     return watch;

@@ -1,7 +1,10 @@
 #include "inspection/GrowthFit.h"
 
+#include "base/Error.h"
 #include "inspection/LeastSquares.h"
 
+#include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -11,9 +14,15 @@ namespace dipwright {
 
 namespace {
 
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(dipwright::FilmWatch)
+};
+
 constexpr double sure95 = 1.959964;
 constexpr double leastOff = 1e-6; // least interval of a swell; keeps all weights finite
 constexpr double surelyGrows = 3; // standard deviations by which growth must exceed 0
+// Growth counts as none if its 95 % interval lies within this share of the length.
+constexpr double mostOfNoGrowth = 0.005;
 // The limit counts as known if its 95 % interval is at most this share of the limit.
 constexpr double mostLimitOff = 0.5;
 
@@ -143,9 +152,26 @@ Measured limitOf(const LeastSquaresFit& fit) {
     return {limit, sure95 * scale * std::sqrt(std::max(0.0, variance))};
 }
 
+// Throws Error unless the film grew by more than the uncertainty.
+void refuseUnlessGrowing(double grown, double unsure, double span, const QString& where) {
+    if (grown < -surelyGrows * unsure) {
+        throw Error(Text::tr("In these photos the film shrinks by %1 % per second, but film grows "
+                             "on the water; check that the times are in the order of the photos")
+                        .arg(QLocale().toString(-100 * grown / span, 'f', 4)),
+                    where);
+    }
+    if (grown < surelyGrows * unsure) {
+        throw Error(
+            Text::tr("The sizes of the film in these photos do not determine its growth; check "
+                     "that the times are in the order of the photos, and take photos from before "
+                     "the dip begins until the film stops growing"),
+            where);
+    }
+}
+
 } // namespace
 
-GrowthFit fitGrowth(const std::vector<SwellAt>& moments, double begin) {
+GrowthFit fitGrowth(const std::vector<SwellAt>& moments, double begin, const QString& where) {
     std::set<double> times;
     for (const SwellAt& moment : moments) {
         times.insert(moment.seconds);
@@ -170,10 +196,13 @@ GrowthFit fitGrowth(const std::vector<SwellAt>& moments, double begin) {
     }
     result.swellX = measuredOf(steady, 0);
     result.swellY = measuredOf(steady, 1);
-    if (steady.parameters[2] < surelyGrows * deviationOf(steady, 2)) {
+    const double grown = steady.parameters[2];
+    const double unsure = deviationOf(steady, 2);
+    if (grown < surelyGrows * unsure && std::abs(grown) + sure95 * unsure <= mostOfNoGrowth) {
         result.known = GrowthKnowledge::None;
         return result;
     }
+    refuseUnlessGrowing(grown, unsure, steadily.span(), where);
     result.known = GrowthKnowledge::RateOnly;
     result.rate = measuredOf(steady, 2, steadily.span());
     return result;

@@ -4,6 +4,7 @@
 
 #include "inspection/FlatFilm.h"
 
+#include <QString>
 #include <vector>
 
 namespace dipwright {
@@ -15,7 +16,7 @@ struct SwellAt {
 
 enum class GrowthKnowledge {
     No,       // not measured: fewer than three times
-    None,     // the photos show no growth
+    None,     // the photos rule out growth of more than 0.5 % while they were taken
     RateOnly, // the film grew at a constant rate until the last of the times
     Both      // rate and limit are known
 };
@@ -30,7 +31,8 @@ struct GrowthFit {
 
 // Fits swell and growth. `begin` is the time at which the dip begins, in seconds. `moments` has at
 // least one entry. With fewer than three times, the swell comes from the moment nearest to `begin`,
-// or from the mean of equally near moments.
-GrowthFit fitGrowth(const std::vector<SwellAt>& moments, double begin);
+// or from the mean of equally near moments. Throws Error, naming `where`, if the film shrinks with
+// time, or if the moments fit no law of growth.
+GrowthFit fitGrowth(const std::vector<SwellAt>& moments, double begin, const QString& where);
 
 } // namespace dipwright

@@ -19,6 +19,7 @@ struct PlacePair {
     int photo = 0;         // index of the photo
     Eigen::Vector2d pixel; // place in the photo, as in Lens.h
     Eigen::Vector3d model; // mm, in the project's model coordinates
+    int line = 0;          // line of the table that names the pair; 0: none
 };
 
 // The pose of the camera in one photo. A place appears where turn · place + shift is projected

@@ -34,10 +34,15 @@ QString photoName(std::size_t index) {
     return QStringLiteral("part-photo-%1.png").arg(index + 1);
 }
 
+struct TableLine {
+    int number = 1; // in the file, from 1
+    std::vector<double> values;
+};
+
 // Returns the numbers in each line of a table. A line has a whole number from 1 to `photos`, two
 // numbers in pixels, and numbers in millimetres. `kind` describes a line in error messages.
-std::vector<std::vector<double>> numbersOf(const QByteArray& table, const QByteArray& header,
-                                           int photos, const QString& kind, const QString& where) {
+std::vector<TableLine> numbersOf(const QByteArray& table, const QByteArray& header, int photos,
+                                 const QString& kind, const QString& where) {
     const QByteArray mark = "\xef\xbb\xbf"; // byte order mark that some spreadsheets write
     const QList<QByteArray> lines =
         (table.startsWith(mark) ? table.mid(mark.size()) : table).split('\n');
@@ -47,7 +52,7 @@ std::vector<std::vector<double>> numbersOf(const QByteArray& table, const QByteA
             where);
     }
     const auto count = header.count(',') + 1;
-    std::vector<std::vector<double>> all;
+    std::vector<TableLine> all;
     for (qsizetype i = 1; i < lines.size(); ++i) {
         if (lines[i].trimmed().isEmpty()) {
             continue;
@@ -64,7 +69,7 @@ std::vector<std::vector<double>> numbersOf(const QByteArray& table, const QByteA
             throw Error(Text::tr("Line %1 of the pairs must contain %2").arg(i + 1).arg(kind),
                         where);
         }
-        all.push_back(std::move(values));
+        all.push_back({int(i) + 1, std::move(values)});
         if (qsizetype(all.size()) > mostPairs) {
             throw Error(Text::tr("There are more than %1 pairs; give fewer").arg(mostPairs), where);
         }
@@ -183,14 +188,29 @@ double enlargement(const PartView& view, QSize picture) {
 
 std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QString& where) {
     std::vector<PlacePair> pairs;
-    for (const std::vector<double>& v :
+    for (const auto& [line, v] :
          numbersOf(table, columns, photos,
                    Text::tr("a photo number, two coordinates in pixels and three in millimetres, "
                             "separated by commas"),
                    where)) {
-        pairs.push_back({int(v[0]) - 1, {v[1], v[2]}, {v[3], v[4], v[5]}});
+        pairs.push_back({int(v[0]) - 1, {v[1], v[2]}, {v[3], v[4], v[5]}, line});
     }
     return pairs;
+}
+
+void requireInPhotos(const std::vector<PlacePair>& pairs, QSize picture, const QString& where) {
+    for (const PlacePair& pair : pairs) {
+        const bool isInside = pair.pixel.x() >= 0 && pair.pixel.x() <= picture.width() &&
+                              pair.pixel.y() >= 0 && pair.pixel.y() <= picture.height();
+        if (!isInside) {
+            throw Error(Text::tr("Line %1 of the pairs names a place outside the photo, which has "
+                                 "%2 × %3 pixels; correct the place")
+                            .arg(pair.line)
+                            .arg(picture.width())
+                            .arg(picture.height()),
+                        where);
+        }
+    }
 }
 
 std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const QString& where) {
@@ -198,11 +218,10 @@ std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const 
         Text::tr("a photo number, two coordinates in pixels, a dip number, two sheet coordinates "
                  "and three model coordinates in millimetres, separated by commas");
     std::vector<PrintedPlace> places;
-    for (const std::vector<double>& v : numbersOf(table, placeColumns, photos, kind, where)) {
+    for (const auto& [line, v] : numbersOf(table, placeColumns, photos, kind, where)) {
         if (v[3] != 1 && v[3] != 2) {
-            throw Error(
-                Text::tr("Line %1 of the pairs must contain %2").arg(places.size() + 2).arg(kind),
-                where);
+            throw Error(Text::tr("Line %1 of the pairs must contain %2").arg(line).arg(kind),
+                        where);
         }
         places.push_back(
             {int(v[0]) - 1, {v[1], v[2]}, int(v[3]) - 1, {v[4], v[5]}, {v[6], v[7], v[8]}});

@@ -15,6 +15,8 @@ namespace dipwright {
 // Reads a table with the columns photo (from 1), x_px, y_px, x_mm, y_mm and z_mm, under these
 // names. Throws Error, naming `where` and the line, if the table is different.
 std::vector<PlacePair> readPairs(const QByteArray& table, int photos, const QString& where);
+// Throws Error, naming the line of the table, if a place is outside its photo.
+void requireInPhotos(const std::vector<PlacePair>& pairs, QSize picture, const QString& where);
 
 // Reads part-places.csv, or a table like it. Throws Error as readPairs() does.
 std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const QString& where);

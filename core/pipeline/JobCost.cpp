@@ -3,6 +3,7 @@
 #include "pipeline/JobTraveller.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dipwright {
 namespace {
@@ -27,6 +28,11 @@ std::vector<InkOfSheet> inksOf(const ImmersionResult& dip,
                 : InkOfSheet{ink.ink, ink.area, costs.spotLaydown[spot], costs.spotPrice[spot]});
     }
     return inks;
+}
+
+bool isSame(QSizeF a, QSizeF b) {
+    constexpr double most = 1; // mm
+    return std::abs(a.width() - b.width()) <= most && std::abs(a.height() - b.height()) <= most;
 }
 
 // Returns the film of one sheet. Its length is along the web.
@@ -91,8 +97,11 @@ bool tellsCost(const std::vector<OrderCost>& costs) {
     return costs.size() > 1 || costs.front().hasPrices();
 }
 
-FilmAmount filmOf(const PackedFilms& films) {
+FilmAmount filmOf(const PackedFilms& films, QSizeF sheet) {
+    const QSizeF size = films.settings.film.size;
     FilmAmount amount;
+    amount.haveSheetPrice =
+        !films.settings.film.isRoll && (isSame(size, sheet) || isSame(size, sheet.transposed()));
     for (const PlannedFilm& film : films.plan.films) {
         const double width = film.size.width() * perThousand;
         const double height = film.size.height() * perThousand;

@@ -21,7 +21,8 @@ JobResult withCostsOf(JobResult result, const Project& project);
 // Tells whether these costs are worth a sentence: there are prices, or several parts.
 bool tellsCost(const std::vector<OrderCost>& costs);
 
-// Returns how much film the packed sheets take.
-FilmAmount filmOf(const PackedFilms& films);
+// Returns how much film the packed sheets take. The price of a sheet is for a cut film of the size
+// `sheet`, in mm; other films have no such price.
+FilmAmount filmOf(const PackedFilms& films, QSizeF sheet);
 
 } // namespace dipwright

@@ -20,6 +20,8 @@ struct Text {
 constexpr double leastWedgeStretch = 1.02; // smaller stretches are below the reading's error
 // Least ratio between the stretches of a patch from which `bend` is fitted.
 constexpr double apartForBend = 1.15;
+// Density by which errors of reading may make stretched film look denser than unstretched film.
+constexpr double readingError = 0.02;
 
 void checkReading(const WedgeReading& reading, const QString& where) {
     const double most = reading.ink == FilmInk::White ? 1 : mostToneDensity;
@@ -64,7 +66,9 @@ InkTone fittedTone(const std::vector<WedgeReading>& patch, const QString& where)
         tone.exponent = (t1 * s4 - t2 * s3) / determinant;
         tone.bend = (s2 * t2 - s3 * t1) / determinant;
     }
-    if (std::abs(tone.exponent) > mostInkExponent || std::abs(tone.bend) > mostInkBend) {
+    const double denser = patch.front().flat * (thinned(tone, most) - 1);
+    if (denser > readingError || std::abs(tone.exponent) > mostInkExponent ||
+        std::abs(tone.bend) > mostInkBend) {
         throw Error(
             Text::tr(
                 "The readings of the patch of density %1 are impossible for ink; check that its "
@@ -80,7 +84,9 @@ InkTone fittedTone(const std::vector<WedgeReading>& patch, const QString& where)
 FittedInk fitInk(std::span<const WedgeReading> readings, const QString& where) {
     std::map<std::pair<FilmInk, double>, std::vector<WedgeReading>> patches;
     for (const WedgeReading& reading : readings) {
-        checkReading(reading, where);
+        checkReading(reading, reading.line > 0
+                                  ? Text::tr("%1, line %2").arg(where).arg(reading.line)
+                                  : where);
         patches[{reading.ink, reading.nominal}].push_back(reading);
     }
     if (patches.empty() || int(patches.size()) > mostInkTones) {

@@ -20,6 +20,7 @@ struct WedgeReading {
     double flat = 0;    // density read on unstretched film
     double stretch = 1; // growth J of the area, above 1
     double shown = 0;   // density read on the stretched film
+    int line = 0;       // line of the table with this reading; 0: none
 };
 
 // A fitted law and how well it fits.
@@ -29,7 +30,8 @@ struct FittedInk {
     double worst = 0; // largest difference in density between a reading and the law
 };
 // Fits one tone to the readings of each patch by least squares. Inks without readings keep the
-// exponent 1. Throws Error, naming `where`, if the readings are too few or impossible for ink.
+// exponent 1. Throws Error, naming `where` and the line of a wrong reading, if the readings are too
+// few or impossible for ink.
 FittedInk fitInk(std::span<const WedgeReading> readings, const QString& where);
 
 } // namespace dipwright

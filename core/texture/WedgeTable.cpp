@@ -55,7 +55,7 @@ std::vector<WedgeReading> readWedge(const QByteArray& table, const QString& wher
         }
         const std::vector<double>& v = *values;
         for (const FilmInk ink : inks) {
-            readings.push_back({ink, v[0], v[1], v[2] * v[3] / (ruler * ruler), v[4]});
+            readings.push_back({ink, v[0], v[1], v[2] * v[3] / (ruler * ruler), v[4], line + 1});
         }
     }
     return readings;

@@ -364,9 +364,8 @@ PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const Pack
     }
     LaidOut laid;
     PackSettings reached = settings;
-    reached.film.edges =
-        larger(reached.film.edges,
-               unreachable({}, projects.front().dipped.result->project.profiles.printer));
+    reached.film =
+        withinReach(reached.film, {}, projects.front().dipped.result->project.profiles.printer);
     laid.projects = std::move(projects);
     laid.films = std::make_shared<const PackedFilms>(packedFilms(std::move(pieces), reached));
     for (std::size_t number = 0; number < laid.films->plan.films.size(); ++number) {

@@ -80,6 +80,27 @@ private slots:
         QVERIFY2(csv.contains(",1,labour,,"), csv);
     }
 
+    void cost_priceOfASheet_isNotThatOfOtherFilms() {
+        const QString job = folder_.filePath("sheets.dipw");
+        QVERIFY(QFile::copy(job_, job));
+        QCOMPARE(cli({"profile", "set", "film", "Sheets", "--set", "size_mm=210x297", "--set",
+                      "cost.film_price=2", "--set", "cost.film_price_per=sheet"},
+                     environment_)
+                     .exitCode,
+                 0);
+        QCOMPARE(cli({"profile", "use", "film", "Sheets", job}, environment_).exitCode, 0);
+        const auto film = [&](const QString& size) {
+            const Outcome json =
+                cli(QStringList{"cost", job, "--json", "--film", size} + coarse, environment_);
+            return costIn(json.out, 0)["items"].toArray()[0].toObject();
+        };
+        const QJsonObject own = film("A4");
+        QCOMPARE(own["cost"].toDouble(), 2 * own["amount"].toDouble());
+        for (const char* size : {"A3", "roll:600"}) {
+            QVERIFY2(film(size)["amount"].toDouble() > 0 && film(size)["cost"].isNull(), size);
+        }
+    }
+
     void cost_packedFilm_takesLessFilm() {
         const auto film = [&](const QStringList& options) {
             const Outcome json =

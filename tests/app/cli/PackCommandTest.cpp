@@ -110,6 +110,33 @@ private slots:
         QVERIFY(!QFile::exists(folder_.filePath("films.pdf")));
     }
 
+    // The printer prints 2 % too small and does not reach the outer 12 mm.
+    void pack_printerMargins_keepsPiecesInReach() {
+        const QString profiles = "DIPWRIGHT_PROFILE_PATH=" + folder_.filePath("profiles");
+        const Outcome set = cli({"profile", "set", "printer", "Narrow", "--set",
+                                 "margins_mm=12x12x12x12", "--set", "scale=0.98;0.98"},
+                                {profiles});
+        QVERIFY2(set.exitCode == 0, set.err);
+        const QString out = folder_.filePath("reach");
+        const Outcome packed =
+            cli(QStringList{"pack", turtle, "--profile", "Narrow", "--out", out, "--film", "A3"} +
+                    coarse,
+                {profiles});
+        QVERIFY2(packed.exitCode == 0, packed.err);
+        // At this scale, the drawing is cut off at 420 / 2 - (420 / 2 - 12) * 0.98 mm.
+        const QSizeF film(297, 420);
+        const double x = film.width() / 2 - (film.width() / 2 - 12) * 0.98;
+        const double y = film.height() / 2 - (film.height() / 2 - 12) * 0.98;
+        const QRectF reach = QRectF({0, 0}, film).adjusted(x, y, -x, -y);
+        const QJsonArray pieces = filmsIn(out)[0].toObject()["pieces"].toArray();
+        QVERIFY(!pieces.isEmpty());
+        for (const QJsonValue& piece : pieces) {
+            const QJsonArray box = piece["box_mm"].toArray();
+            QVERIFY(reach.contains(QRectF(box[0].toDouble(), box[1].toDouble(), box[2].toDouble(),
+                                          box[3].toDouble())));
+        }
+    }
+
     void pack_pieceTooLarge_isRefused() {
         const Outcome packed = cli(
             QStringList{"pack", turtle, "--out", folder_.filePath("small"), "--film", "100x100"} +

@@ -92,7 +92,9 @@ private slots:
         for (const auto& [name, contents, reason] : jobs) {
             QVERIFY(drop("jobs/" + name, contents));
         }
-        QCOMPARE(watchOnce().exitCode, 0);
+        const Outcome outcome = watchOnce();
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.err.contains("Jobs that failed: 6"), outcome.err);
         for (const auto& [name, contents, reason] : jobs) {
             QVERIFY2(QFile::exists(in("jobs/failed/" + name)), qPrintable(name));
             const QByteArray text = read(in("jobs/failed/" + name + ".txt"));

@@ -112,6 +112,9 @@ private slots:
         QVERIFY(isNear(*item(costOf(packed), CostKind::Film).cost(), 4));
         packed.film = {1.5, FilmPriceUnit::Sheet};
         QVERIFY(isNear(*item(costOf(packed), CostKind::Film).cost(), 3));
+        packed.packed->haveSheetPrice = false;
+        QVERIFY(!item(costOf(packed), CostKind::Film).cost());
+        QVERIFY(!costOf(packed).isComplete());
     }
 
     void costOf_missingPrice_isNamedAndNotCounted() {

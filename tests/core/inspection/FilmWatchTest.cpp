@@ -145,6 +145,8 @@ private slots:
     void fitGrowth_eightPhotos_isWithin5Percent();
     void fitGrowth_95PercentIntervals_holdTheTruthIn95Percent();
     void fitGrowth_insufficientPhotos_leavesGrowthUnknown();
+    void fitGrowth_timesNotInOrder_areRefused();
+    void fitGrowth_saturatedFilm_isRefused();
     void withMeasurement_profile_takesTheMeasuredValues();
     void fitFlatFilm_degenerateCorners_areRefused();
     void evaluatedFilmWatch_dipOutsideThePhotos_isRefused();
@@ -402,7 +404,7 @@ void FilmWatchTest::fitGrowth_95PercentIntervals_holdTheTruthIn95Percent() {
                                {1.08 * growth + off(random), uncertain},
                                {1.04 * growth + off(random), uncertain}});
         }
-        const GrowthFit growth = fitGrowth(moments, 70);
+        const GrowthFit growth = fitGrowth(moments, 70, {});
         QCOMPARE(growth.known, GrowthKnowledge::Both);
         rates += contains(growth.rate, 0.003);
         limits += contains(growth.limit, 0.1);
@@ -425,6 +427,50 @@ void FilmWatchTest::fitGrowth_insufficientPhotos_leavesGrowthUnknown() {
     QCOMPARE(straight.growth.known, GrowthKnowledge::RateOnly);
     QVERIFY(std::abs(straight.growth.rate.value / 0.003 - 1) < 0.1);
     QVERIFY(watchSentences(straight).join(u' ').contains(QStringLiteral("stops growing")));
+}
+
+namespace {
+
+// Returns why the film that grew as `grewAt` says cannot be measured if the photos are said to be
+// from `times`; empty if it can be measured.
+QString refusalOfTimes(const std::vector<double>& grewAt, const std::vector<double>& times,
+                       double begin) {
+    std::vector<SwellAt> moments;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const double growth = grown(grewAt[i] - 70, 0.003, 0.08);
+        moments.push_back({times[i], {1.08 * growth, 0.0001}, {1.04 * growth, 0.0001}});
+    }
+    try {
+        fitGrowth(moments, begin, QStringLiteral("photo.jpg"));
+    } catch (const Error& error) {
+        return error.message();
+    }
+    return {};
+}
+
+} // namespace
+
+void FilmWatchTest::fitGrowth_timesNotInOrder_areRefused() {
+    const std::vector<double> times{60, 90, 150, 300};
+    QCOMPARE(refusalOfTimes(times, times, 70), QString());
+    for (const auto& wrong :
+         {std::vector<double>{300, 150, 90, 60}, std::vector<double>{150, 300, 60, 90}}) {
+        QVERIFY(refusalOfTimes(times, wrong, 70).contains(QStringLiteral("order of the photos")));
+    }
+    // A film that shrinks steadily.
+    QVERIFY(refusalOfTimes({80, 75, 70}, {70, 75, 80}, 70).contains(QStringLiteral("shrinks by")));
+}
+
+// The photos of a film that has nearly stopped growing say nothing about the growth before them.
+void FilmWatchTest::fitGrowth_saturatedFilm_isRefused() {
+    const std::vector<double> times{150, 300, 600};
+    QVERIFY(refusalOfTimes(times, times, 70).contains(QStringLiteral("do not determine")));
+    QCOMPARE(refusalOfTimes(times, times, 150), QString());
+    std::mt19937 random(31);
+    // Growth was measured as none, or at a constant rate, only for the time of the photos.
+    for (const double rate : {0.0, 0.003}) {
+        QVERIFY_EXCEPTION_THROWN(watched({80, 85, 90, 95, 100}, 76, rate, 0.5, 0.1, random), Error);
+    }
 }
 
 void FilmWatchTest::withMeasurement_profile_takesTheMeasuredValues() {

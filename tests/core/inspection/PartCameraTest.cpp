@@ -205,6 +205,19 @@ private slots:
         QVERIFY(!readingError("x,y\n").isEmpty());
         QVERIFY(!readingError({}).isEmpty());
     }
+
+    void requireInPhotos_placeOutside_isRefusedByLine() {
+        const QByteArray table =
+            "photo,x_px,y_px,x_mm,y_mm,z_mm\n1,0,600,1,2,3\n\n1,800.5,2,3,4,5\n";
+        const auto pairs = readPairs(table, 1, QStringLiteral("pairs.csv"));
+        requireInPhotos(pairs, {801, 600}, QStringLiteral("pairs.csv"));
+        try {
+            requireInPhotos(pairs, {800, 600}, QStringLiteral("pairs.csv"));
+            QFAIL("the place was accepted, expected a refusal");
+        } catch (const Error& error) {
+            QVERIFY(error.message().contains(QStringLiteral("Line 4")));
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(PartCameraTest)

@@ -151,6 +151,7 @@ private Q_SLOTS:
     void fitInk_impossibleReadings_areRefused_data();
     void fitInk_impossibleReadings_areRefused();
     void readWedge_table_isRead();
+    void readWedge_wrongReading_isRefusedByLine();
     void readWedge_faultyTable_isRefused_data();
     void readWedge_faultyTable_isRefused();
     void inkTonesText_readAgain_givesTheSameTones();
@@ -246,6 +247,7 @@ void StretchedInkTest::fitInk_impossibleReadings_areRefused_data() {
     QTest::newRow("no density") << QList<double>{1, 1, 2, 0};
     QTest::newRow("not a number") << QList<double>{1, 1, 2, std::nan("")};
     QTest::newRow("infinite") << QList<double>{1, 1, std::numeric_limits<double>::infinity(), 0.5};
+    QTest::newRow("denser when stretched") << QList<double>{1, 1, 1.3, 1.3};
     QTest::newRow("much denser when stretched") << QList<double>{0.3, 0.1, 1.3, 2};
     QTest::newRow("much paler than the dye law") << QList<double>{0.3, 2, 1.3, 0.01};
 }
@@ -278,6 +280,17 @@ void StretchedInkTest::readWedge_table_isRead() {
     QVERIFY(readWedge(blank, "w.csv").empty());
     QCOMPARE(blank.count('\n'), 1 + (5 + 2) * 4);
     QVERIFY(!blank.contains("black,0.2,")); // the third tone of a row with two patches
+}
+
+void StretchedInkTest::readWedge_wrongReading_isRefusedByLine() {
+    const QByteArray table = "ink,nominal,flat,across,down,shown\ncyan,1,1,120,120,0.8\n\n"
+                             "cyan,1,-1,120,120,0.8\n";
+    try {
+        fitInk(readWedge(table, "w.csv"), "w.csv");
+        QFAIL("the reading was accepted, expected a refusal");
+    } catch (const Error& error) {
+        QCOMPARE(error.where(), QStringLiteral("w.csv, line 4"));
+    }
 }
 
 void StretchedInkTest::readWedge_faultyTable_isRefused_data() {
