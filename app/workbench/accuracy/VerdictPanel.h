@@ -22,6 +22,8 @@ public:
 
     // Shows the result of dip number `immersion`. Shows nothing if it has none.
     void setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit);
+    // Whether the result fits the project. A verdict from before the last changes is marked.
+    void setFresh(bool fresh);
 
     QSize minimumSizeHint() const override;
 
@@ -33,10 +35,15 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void showText();
     void choosePlace(const QUrl& link);
     int wantedMapHeight() const;
     void fitText();
 
+    std::shared_ptr<const JobResult> result_; // null: nothing is shown
+    std::size_t immersion_ = 0;
+    bool isDraft_ = false, isFresh_ = true;
+    LengthUnit unit_ = LengthUnit::Millimetre;
     std::vector<PlaceToCheck> places_;
     HtmlView* text_;
     PicturePanel* map_;

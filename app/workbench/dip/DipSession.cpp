@@ -266,6 +266,10 @@ Freshness DipSession::freshness() const {
     return dipwright::freshness(inputsOf(shown_.project), inputsOf(document_->project()));
 }
 
+bool DipSession::isFresh() const {
+    return shown_.fineness.isDraft() ? mayGoOn() : document_ && document_->isFresh();
+}
+
 std::shared_ptr<const FilmReadout> DipSession::reading() const {
     return immersion_ < shown_.readings.size() ? shown_.readings[immersion_] : nullptr;
 }

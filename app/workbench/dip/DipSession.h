@@ -54,6 +54,7 @@ public:
     // Which results on show fit the current project. A draft fits if it was computed from the
     // current project with coarser settings.
     Freshness freshness() const;
+    bool isFresh() const; // all results on show, of all dips
     // Readout of the outcome on show, and recording of the last finished job, for the dip that is
     // shown; null if there is none.
     std::shared_ptr<const FilmReadout> reading() const;

@@ -136,6 +136,9 @@ Freshness Document::freshness(std::size_t number) const {
 }
 
 bool Document::isFresh() const {
+    if (!result_ || result_->immersions.size() != project_.immersions.size()) {
+        return false;
+    }
     for (std::size_t number = 0; number < project_.immersions.size(); ++number) {
         if (!isFresh(JobStep::Sheet, number)) {
             return false;

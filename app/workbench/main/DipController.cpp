@@ -171,7 +171,7 @@ void DipController::showFreshness() {
         return;
     }
     const Freshness fresh = session_.freshness();
-    results_.setFreshness(fresh);
+    results_.setFreshness(fresh, session_.isFresh());
     const bool isDraft = shown.fineness.isDraft();
     const bool isCoarse = session_.canRefine(); // also while it is being refined
     staleBanner_.setVisible(isDraft || isCoarse || !fresh.sheet);

@@ -254,6 +254,20 @@ private slots:
         QVERIFY(document.freshness(1) == Freshness({false, false, false})); // no second dip
     }
 
+    void isFresh_dipRemoved_resultIsStale() {
+        Project project = boxProject();
+        project.immersions.resize(2);
+        project.share.enabled = false; // so the dips are independent
+        Document document(project);
+        document.setResult(resultOf(project));
+        QVERIFY(document.isFresh());
+        removeImmersion(document, 1);
+        QVERIFY(document.freshness(0) == Freshness({true, true, true}));
+        QVERIFY(!document.isFresh()); // its verdict is also about the removed dip
+        document.undoStack().undo();
+        QVERIFY(document.isFresh());
+    }
+
     void saveAs_newFile_documentIsUnmodified() {
         const QTemporaryDir folder;
         Document document(boxProject());

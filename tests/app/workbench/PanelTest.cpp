@@ -7,6 +7,7 @@
 #include "workbench/project/FilmFacts.h"
 #include "workbench/project/PropertyField.h"
 #include "workbench/project/PropertySpecs.h"
+#include "workbench/results/ResultsPanel.h"
 #include "workbench/results/Timeline.h"
 #include "workbench/widgets/HeatScale.h"
 #include "workbench/widgets/NumberBox.h"
@@ -475,6 +476,44 @@ private slots:
         QVERIFY2(shown.contains(QStringLiteral("25 mm²")), qPrintable(shown));
         QVERIFY2(shown.contains(QStringLiteral("2.5 %")), qPrintable(shown));
         QVERIFY(!text({}).contains(QStringLiteral("mm²")));
+    }
+
+    void verdictPanel_projectChanged_isGreyAndSaysSo() {
+        auto result = std::make_shared<JobResult>();
+        result->immersions.resize(1);
+        result->immersions[0].coverage = std::make_shared<const Coverage>();
+        result->verdict.advice = result->immersions[0].verdict.advice = Advice::Print;
+        VerdictPanel panel;
+        panel.setOutcome({result, {}, {}}, 0, LengthUnit::Millimetre);
+        const auto* text = panel.findChild<QTextBrowser*>(QStringLiteral("verdict"));
+        const QString heading = QStringLiteral("Before the last changes");
+        const QString fresh = text->toHtml();
+        QVERIFY(!text->toPlainText().contains(heading));
+        QVERIFY(fresh.contains(QStringLiteral("#008a9a")));
+        panel.setFresh(false);
+        QVERIFY(text->toPlainText().startsWith(heading));
+        QVERIFY(!text->toHtml().contains(QStringLiteral("#008a9a")));
+        panel.setFresh(true);
+        QCOMPARE(text->toHtml(), fresh);
+    }
+
+    void resultsPanel_jobOutdated_marksVerdictAndReport() {
+        ResultsPanel panel;
+        const auto marked = [&panel] {
+            QStringList tabs;
+            for (int tab = 0; tab < panel.count(); ++tab) {
+                if (panel.tabText(tab).contains(u'•')) {
+                    tabs << panel.tabText(tab).chopped(2);
+                }
+            }
+            return tabs;
+        };
+        panel.setFreshness({false, false, false}, false);
+        QCOMPARE(marked().size(), panel.count());
+        panel.setFreshness({}, false); // another dip is outdated
+        QCOMPARE(marked(), QStringList({QStringLiteral("Verdict"), QStringLiteral("Report")}));
+        panel.setFreshness({}, true);
+        QVERIFY(marked().isEmpty());
     }
 
     void verdictPanel_narrow_scrollsOnlyVertically() {
