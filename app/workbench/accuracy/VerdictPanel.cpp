@@ -113,6 +113,20 @@ QString html(const JobResult& result, const ImmersionResult& dip, bool fresh, Le
     return words + paragraph(markedText(coverage.marked, coverage.paintedArea));
 }
 
+QString draftText(DraftEnd end) {
+    switch (end) {
+    case DraftEnd::Cancelled:
+        return VerdictPanel::tr("This is a draft. There is no verdict, because the run was "
+                                "cancelled. Run the dip to get one.");
+    case DraftEnd::Failed:
+        return VerdictPanel::tr("This is a draft. There is no verdict, because the run failed. See "
+                                "the log for the reason, then run the dip again.");
+    case DraftEnd::ResultFollows:
+        break;
+    }
+    return VerdictPanel::tr("This is a draft. The verdict follows with the result.");
+}
+
 } // namespace
 
 VerdictPanel::VerdictPanel(QWidget* parent)
@@ -161,13 +175,18 @@ void VerdictPanel::setFresh(bool fresh) {
     }
 }
 
+void VerdictPanel::setDraftEnd(DraftEnd end) {
+    if (std::exchange(draftEnd_, end) != end) {
+        showText();
+    }
+}
+
 void VerdictPanel::showText() {
     if (!result_) {
         return;
     }
-    text_->showHtml(isDraft_
-                        ? paragraph(tr("This is a draft. The verdict follows with the result."))
-                        : html(*result_, result_->immersions[immersion_], isFresh_, unit_));
+    text_->showHtml(isDraft_ ? paragraph(draftText(draftEnd_))
+                             : html(*result_, result_->immersions[immersion_], isFresh_, unit_));
     fitText();
 }
 

@@ -14,6 +14,9 @@ namespace dipwright {
 class HtmlView;
 class PicturePanel;
 
+// Whether a result follows the draft on show, or why not.
+enum class DraftEnd { ResultFollows, Cancelled, Failed };
+
 class VerdictPanel : public QWidget {
     Q_OBJECT
 
@@ -24,6 +27,7 @@ public:
     void setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit);
     // Whether the result fits the project. A verdict from before the last changes is marked.
     void setFresh(bool fresh);
+    void setDraftEnd(DraftEnd end);
 
     QSize minimumSizeHint() const override;
 
@@ -43,6 +47,7 @@ private:
     std::shared_ptr<const JobResult> result_; // null: nothing is shown
     std::size_t immersion_ = 0;
     bool isDraft_ = false, isFresh_ = true;
+    DraftEnd draftEnd_ = DraftEnd::ResultFollows;
     LengthUnit unit_ = LengthUnit::Millimetre;
     std::vector<PlaceToCheck> places_;
     HtmlView* text_;

@@ -184,6 +184,10 @@ void ResultsPanel::setFreshness(const Freshness& freshness, bool isJobFresh) {
     numericalError_->setFresh(isJobFresh);
 }
 
+void ResultsPanel::setDraftEnd(DraftEnd end) {
+    numericalError_->setDraftEnd(end);
+}
+
 void ResultsPanel::showReading(const std::optional<FilmReadoutPoint>& point) {
     stretch_->showReading(point);
     if (!point) {

@@ -188,11 +188,15 @@ private slots:
         drag(15);
         QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
         release();
+        QTRY_VERIFY_WITH_TIMEOUT(session().isRunning(), patience());
         WindowDriver(*window_).trigger("cancel");
         QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience());
         if (!document().isFresh()) { // else it was too late
             QVERIFY(banner().isVisible() &&
                     banner().text().contains(QStringLiteral("run the dip")));
+            QVERIFY(window_->findChild<QTextBrowser*>(QStringLiteral("verdict"))
+                        ->toPlainText()
+                        .contains(QStringLiteral("cancelled")));
         }
     }
 

@@ -497,6 +497,22 @@ private slots:
         QCOMPARE(text->toHtml(), fresh);
     }
 
+    void verdictPanel_draftWithoutResult_saysWhyAndWhatToDo() {
+        auto result = std::make_shared<JobResult>();
+        result->immersions.resize(1);
+        DipOutcome draft{result, {}, {}};
+        draft.fineness.level = 1;
+        VerdictPanel panel;
+        panel.setOutcome(draft, 0, LengthUnit::Millimetre);
+        const auto text = [&panel](DraftEnd end) {
+            panel.setDraftEnd(end);
+            return panel.findChild<QTextBrowser*>(QStringLiteral("verdict"))->toPlainText();
+        };
+        QVERIFY(text(DraftEnd::Cancelled).contains(QStringLiteral("was cancelled. Run the dip")));
+        QVERIFY(text(DraftEnd::Failed).contains(QStringLiteral("failed. See the log")));
+        QVERIFY(text(DraftEnd::ResultFollows).contains(QStringLiteral("follows")));
+    }
+
     void resultsPanel_jobOutdated_marksVerdictAndReport() {
         ResultsPanel panel;
         const auto marked = [&panel] {
