@@ -1,4 +1,5 @@
 // Tests the panels without a window: fields, heat scale, isolines, timeline and picture view.
+#include "BoxProject.h"
 #include "Contrast.h"
 #include "geometry/Shapes.h"
 #include "project/Schema.h"
@@ -6,6 +7,7 @@
 #include "workbench/document/ProjectValue.h"
 #include "workbench/project/FilmFacts.h"
 #include "workbench/project/PropertyField.h"
+#include "workbench/project/PropertyPanel.h"
 #include "workbench/project/PropertySpecs.h"
 #include "workbench/results/ResultsPanel.h"
 #include "workbench/results/Timeline.h"
@@ -335,6 +337,31 @@ private slots:
         QVERIFY(takesUndo());
         QTest::keyClick(box, Qt::Key_Return);
         QVERIFY(!takesUndo());
+    }
+
+    void propertyPanel_twoEnteredNumbers_areTwoUndoSteps() {
+        const SolverRegistry registry;
+        PropertyPanel panel(registry);
+        Document document(boxProject());
+        panel.showNode({ProjectPart::Film});
+        panel.setDocument(&document);
+        auto* box = panel.findChild<QDoubleSpinBox*>(QStringLiteral("film.size_mm"));
+        QVERIFY(box);
+        for (const char* typed : {"250", "260"}) {
+            box->selectAll();
+            QTest::keyClicks(box, QLatin1String(typed));
+            QTest::keyClick(box, Qt::Key_Return);
+        }
+        QCOMPARE(document.project().film.width.value(), 260.0);
+        QCOMPARE(document.undoStack().count(), 2);
+        document.undoStack().undo();
+        QCOMPARE(document.project().film.width.value(), 250.0);
+        // The arrow keys change a value by many small steps, which are one undo step.
+        for (int step = 0; step < 3; ++step) {
+            QTest::keyClick(box, Qt::Key_Up);
+        }
+        QCOMPARE(document.undoStack().count(), 2);
+        panel.setDocument(nullptr);
     }
 
     void propertyField_everyField_hasAccessibleName() {
