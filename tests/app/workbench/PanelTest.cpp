@@ -22,6 +22,7 @@
 #include <QDoubleSpinBox>
 #include <QHelpEvent>
 #include <QJsonArray>
+#include <QLineEdit>
 #include <QScreen>
 #include <QScrollBar>
 #include <QSet>
@@ -266,6 +267,10 @@ private slots:
         QVERIFY2(sentence.contains(says), qPrintable(sentence));
         QCOMPARE(box.value(), 12.0);
         QCOMPARE(box.text(), QStringLiteral("12 mm")); // the box shows the value in use
+        const auto colour = [](const QWidget* widget) {
+            return widget->palette().color(QPalette::Text);
+        };
+        QTRY_COMPARE(colour(box.findChild<QLineEdit*>()), colour(&box)); // no longer red
     }
 
     void shownAreaAndPlace_inches_areConverted() {
