@@ -137,8 +137,15 @@ void Document::saveAs(const QString& path) {
     setSaved();
 }
 
+void Document::checkFile() {
+    const bool isMissing = !path_.isEmpty() && !QFileInfo::exists(path_);
+    if (std::exchange(isFileMissing_, isMissing) != isMissing) {
+        emit fileChanged();
+    }
+}
+
 void Document::setSaved() {
-    recovered_ = false;
+    recovered_ = isFileMissing_ = false;
     undoStack_.setClean();
     emit fileChanged();
 }

@@ -55,9 +55,12 @@ public:
     const FileVersion& version() const { return version_; } // last known version of the file
     QString title() const; // the file's name, else the project's name
     bool isModified() const {
-        return (path_.isEmpty() && !markedUnmodified_) || recovered_ || drag_ ||
+        return (path_.isEmpty() && !markedUnmodified_) || recovered_ || isFileMissing_ || drag_ ||
                !undoStack_.isClean();
     }
+    // Looks whether the file still exists. A document whose file is missing counts as modified.
+    void checkFile();
+    bool isFileMissing() const { return isFileMissing_; } // at the last checkFile()
     // Marks a document without a file as unmodified until it is edited, such as a copy of a sample.
     void markUnmodified() { markedUnmodified_ = true; }
     // Marks a document that was restored after a crash as modified.
@@ -109,7 +112,7 @@ private:
     QUndoStack undoStack_;
     int mergeRound_ = 0;
     std::optional<Drag> drag_; // none: nothing is dragged
-    bool recovered_ = false, markedUnmodified_ = false;
+    bool recovered_ = false, markedUnmodified_ = false, isFileMissing_ = false;
     FileVersion version_;
     QStringList untrusted_; // paths of files
     std::unique_ptr<FileLock> lock_ = std::make_unique<FileLock>();

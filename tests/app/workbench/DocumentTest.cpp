@@ -330,6 +330,24 @@ private slots:
         QVERIFY(!document.isModified());
     }
 
+    void checkFile_fileDeleted_documentIsModifiedUntilSaved() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("box.dipw"));
+        Document document(boxProject());
+        document.checkFile();
+        QVERIFY(!document.isFileMissing()); // it has none yet
+        document.saveAs(file);
+        QVERIFY(QFile::remove(file));
+        QSignalSpy changed(&document, &Document::fileChanged);
+        document.checkFile();
+        document.checkFile();
+        QCOMPARE(changed.count(), 1);
+        QVERIFY(document.isFileMissing() && document.isModified());
+        document.save();
+        QVERIFY(QFile::exists(file));
+        QVERIFY(!document.isFileMissing() && !document.isModified());
+    }
+
     void saveAs_folderMissing_documentStaysModified() {
         Document document(boxProject());
         QVERIFY_EXCEPTION_THROWN(document.saveAs(QStringLiteral("/no/such/folder/box.dipw")),
