@@ -173,15 +173,19 @@ private slots:
         QVERIFY(document().result() != before_ && !session().shown().fineness.isDraft());
     }
 
-    void draft_onShow_isNotExported() {
-        const QAction* pdf = WindowDriver(*window_).action("exportPdf");
-        QVERIFY(pdf->isEnabled());
+    void draft_onShow_isNeitherExportedNorPrinted() {
+        const auto areEnabled = [this](bool enabled) {
+            const WindowDriver driver(*window_);
+            return driver.action("exportPdf")->isEnabled() == enabled &&
+                   driver.action("print")->isEnabled() == enabled;
+        };
+        QVERIFY(areEnabled(true));
         drag(15);
         QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
-        QVERIFY(!pdf->isEnabled());
+        QVERIFY(areEnabled(false));
         release();
         QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
-        QVERIFY(pdf->isEnabled());
+        QVERIFY(areEnabled(true));
     }
 
     void cancel_whileRefining_saysThatItIsADraft() {
