@@ -11,6 +11,7 @@ namespace dipwright {
 // How far a run goes.
 enum class DipReach {
     FirstDraft, // only the coarsest draft: the user is still changing the project
+    Unrefined,  // all drafts, then the job, but no refined films: the user only looks
     AllDrafts,  // all drafts, then the job, then refined films
     JobOnly     // the job and refined films, without drafts
 };

@@ -79,11 +79,18 @@ void DipController::setPreferences(const Preferences& preferences) {
 }
 
 void DipController::run(bool live) {
+    begin(live, live && live_.isHeld() ? DipReach::FirstDraft : DipReach::AllDrafts);
+}
+
+void DipController::tryPose() {
+    begin(true, DipReach::Unrefined);
+}
+
+void DipController::begin(bool live, DipReach reach) {
     isLive_ = live;
     live_.begin();
     check_.cancel();
-    session_.run(playback_.mostPoints(),
-                 live && live_.isHeld() ? DipReach::FirstDraft : DipReach::AllDrafts);
+    session_.run(playback_.mostPoints(), reach);
 }
 
 // Dips that were read from the cache have no recordings.

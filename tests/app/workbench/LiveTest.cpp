@@ -204,14 +204,22 @@ private slots:
         }
     }
 
-    // The limit is so small that automatic cells do not keep it, but cells of half the size do.
+    void tryPose_errorTooLarge_isRefinedOnlyWhenRunAgain() {
+        WindowDriver(*window_).action("live")->setChecked(false);
+        limitError();
+        session().run(1000, DipReach::Unrefined);
+        QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
+        QTest::qWait(100);
+        QVERIFY(!session().isRunning() && session().canRefine());
+        session().run(1000, DipReach::Unrefined);
+        QVERIFY(!session().isRunning());
+        session().run(1000);
+        QVERIFY(session().isRefining());
+        session().cancel();
+    }
+
     void result_errorTooLarge_isRefinedByItself() {
-        document().edit({}, {}, [](Project& project) {
-            project.immersions.resize(1);
-            project.film.resolution = FilmResolution::Automatic;
-            project.tolerance.limits.back() = Millimetres(0.12);
-            project.film.work = 20;
-        });
+        limitError();
         WindowDriver driver(*window_);
         driver.trigger("run");
         QTRY_VERIFY_WITH_TIMEOUT(session().isRefining(), patience());
@@ -246,6 +254,15 @@ private:
     DipSession& session() const { return window_->session(); }
     const QLabel& banner() const {
         return *window_->findChild<QLabel*>(QStringLiteral("staleBanner"));
+    }
+    // The limit is so small that automatic cells do not keep it, but cells of half the size do.
+    void limitError() const {
+        document().edit({}, {}, [](Project& project) {
+            project.immersions.resize(1);
+            project.film.resolution = FilmResolution::Automatic;
+            project.tolerance.limits.back() = Millimetres(0.12);
+            project.film.work = 20;
+        });
     }
     void drag(double degrees) const { emit window_->view().rotationDragged(0, degrees); }
     void release() const { emit window_->view().rotationFinished(); }
