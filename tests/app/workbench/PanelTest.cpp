@@ -4,6 +4,7 @@
 #include "geometry/Shapes.h"
 #include "project/Schema.h"
 #include "workbench/accuracy/VerdictPanel.h"
+#include "workbench/accuracy/ZoneFields.h"
 #include "workbench/document/ProjectValue.h"
 #include "workbench/project/FilmFacts.h"
 #include "workbench/project/PropertyField.h"
@@ -19,6 +20,7 @@
 
 #include <QApplication>
 #include <QColorDialog>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHelpEvent>
 #include <QJsonArray>
@@ -378,6 +380,34 @@ private slots:
                 QVERIFY2(!editor->whatsThis().isEmpty(), qPrintable(spec.path));
             }
         }
+    }
+
+    void zoneFields_tabKey_followsTheLayout() {
+        ZoneFields fields(LengthUnit::Millimetre);
+        fields.show();
+        auto* first = fields.findChild<QWidget*>(QStringLiteral("zoneBrush"));
+        int y = first->y();
+        for (QWidget* field = first->nextInFocusChain(); field != first;
+             field = field->nextInFocusChain()) {
+            if (field->parent() == &fields && field->focusPolicy() & Qt::TabFocus) {
+                QVERIFY2(field->geometry().bottom() >= y, qPrintable(field->objectName()));
+                y = field->y();
+            }
+        }
+    }
+
+    void zoneFields_marksNothing_allOthersAreDisabled() {
+        ZoneFields fields(LengthUnit::Millimetre);
+        auto* zone = fields.findChild<QComboBox*>(QStringLiteral("zoneBrush"));
+        auto* extent = fields.findChild<QComboBox*>(QStringLiteral("zoneBrushExtent"));
+        auto* radius = fields.findChild<QDoubleSpinBox*>(QStringLiteral("zoneBrushRadius"));
+        QVERIFY(!extent->isEnabled() && !radius->isEnabled());
+        zone->setCurrentIndex(1);
+        QVERIFY(extent->isEnabled() && radius->isEnabled());
+        extent->setCurrentIndex(1); // the whole face
+        QVERIFY(extent->isEnabled() && !radius->isEnabled());
+        zone->setCurrentIndex(0);
+        QVERIFY(!extent->isEnabled() && !radius->isEnabled());
     }
 
     void themePalette_bothThemes_haveContrast() {
