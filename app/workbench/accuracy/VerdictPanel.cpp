@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dipwright {
 
@@ -57,16 +58,16 @@ QString placeHtml(const PlaceToCheck& place, std::size_t number, LengthUnit unit
 }
 
 // Returns the reason's sentence, with a link to the setting that holds its limit, if there is one.
-QString reasonHtml(const JobReason& reason, const JobResult& result, LengthUnit unit) {
+QString reasonHtml(const JobReason& reason, const JobResult& result, const QString& colour,
+                   LengthUnit unit) {
     JobReason shown = reason;
     if (result.immersions.size() == 1) {
         shown.dip.reset();
     }
     const auto length = [unit](double millimetres) { return shownLength(millimetres, unit); };
     QString words = paragraph(QStringLiteral("■ ") + reasonText(shown, result, length));
-    words.replace(
-        QStringLiteral("■"),
-        QStringLiteral("<span style='color:%1'>■</span>").arg(colourOf(reason.reason.advice)));
+    words.replace(QStringLiteral("■"),
+                  QStringLiteral("<span style='color:%1'>■</span>").arg(colour));
     if (const QString field = limitField(reason.reason.kind); !field.isEmpty()) {
         words.insert(words.lastIndexOf(QLatin1String("</p>")),
                      QStringLiteral(" <a href='%1%2'>%3</a>")
@@ -75,14 +76,28 @@ QString reasonHtml(const JobReason& reason, const JobResult& result, LengthUnit 
     return words;
 }
 
-QString html(const JobResult& result, const ImmersionResult& dip, LengthUnit unit) {
+// Returns large, bold text.
+QString title(const QString& text) {
+    return QStringLiteral("<b style='font-size:large'>%1</b>").arg(text.toHtmlEscaped());
+}
+
+// A verdict that is not `fresh` is grey, below a title that says so.
+QString html(const JobResult& result, const ImmersionResult& dip, bool fresh, LengthUnit unit) {
+    const auto colour = [fresh](Advice advice) {
+        return colourOf(fresh ? advice : Advice::NotJudged);
+    };
     const Advice advice = adviceOf(result);
-    QString words = QStringLiteral("<table cellspacing='0' cellpadding='4'><tr><td width='6' "
-                                   "bgcolor='%1'></td><td><b style='font-size:large'>%2</b>"
-                                   "</td></tr></table>")
-                        .arg(colourOf(advice), adviceText(advice).toHtmlEscaped());
+    QString words;
+    if (!fresh) {
+        words = QStringLiteral("<p style='margin:4px 0'>%1</p>")
+                    .arg(title(Text::tr("Before the last changes")));
+    }
+    words += QStringLiteral("<table cellspacing='0' cellpadding='4'><tr><td width='6' "
+                            "bgcolor='%1'></td><td>%2</td></tr></table>")
+                 .arg(colour(advice),
+                      fresh ? title(adviceText(advice)) : adviceText(advice).toHtmlEscaped());
     for (const JobReason& reason : reasonsOf(result)) {
-        words += reasonHtml(reason, result, unit);
+        words += reasonHtml(reason, result, colour(reason.reason.advice), unit);
     }
     const Verdict& verdict = dip.verdict;
     if (verdict.advice > Advice::Print && !verdict.places.empty()) {
@@ -96,6 +111,20 @@ QString html(const JobResult& result, const ImmersionResult& dip, LengthUnit uni
     }
     const Coverage& coverage = *dip.coverage;
     return words + paragraph(markedText(coverage.marked, coverage.paintedArea));
+}
+
+QString draftText(DraftEnd end) {
+    switch (end) {
+    case DraftEnd::Cancelled:
+        return VerdictPanel::tr("This is a draft. There is no verdict, because the run was "
+                                "cancelled. Run the dip to get one.");
+    case DraftEnd::Failed:
+        return VerdictPanel::tr("This is a draft. There is no verdict, because the run failed. See "
+                                "the log for the reason, then run the dip again.");
+    case DraftEnd::ResultFollows:
+        break;
+    }
+    return VerdictPanel::tr("This is a draft. The verdict follows with the result.");
 }
 
 } // namespace
@@ -119,23 +148,45 @@ VerdictPanel::VerdictPanel(QWidget* parent)
 
 void VerdictPanel::setOutcome(const DipOutcome& outcome, std::size_t immersion, LengthUnit unit) {
     const bool isThere = outcome.result && immersion < outcome.result->immersions.size();
+    result_ = isThere ? outcome.result : nullptr;
+    immersion_ = immersion;
+    isDraft_ = outcome.fineness.isDraft();
+    unit_ = unit;
     text_->setVisible(isThere);
-    map_->setVisible(!outcome.fineness.isDraft());
+    map_->setVisible(!isDraft_);
     map_->clear();
     if (!isThere) {
         return;
     }
-    const ImmersionResult& result = outcome.result->immersions[immersion];
+    const ImmersionResult& result = result_->immersions[immersion];
     places_ = result.verdict.places;
-    text_->showHtml(outcome.fineness.isDraft()
-                        ? paragraph(tr("This is a draft. The verdict follows with the result."))
-                        : html(*outcome.result, result, unit));
     if (const NumericalErrorEstimate* estimate = result.knownError()) {
         const QImage map = numericalErrorMap(
             *result.laid, estimate->pointErrors,
             allowedError(Zone::C, outcome.result->project.tolerance), mapEdge, unit);
         map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
     }
+    showText();
+}
+
+void VerdictPanel::setFresh(bool fresh) {
+    if (std::exchange(isFresh_, fresh) != fresh) {
+        showText();
+    }
+}
+
+void VerdictPanel::setDraftEnd(DraftEnd end) {
+    if (std::exchange(draftEnd_, end) != end) {
+        showText();
+    }
+}
+
+void VerdictPanel::showText() {
+    if (!result_) {
+        return;
+    }
+    text_->showHtml(isDraft_ ? paragraph(draftText(draftEnd_))
+                             : html(*result_, result_->immersions[immersion_], isFresh_, unit_));
     fitText();
 }
 

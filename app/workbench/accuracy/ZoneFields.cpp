@@ -1,7 +1,6 @@
 #include "workbench/accuracy/ZoneFields.h"
 
 #include <QComboBox>
-#include <QFormLayout>
 
 namespace dipwright {
 
@@ -22,11 +21,18 @@ ZoneFields::ZoneFields(LengthUnit unit, QWidget* parent)
     extent_->setToolTip(
         tr("What a click marks: the surface under the brush, the face up to its edges, or "
            "everything with the same material in the model."));
-    form().insertRow(radiusRow, tr("Extent"), extent_);
-    connect(extent_, &QComboBox::currentIndexChanged, this, [this] {
-        setRadiusEnabled(extent_->currentData().toInt() == int(MarkExtent::Stroke));
+    insertField(radiusRow, tr("Extent"), *extent_);
+    const auto enable = [this] {
+        const bool marks = kind().currentData().toInt() != noKind;
+        extent_->setEnabled(marks);
+        setRadiusEnabled(marks && extent_->currentData().toInt() == int(MarkExtent::Stroke));
+    };
+    connect(&kind(), &QComboBox::currentIndexChanged, this, enable);
+    connect(extent_, &QComboBox::currentIndexChanged, this, [this, enable] {
+        enable();
         emit changed();
     });
+    enable();
 }
 
 MarkBrush ZoneFields::chosen() const {

@@ -370,12 +370,12 @@ void WindowActions::enable(const WindowState& state) {
     numericalError->setEnabled(any && !state.isBusy);
     tolerances->setEnabled(any && !state.isBusy);
     cancel->setEnabled(state.isBusy);
-    for (QAction* action : {print, coverage, bodyPrint, filmOnBody}) {
+    for (QAction* action : {coverage, bodyPrint, filmOnBody}) {
         action->setEnabled(state.hasSheet);
     }
-    // What is exported is what is on show.
-    for (QAction* action :
-         {exportResults, exportPdf, exportPng, exportCradles, cradle, makeOutputs, tank, plates}) {
+    // What is exported or printed is what is on show.
+    for (QAction* action : {exportResults, exportPdf, exportPng, exportCradles, cradle, makeOutputs,
+                            print, tank, plates}) {
         action->setEnabled(state.hasSheet && !state.isDraft);
     }
     play->setEnabled(state.isRecorded);

@@ -89,8 +89,9 @@ void DipSession::run(std::size_t mostPoints, DipReach reach) {
     wanted_ = false;
     mostPoints_ = mostPoints;
     reach_ = reach;
-    if (!document_ || (document_->isFresh() && !mayRefine()) ||
-        (reach == DipReach::FirstDraft && (mayGoOn() || document_->isFresh()))) {
+    const bool refines = reach == DipReach::AllDrafts || reach == DipReach::JobOnly;
+    if (!document_ || (document_->isFresh() && !(refines && mayRefine())) ||
+        (reach == DipReach::FirstDraft && mayGoOn())) {
         return;
     }
     if (running_ && !dip_.isCancelled() && makeSameSheets(started_, document_->project())) {
@@ -231,7 +232,8 @@ void DipSession::takeOutcome(const DipOutcome& outcome) {
     outcome_ = outcome;
     document_->setResult(outcome.result);
     emit finished();
-    refines_ = !isRecorded && canRefine(); // begins when the jobs are idle
+    // It begins when the jobs are idle.
+    refines_ = !isRecorded && reach_ != DipReach::Unrefined && canRefine();
 }
 
 // Starts the refinement that is due, unless something else has begun or the results are old.
@@ -264,6 +266,10 @@ Freshness DipSession::freshness() const {
         return sheetInputs(project, {}, immersion_, project.process.solver);
     };
     return dipwright::freshness(inputsOf(shown_.project), inputsOf(document_->project()));
+}
+
+bool DipSession::isFresh() const {
+    return shown_.fineness.isDraft() ? mayGoOn() : document_ && document_->isFresh();
 }
 
 std::shared_ptr<const FilmReadout> DipSession::reading() const {

@@ -11,6 +11,7 @@ namespace dipwright {
 // How far a run goes.
 enum class DipReach {
     FirstDraft, // only the coarsest draft: the user is still changing the project
+    Unrefined,  // all drafts, then the job, but no refined films: the user only looks
     AllDrafts,  // all drafts, then the job, then refined films
     JobOnly     // the job and refined films, without drafts
 };
@@ -54,6 +55,7 @@ public:
     // Which results on show fit the current project. A draft fits if it was computed from the
     // current project with coarser settings.
     Freshness freshness() const;
+    bool isFresh() const; // all results on show, of all dips
     // Readout of the outcome on show, and recording of the last finished job, for the dip that is
     // shown; null if there is none.
     std::shared_ptr<const FilmReadout> reading() const;

@@ -7,6 +7,8 @@
 #include <QFileInfo>
 #include <QUndoCommand>
 
+#include <utility>
+
 namespace dipwright {
 
 namespace {
@@ -20,12 +22,13 @@ constexpr int undoLimit = 500;
 // One undo step. It holds the whole project before and after, so that undo cannot miss a value.
 class ProjectEdit : public QUndoCommand {
 public:
-    ProjectEdit(Document& document, const QString& text, const QString& mergeKey, Project after)
+    ProjectEdit(Document& document, const QString& text, const QString& mergeKey, Project before,
+                Project after)
         : QUndoCommand(text), document_(document), mergeKey_(mergeKey),
-          mergeRound_(document.mergeRound_), before_(document.project_), after_(std::move(after)) {}
+          mergeRound_(document.mergeRound_), before_(std::move(before)), after_(std::move(after)) {}
 
-    void undo() override { document_.showProject(before_); }
-    void redo() override { document_.showProject(after_); }
+    void undo() override { document_.goTo(before_); }
+    void redo() override { document_.goTo(after_); }
     int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
 
     bool mergeWith(const QUndoCommand* next) override {
@@ -65,11 +68,41 @@ Document::~Document() = default;
 
 void Document::edit(const QString& text, const QString& mergeKey,
                     const std::function<void(Project&)>& change) {
+    endDrag();
     Project changed = project_;
     change(changed);
     if (changed != project_) {
-        undoStack_.push(new ProjectEdit(*this, text, mergeKey, std::move(changed)));
+        undoStack_.push(new ProjectEdit(*this, text, mergeKey, project_, std::move(changed)));
     }
+}
+
+void Document::drag(const QString& text, const std::function<void(Project&)>& change) {
+    Project changed = project_;
+    change(changed);
+    if (changed == project_) {
+        return;
+    }
+    const bool begins = !drag_;
+    drag_ = Drag{text, begins ? project_ : std::move(drag_->before)};
+    showProject(changed);
+    if (begins) {
+        emit fileChanged();
+    }
+}
+
+void Document::endDrag() {
+    std::optional<Drag> ended = std::exchange(drag_, {});
+    if (ended && ended->before != project_) {
+        undoStack_.push(
+            new ProjectEdit(*this, ended->text, {}, std::move(ended->before), project_));
+    } else if (ended) {
+        emit fileChanged();
+    }
+}
+
+void Document::goTo(const Project& project) {
+    drag_.reset();
+    showProject(project);
 }
 
 void Document::showProject(const Project& project) {
@@ -104,8 +137,15 @@ void Document::saveAs(const QString& path) {
     setSaved();
 }
 
+void Document::checkFile() {
+    const bool isMissing = !path_.isEmpty() && !QFileInfo::exists(path_);
+    if (std::exchange(isFileMissing_, isMissing) != isMissing) {
+        emit fileChanged();
+    }
+}
+
 void Document::setSaved() {
-    recovered_ = false;
+    recovered_ = isFileMissing_ = false;
     undoStack_.setClean();
     emit fileChanged();
 }
@@ -136,6 +176,9 @@ Freshness Document::freshness(std::size_t number) const {
 }
 
 bool Document::isFresh() const {
+    if (!result_ || result_->immersions.size() != project_.immersions.size()) {
+        return false;
+    }
     for (std::size_t number = 0; number < project_.immersions.size(); ++number) {
         if (!isFresh(JobStep::Sheet, number)) {
             return false;

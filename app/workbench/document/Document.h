@@ -10,6 +10,7 @@
 #include <QStringList>
 #include <QUndoStack>
 #include <functional>
+#include <optional>
 
 namespace dipwright {
 
@@ -44,14 +45,22 @@ public:
     void edit(const QString& text, const QString& mergeKey,
               const std::function<void(Project&)>& change);
     void endMerge() { ++mergeRound_; }
+    // Applies `change` as part of a drag. The drag becomes one undo step named `text` at endDrag()
+    // or at the next edit(). A drag back to its start leaves undo and redo as they were.
+    void drag(const QString& text, const std::function<void(Project&)>& change);
+    void endDrag();
     QUndoStack& undoStack() { return undoStack_; }
 
     const QString& path() const { return path_; }           // empty: never saved
     const FileVersion& version() const { return version_; } // last known version of the file
     QString title() const; // the file's name, else the project's name
     bool isModified() const {
-        return (path_.isEmpty() && !markedUnmodified_) || recovered_ || !undoStack_.isClean();
+        return (path_.isEmpty() && !markedUnmodified_) || recovered_ || isFileMissing_ || drag_ ||
+               !undoStack_.isClean();
     }
+    // Looks whether the file still exists. A document whose file is missing counts as modified.
+    void checkFile();
+    bool isFileMissing() const { return isFileMissing_; } // at the last checkFile()
     // Marks a document without a file as unmodified until it is edited, such as a copy of a sample.
     void markUnmodified() { markedUnmodified_ = true; }
     // Marks a document that was restored after a crash as modified.
@@ -90,6 +99,11 @@ signals:
 
 private:
     friend class ProjectEdit;
+    struct Drag {
+        QString text;
+        Project before;
+    };
+    void goTo(const Project& project); // by an undo step; a drag that has not ended is dropped
     void showProject(const Project& project);
     void setSaved();
 
@@ -97,7 +111,8 @@ private:
     QString path_;
     QUndoStack undoStack_;
     int mergeRound_ = 0;
-    bool recovered_ = false, markedUnmodified_ = false;
+    std::optional<Drag> drag_; // none: nothing is dragged
+    bool recovered_ = false, markedUnmodified_ = false, isFileMissing_ = false;
     FileVersion version_;
     QStringList untrusted_; // paths of files
     std::unique_ptr<FileLock> lock_ = std::make_unique<FileLock>();

@@ -82,7 +82,9 @@ AutoSaver::AutoSaver(Document& document, const QString& folder, QObject* parent)
     connect(&timer_, &QTimer::timeout, this, &AutoSaver::write);
     connect(&document, &Document::projectChanged, this, &AutoSaver::scheduleCopy);
     connect(&document, &Document::fileChanged, this, [this] {
-        if (!document_.isModified()) {
+        if (document_.isModified()) {
+            scheduleCopy();
+        } else {
             discard();
         }
     });

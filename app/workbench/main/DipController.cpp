@@ -3,6 +3,7 @@
 #include "pipeline/JobCost.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
+#include "workbench/accuracy/VerdictPanel.h"
 #include "workbench/actions/WindowActions.h"
 #include "workbench/results/ReportPanel.h"
 #include "workbench/results/ResultsPanel.h"
@@ -22,15 +23,21 @@ DipController::DipController(const WindowActions& actions, DipSession& session,
       results_(results), staleBanner_(staleBanner), keeper_(session, jobs, registry, messages) {
     connect(&session, &DipSession::started, this, [this] {
         messages_.notice({});
+        results_.setDraftEnd(DraftEnd::ResultFollows);
         showFreshness();
     });
     connect(&session, &DipSession::shownChanged, this, &DipController::showResults);
     connect(&session, &DipSession::finished, this, &DipController::takeResult);
     connect(&session, &DipSession::stopped, this, [this](const std::exception_ptr& failure) {
         messages_.notice({});
+        // While the part is held, only a draft is computed; the run goes on when it is released.
+        results_.setDraftEnd(failure          ? DraftEnd::Failed
+                             : live_.isHeld() ? DraftEnd::ResultFollows
+                                              : DraftEnd::Cancelled);
         showResults();
         // A failed live run must not interrupt the user.
         if (failure && isLive_) {
+            messages_.log(sentenceOf(failure));
             messages_.notice(sentenceOf(failure));
         } else if (failure) {
             messages_.fail(tr("Dip"), failure);
@@ -72,11 +79,18 @@ void DipController::setPreferences(const Preferences& preferences) {
 }
 
 void DipController::run(bool live) {
+    begin(live, live && live_.isHeld() ? DipReach::FirstDraft : DipReach::AllDrafts);
+}
+
+void DipController::tryPose() {
+    begin(true, DipReach::Unrefined);
+}
+
+void DipController::begin(bool live, DipReach reach) {
     isLive_ = live;
     live_.begin();
     check_.cancel();
-    session_.run(playback_.mostPoints(),
-                 live && live_.isHeld() ? DipReach::FirstDraft : DipReach::AllDrafts);
+    session_.run(playback_.mostPoints(), reach);
 }
 
 // Dips that were read from the cache have no recordings.
@@ -94,6 +108,7 @@ void DipController::record() {
 void DipController::cancel() {
     live_.cancel();
     session_.cancel();
+    results_.setDraftEnd(DraftEnd::Cancelled); // also between a draft and the run that follows it
     emit cancelled();
 }
 
@@ -171,7 +186,7 @@ void DipController::showFreshness() {
         return;
     }
     const Freshness fresh = session_.freshness();
-    results_.setFreshness(fresh);
+    results_.setFreshness(fresh, session_.isFresh());
     const bool isDraft = shown.fineness.isDraft();
     const bool isCoarse = session_.canRefine(); // also while it is being refined
     staleBanner_.setVisible(isDraft || isCoarse || !fresh.sheet);

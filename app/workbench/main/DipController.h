@@ -31,6 +31,8 @@ public:
     void setPreferences(const Preferences& preferences);
     // Runs the dip: drafts, then the job. A failed live run does not interrupt the user.
     void run(bool live);
+    // Runs the dip of a pose that the user tries. Its film is not refined.
+    void tryPose();
     // While the body is dragged, live runs make only first drafts.
     void setHeld(bool held) { live_.setHeld(held); }
 
@@ -38,6 +40,7 @@ signals:
     void cancelled();
 
 private:
+    void begin(bool live, DipReach reach);
     void record();
     void cancel();
     void checkNumericalError();

@@ -18,6 +18,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 namespace dipwright {
 
@@ -40,6 +41,11 @@ DocumentController::DocumentController(const WindowActions& actions, DocumentSes
     connect(&session, &DocumentSession::runAsked, actions.run, &QAction::trigger);
     on(actions.save, &DocumentController::save);
     on(actions.saveAs, &DocumentController::saveAs);
+    connect(&session, &DocumentSession::saved, this, [this] {
+        if (std::exchange(saysFileIsMissing_, false)) {
+            messages_.notice({});
+        }
+    });
     on(actions.snapshots, &DocumentController::showSnapshots);
     on(actions.printHistory, &DocumentController::showPrintHistory);
     on(actions.jobQueue, [this] {
@@ -150,13 +156,32 @@ bool DocumentController::saveTo(const QString& path) {
     return true;
 }
 
+void DocumentController::checkFile() {
+    Document* document = session_.document();
+    if (!document) {
+        return;
+    }
+    const bool wasMissing = document->isFileMissing();
+    document->checkFile();
+    if (document->isFileMissing() && !wasMissing) {
+        saysFileIsMissing_ = true;
+        messages_.notice(tr("The file of this project no longer exists: %1. Save the project to "
+                            "write it again.")
+                             .arg(QDir::toNativeSeparators(document->path())));
+    }
+}
+
 bool DocumentController::mayClose() {
+    checkFile();
     const Document* document = session_.document();
     if (!document || !document->isModified()) {
         return true;
     }
-    QMessageBox question(QMessageBox::Question, tr("Unsaved changes"),
-                         tr("Save the changes to “%1” before closing it?").arg(document->title()),
+    const QString words =
+        document->isFileMissing()
+            ? tr("The file of “%1” no longer exists. Save the project before closing it?")
+            : tr("Save the changes to “%1” before closing it?");
+    QMessageBox question(QMessageBox::Question, tr("Unsaved changes"), words.arg(document->title()),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
     question.setObjectName(QStringLiteral("closeQuestion"));
     question.setDefaultButton(QMessageBox::Save);

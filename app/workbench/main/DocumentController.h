@@ -27,6 +27,7 @@ public:
     bool save();   // false: the document was not saved
     bool saveAs(); // false: the document was not saved
     bool mayClose();
+    void checkFile(); // tells the user if another program has deleted the document's file
     // Another program has changed the file. Returns whether the document was saved anyway.
     bool askToReplaceChanged(const QString& path);
     void fillRecentMenu(QMenu& menu);
@@ -46,6 +47,7 @@ private:
     Messages& messages_;
     Workbench& workbench_;
     QWidget& window_;
+    bool saysFileIsMissing_ = false; // a notice does
 };
 
 } // namespace dipwright

@@ -352,6 +352,8 @@ void MainWindow::changeEvent(QEvent* event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) {
         applyPreferences();
+    } else if (event->type() == QEvent::ActivationChange) {
+        documentActions_.checkFile();
     }
 }
 

@@ -41,7 +41,8 @@ void addSearchPage(const PageContext& context, const Workbench& workbench, DipCo
                                             workbench.registry(), workbench.preferences(), &window))
                              ->open();
                      });
-    QObject::connect(search, &SearchController::dipAsked, &dip, [&dip] { dip.run(true); });
+    QObject::connect(search, &SearchController::poseTried, &dip, &DipController::tryPose);
+    QObject::connect(search, &SearchController::triedPoseUsed, &dip, [&dip] { dip.run(true); });
     openBy(*context.actions.findPoses,
            context.layout.addPage("searchDock", Text::tr("Pose search"), search->page()));
     QObject::connect(&context.documents, &DocumentSession::documentChanged, search,

@@ -209,9 +209,12 @@ PoseTable::PoseTable(QWidget* parent) : QTableWidget(0, Columns, parent) {
 void PoseTable::setResult(const SearchResult& result, const SearchSettings& settings,
                           const std::vector<QImage>& pictures) {
     const std::vector<RankedPoses>& ranking = result.ranking;
+    const std::vector<std::vector<Immersion>> chosen = chosenPoses();
     setRowCount(int(ranking.size()));
+    poses_.clear();
     for (std::size_t rank = 0; rank < ranking.size(); ++rank) {
         const RankedPoses& poses = ranking[rank];
+        poses_.push_back(poses.immersions);
         const QString help = posesText(poses) + QLatin1Char('\n') + measuresText(poses);
         auto* picture = cell({}, help);
         if (rank < pictures.size()) {
@@ -261,6 +264,28 @@ void PoseTable::setResult(const SearchResult& result, const SearchSettings& sett
         auto* why = cell(reasons, reasons + QStringLiteral("\n\n") + help);
         why->setData(htmlRole, html);
         setItem(row, Reasons, why);
+    }
+    choosePoses(chosen);
+}
+
+std::vector<std::vector<Immersion>> PoseTable::chosenPoses() const {
+    std::vector<std::vector<Immersion>> chosen;
+    for (const std::size_t rank : this->chosen()) {
+        chosen.push_back(poses_[rank]);
+    }
+    return chosen;
+}
+
+void PoseTable::choosePoses(const std::vector<std::vector<Immersion>>& chosen) {
+    QItemSelectionModel* selection = selectionModel();
+    selection->clear();
+    for (const std::vector<Immersion>& pose : chosen) {
+        const auto found = std::find(poses_.begin(), poses_.end(), pose);
+        if (found != poses_.end()) {
+            const QModelIndex row = model()->index(int(found - poses_.begin()), Picture);
+            selection->select(row, QItemSelectionModel::Select | QItemSelectionModel::Rows);
+            selection->setCurrentIndex(row, QItemSelectionModel::NoUpdate); // for the arrow keys
+        }
     }
 }
 

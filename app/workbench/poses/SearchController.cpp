@@ -138,7 +138,7 @@ SearchController::SearchController(DipSession& session, const SolverRegistry& re
         if (session_.document()) {
             keepDips(poses);
             tryImmersions(*session_.document(), poses.immersions);
-            emit dipAsked();
+            emit poseTried();
         }
     });
     connect(page_, &SearchPage::applyAsked, this, &SearchController::apply);
@@ -255,8 +255,13 @@ void SearchController::take(const Update& update) {
 void SearchController::apply(const RankedPoses& poses) {
     if (session_.document() && !poses.immersions.empty()) {
         keepDips(poses);
-        session_.document()->endMerge(); // poses tried before keep their own undo step
-        setImmersions(*session_.document(), poses.immersions);
+        Document& document = *session_.document();
+        const bool wasTried = document.project().immersions == poses.immersions;
+        document.endMerge(); // poses tried before keep their own undo step
+        setImmersions(document, poses.immersions);
+        if (wasTried && (session_.isRunning() || session_.canRefine())) {
+            emit triedPoseUsed();
+        }
     }
 }
 

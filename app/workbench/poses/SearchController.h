@@ -24,7 +24,8 @@ public:
     void showDocument();
 
 signals:
-    void dipAsked(); // the user wants to see a pose that has been set
+    void poseTried();     // the user wants to see a pose, which has been set
+    void triedPoseUsed(); // the film of the pose that was tried is worth refining now
     void comparisonAsked(const std::array<dipwright::ComparedState, 2>& states);
 
 private:

@@ -21,6 +21,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
@@ -233,7 +234,8 @@ void ProfilesDialog::showChosen() {
         }
     }
     editor_->setWidget(page);
-    editor_->setMinimumWidth(page->minimumSizeHint().width());
+    editor_->setMinimumWidth(page->minimumSizeHint().width() +
+                             editor_->verticalScrollBar()->sizeHint().width());
     tell({});
     const QTreeWidgetItem* current = list_->currentItem();
     remove_->setEnabled(current && current->data(0, OwnRole).toBool());
@@ -266,6 +268,7 @@ void ProfilesDialog::addIccRows(QFormLayout& form) {
 void ProfilesDialog::addIccRow(QFormLayout& form, const IccRow& icc) {
     const auto& printer = std::get<PrinterProfile>(*chosen_);
     auto* space = new QLabel(icc.content);
+    space->setObjectName(icc.path + QStringLiteral(".content"));
     space->setWordWrap(true);
     auto* choose = new QPushButton(tr("Choose…"));
     auto* none = new QPushButton(tr("None"));
@@ -287,10 +290,12 @@ void ProfilesDialog::addIccRow(QFormLayout& form, const IccRow& icc) {
             showChosen();
         },
         Qt::QueuedConnection);
-    auto* row = new QHBoxLayout;
-    row->addWidget(space, 1);
-    row->addWidget(choose);
-    row->addWidget(none);
+    auto* row = new QWidget; // in a row that is a layout, Qt cuts off lines of wrapped text
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(space, 1);
+    layout->addWidget(choose);
+    layout->addWidget(none);
     auto* label = new QLabel(icc.label);
     label->setToolTip(icc.help);
     form.addRow(label, row);

@@ -73,6 +73,7 @@ public:
             }
             connect(box, &QDoubleSpinBox::valueChanged, this, [this, part] { changed(part); });
             connect(box, &NumberBox::refused, this, &PropertyField::refused);
+            connect(box, &QDoubleSpinBox::editingFinished, this, &PropertyField::left);
             if (rule.parts > 2) { // three boxes with room for their longest numbers are too wide
                 constexpr int narrow = 92; // pixels
                 box->setMinimumWidth(std::min(narrow, box->minimumSizeHint().width()));

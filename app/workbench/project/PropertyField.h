@@ -42,7 +42,7 @@ public:
 
 signals:
     void edited(const QJsonValue& value);
-    void left();                           // the focus went elsewhere
+    void left();                           // the focus went elsewhere, or a number was entered
     void refused(const QString& sentence); // the typed value was not accepted
 
 protected:

@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFormLayout>
 
 namespace dipwright {
 
@@ -16,11 +15,18 @@ SeamFields::SeamFields(LengthUnit unit, QWidget* parent)
     kind().setToolTip(tr("What a click or drag on the part does. Assign areas to the other dip to "
                          "move the seam. With “Run live” the seam is updated at once."));
     face_->setToolTip(tr("Marks the whole flat face that you click, up to its edges."));
-    form().insertRow(radiusRow + 1, face_);
-    connect(face_, &QCheckBox::toggled, this, [this](bool whole) {
-        setRadiusEnabled(!whole);
+    insertField(radiusRow + 1, {}, *face_);
+    const auto enable = [this] {
+        const bool marks = kind().currentData().toInt() != noKind;
+        face_->setEnabled(marks);
+        setRadiusEnabled(marks && !face_->isChecked());
+    };
+    connect(&kind(), &QComboBox::currentIndexChanged, this, enable);
+    connect(face_, &QCheckBox::toggled, this, [this, enable] {
+        enable();
         emit changed();
     });
+    enable();
 }
 
 MarkBrush SeamFields::chosen() const {

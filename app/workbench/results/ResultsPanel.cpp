@@ -170,15 +170,22 @@ void ResultsPanel::setLengthUnit(LengthUnit unit) {
     numericalError_->setOutcome(outcome_, immersion_, unit);
 }
 
-void ResultsPanel::setFreshness(const Freshness& freshness) {
+void ResultsPanel::setFreshness(const Freshness& freshness, bool isJobFresh) {
     const QString mark = QStringLiteral(" •");
-    const std::array<bool, 5> fresh{freshness.dip, freshness.dip, freshness.texture,
-                                    freshness.texture, freshness.sheet};
-    for (int tab = 0; tab < int(fresh.size()); ++tab) {
+    const std::pair<QWidget*, bool> tabs[] = {
+        {numericalError_, isJobFresh}, {stretch_, freshness.dip}, {texture_, freshness.texture},
+        {proof_, freshness.texture},   {sheet_, freshness.sheet}, {report_, isJobFresh}};
+    for (const auto& [panel, isFresh] : tabs) {
+        const int tab = indexOf(panel);
         QString text = tabText(tab);
         text.remove(mark);
-        setTabText(tab, fresh[std::size_t(tab)] ? text : text + mark);
+        setTabText(tab, isFresh ? text : text + mark);
     }
+    numericalError_->setFresh(isJobFresh);
+}
+
+void ResultsPanel::setDraftEnd(DraftEnd end) {
+    numericalError_->setDraftEnd(end);
 }
 
 void ResultsPanel::showReading(const std::optional<FilmReadoutPoint>& point) {

@@ -16,6 +16,7 @@ class VerdictPanel;
 class PicturePanel;
 class ReportPanel;
 class StretchPanel;
+enum class DraftEnd;
 
 class ResultsPanel : public QTabWidget {
     Q_OBJECT
@@ -25,8 +26,11 @@ public:
 
     void setOutcome(const DipOutcome& outcome, std::size_t immersion); // may be empty
     void setLengthUnit(LengthUnit unit);
-    void showWarning(std::size_t number);          // in the report
-    void setFreshness(const Freshness& freshness); // marks the outdated tabs
+    void showWarning(std::size_t number); // in the report
+    // Marks the outdated tabs. `freshness`: of the dip on show. `isJobFresh`: whether all results
+    // of all dips fit the project; verdict and report are about all dips.
+    void setFreshness(const Freshness& freshness, bool isJobFresh);
+    void setDraftEnd(DraftEnd end); // for the verdict
     void showReading(const std::optional<FilmReadoutPoint>& point);
     // Adds a button over the picture of the reverse texture.
     void addTextureAction(QAction* action);

@@ -37,7 +37,7 @@ void BodyHandles::hold() {
 
 void BodyHandles::turn(int axis, double degrees) {
     hold();
-    session_.document()->edit(tr("Turn part"), QStringLiteral("turn"), [&](Project& project) {
+    session_.document()->drag(tr("Turn part"), [&](Project& project) {
         project.immersions[session_.immersion()] = turned(*before_, axis, degrees, shownBefore_);
     });
     emit told(tr("Turned by %1° about %2 (type an angle, or hold Shift for steps of %3°)")
@@ -55,8 +55,7 @@ void BodyHandles::move(int axis, double millimetres) {
         return;
     }
     const Immersion after = moved(*before_, axis, millimetres, shownBefore_);
-    document.edit(tr("Move part"), QStringLiteral("move"),
-                  [&](Project& project) { project.immersions[dip] = after; });
+    document.drag(tr("Move part"), [&](Project& project) { project.immersions[dip] = after; });
     const std::size_t part = axis == 0 ? 0 : 1;
     const Millimetres now =
         shownBefore_.key ? after.path.keys[*shownBefore_.key].beside[part] : after.offset[part];
@@ -72,7 +71,7 @@ void BodyHandles::moveDown(double millimetres) {
         return;
     }
     const Millimetres depth(std::clamp(moved(from->value(), -millimetres), leastDepth, mostDepth));
-    session_.document()->edit(tr("Change depth"), QStringLiteral("depth"), [&](Project& project) {
+    session_.document()->drag(tr("Change depth"), [&](Project& project) {
         if (isInnerKey) {
             project.immersions[session_.immersion()].path.keys[*shownBefore_.key].depth = depth;
         } else {
@@ -85,7 +84,7 @@ void BodyHandles::moveDown(double millimetres) {
 
 void BodyHandles::finish() {
     before_.reset();
-    session_.document()->endMerge();
+    session_.document()->endDrag();
     emit held(false);
 }
 

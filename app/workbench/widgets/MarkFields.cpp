@@ -147,7 +147,19 @@ MarkBrush MarkFields::brush() const {
 void MarkFields::setRadiusEnabled(bool enabled) {
     radius_->setEnabled(enabled);
     size_->setEnabled(enabled);
-    eraser_->setEnabled(enabled);
+    if (eraser_->isEnabled() != enabled) {
+        eraser_->setEnabled(enabled);
+        emit changed(); // the brush may erase now, or no longer
+    }
+}
+
+void MarkFields::insertField(int row, const QString& label, QWidget& field) {
+    if (label.isEmpty()) {
+        form_->insertRow(row, &field);
+    } else {
+        form_->insertRow(row, label, &field);
+    }
+    setTabOrder(form_->itemAt(row - 1, QFormLayout::FieldRole)->widget(), &field);
 }
 
 void MarkFields::resize(double factor) {

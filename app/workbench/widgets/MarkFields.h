@@ -45,9 +45,9 @@ protected:
     Millimetres radius() const;
     // Without a radius, a click marks as much as the brush covers, and cannot erase.
     void setRadiusEnabled(bool enabled);
-    // The layout. Subclasses insert fields between the kind and the radius, or add unlabelled
-    // fields below the radius.
-    QFormLayout& form() { return *form_; }
+    // Inserts a field above row `row`, also for the Tab key. `label`: empty for a field without
+    // one.
+    void insertField(int row, const QString& label, QWidget& field);
     static constexpr int radiusRow = 1; // unless rows were inserted above it
 
 private:

@@ -118,19 +118,22 @@ double NumberBox::valueFromText(const QString& text) const {
     return read(text).value.value_or(value());
 }
 
-// Called when the field loses the focus with invalid text; the value then stays.
+// Called when invalid text is entered, or the field loses the focus with it; the value then stays.
 void NumberBox::fixup(QString& text) const {
     const QString refusal = read(text).refusal;
     if (refusal.isEmpty()) {
         return;
     }
     emit refused(refusal);
-    // Shown later, because a tooltip closes when the focus moves, and the focus has not moved yet.
-    QTimer::singleShot(0, this, [this, refusal] {
-        if (isVisible()) {
+    // Later, the old value is shown again (Qt does not tell the line edit's listeners), and the
+    // focus has moved, which would close a tooltip.
+    auto* self = const_cast<NumberBox*>(this);
+    QTimer::singleShot(0, self, [self, refusal] {
+        self->showReading();
+        if (self->isVisible()) {
             constexpr int shownFor = 10'000; // ms
-            QToolTip::showText(mapToGlobal(rect().bottomLeft()), inLines(refusal),
-                               const_cast<NumberBox*>(this), {}, shownFor);
+            QToolTip::showText(self->mapToGlobal(self->rect().bottomLeft()), inLines(refusal), self,
+                               {}, shownFor);
         }
     });
 }

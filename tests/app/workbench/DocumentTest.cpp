@@ -28,6 +28,11 @@ void setWidth(Document& document, const char* key, double width) {
                   [width](Project& project) { project.film.width = Millimetres(width); });
 }
 
+void dragWidth(Document& document, double width) {
+    document.drag(QStringLiteral("Drag"),
+                  [width](Project& project) { project.film.width = Millimetres(width); });
+}
+
 double width(const Document& document) {
     return document.project().film.width.value();
 }
@@ -118,6 +123,50 @@ private slots:
         setWidth(document, "width", 210);
         QCOMPARE(document.undoStack().count(), 0);
         QCOMPARE(width(document), 210);
+    }
+
+    void drag_toAnotherValue_isOneUndoStep() {
+        Document document(boxProject());
+        QSignalSpy changed(&document, &Document::projectChanged);
+        for (const double width : {100, 110, 120}) {
+            dragWidth(document, width);
+        }
+        QCOMPARE(changed.count(), 3);
+        document.endDrag();
+        QCOMPARE(document.undoStack().count(), 1);
+        QCOMPARE(document.undoStack().undoText(), QStringLiteral("Drag"));
+        document.undoStack().undo();
+        QCOMPARE(width(document), 210.0);
+        document.undoStack().redo();
+        QCOMPARE(width(document), 120.0);
+    }
+
+    void drag_backToStart_keepsUndoAndRedo() {
+        const QTemporaryDir folder;
+        Document document(boxProject());
+        document.saveAs(folder.filePath(QStringLiteral("box.dipw")));
+        setWidth(document, "", 100);
+        document.undoStack().undo();
+        dragWidth(document, 120);
+        QVERIFY(document.isModified());
+        dragWidth(document, 210);
+        QSignalSpy fileChanged(&document, &Document::fileChanged); // a recovery copy is discarded
+        document.endDrag();
+        QCOMPARE(fileChanged.count(), 1);
+        QVERIFY(!document.isModified());
+        QCOMPARE(document.undoStack().count(), 1);
+        document.undoStack().redo();
+        QCOMPARE(width(document), 100.0);
+    }
+
+    void drag_otherEditMeanwhile_keepsBothSteps() {
+        Document document(boxProject());
+        dragWidth(document, 120);
+        document.edit({}, {}, [](Project& project) { project.name = QStringLiteral("Other"); });
+        document.undoStack().undo();
+        QCOMPARE(width(document), 120.0);
+        document.undoStack().undo();
+        QCOMPARE(width(document), 210.0);
     }
 
     void edit_refusedValue_leavesProjectUnchanged() {
@@ -254,6 +303,20 @@ private slots:
         QVERIFY(document.freshness(1) == Freshness({false, false, false})); // no second dip
     }
 
+    void isFresh_dipRemoved_resultIsStale() {
+        Project project = boxProject();
+        project.immersions.resize(2);
+        project.share.enabled = false; // so the dips are independent
+        Document document(project);
+        document.setResult(resultOf(project));
+        QVERIFY(document.isFresh());
+        removeImmersion(document, 1);
+        QVERIFY(document.freshness(0) == Freshness({true, true, true}));
+        QVERIFY(!document.isFresh()); // its verdict is also about the removed dip
+        document.undoStack().undo();
+        QVERIFY(document.isFresh());
+    }
+
     void saveAs_newFile_documentIsUnmodified() {
         const QTemporaryDir folder;
         Document document(boxProject());
@@ -265,6 +328,24 @@ private slots:
         QVERIFY(document.isModified());
         document.undoStack().undo();
         QVERIFY(!document.isModified());
+    }
+
+    void checkFile_fileDeleted_documentIsModifiedUntilSaved() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("box.dipw"));
+        Document document(boxProject());
+        document.checkFile();
+        QVERIFY(!document.isFileMissing()); // it has none yet
+        document.saveAs(file);
+        QVERIFY(QFile::remove(file));
+        QSignalSpy changed(&document, &Document::fileChanged);
+        document.checkFile();
+        document.checkFile();
+        QCOMPARE(changed.count(), 1);
+        QVERIFY(document.isFileMissing() && document.isModified());
+        document.save();
+        QVERIFY(QFile::exists(file));
+        QVERIFY(!document.isFileMissing() && !document.isModified());
     }
 
     void saveAs_folderMissing_documentStaysModified() {

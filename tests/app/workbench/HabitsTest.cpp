@@ -737,6 +737,11 @@ private slots:
         }
         QVERIFY(document.project() == before);
         QCOMPARE(document.undoStack().count(), steps);
+        document.undoStack().undo();
+        emit view.rotationDragged(0, 30);
+        emit view.rotationDragged(0, 0);
+        emit view.rotationFinished();
+        QVERIFY(document.undoStack().canRedo());
     }
 
     void newProjectDialog_chosenFilm_isUsed() {

@@ -173,37 +173,53 @@ private slots:
         QVERIFY(document().result() != before_ && !session().shown().fineness.isDraft());
     }
 
-    void draft_onShow_isNotExported() {
-        const QAction* pdf = WindowDriver(*window_).action("exportPdf");
-        QVERIFY(pdf->isEnabled());
+    void draft_onShow_isNeitherExportedNorPrinted() {
+        const auto areEnabled = [this](bool enabled) {
+            const WindowDriver driver(*window_);
+            return driver.action("exportPdf")->isEnabled() == enabled &&
+                   driver.action("print")->isEnabled() == enabled;
+        };
+        QVERIFY(areEnabled(true));
         drag(15);
         QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
-        QVERIFY(!pdf->isEnabled());
+        QVERIFY(areEnabled(false));
         release();
         QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
-        QVERIFY(pdf->isEnabled());
+        QVERIFY(areEnabled(true));
     }
 
     void cancel_whileRefining_saysThatItIsADraft() {
         drag(15);
         QTRY_VERIFY_WITH_TIMEOUT(isDraftShown(), patience());
         release();
+        QTRY_VERIFY_WITH_TIMEOUT(session().isRunning(), patience());
         WindowDriver(*window_).trigger("cancel");
         QTRY_VERIFY_WITH_TIMEOUT(!session().isRunning(), patience());
         if (!document().isFresh()) { // else it was too late
             QVERIFY(banner().isVisible() &&
                     banner().text().contains(QStringLiteral("run the dip")));
+            QVERIFY(window_->findChild<QTextBrowser*>(QStringLiteral("verdict"))
+                        ->toPlainText()
+                        .contains(QStringLiteral("cancelled")));
         }
     }
 
-    // The limit is so small that automatic cells do not keep it, but cells of half the size do.
+    void tryPose_errorTooLarge_isRefinedOnlyWhenRunAgain() {
+        WindowDriver(*window_).action("live")->setChecked(false);
+        limitError();
+        session().run(1000, DipReach::Unrefined);
+        QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
+        QTest::qWait(100);
+        QVERIFY(!session().isRunning() && session().canRefine());
+        session().run(1000, DipReach::Unrefined);
+        QVERIFY(!session().isRunning());
+        session().run(1000);
+        QVERIFY(session().isRefining());
+        session().cancel();
+    }
+
     void result_errorTooLarge_isRefinedByItself() {
-        document().edit({}, {}, [](Project& project) {
-            project.immersions.resize(1);
-            project.film.resolution = FilmResolution::Automatic;
-            project.tolerance.limits.back() = Millimetres(0.12);
-            project.film.work = 20;
-        });
+        limitError();
         WindowDriver driver(*window_);
         driver.trigger("run");
         QTRY_VERIFY_WITH_TIMEOUT(session().isRefining(), patience());
@@ -238,6 +254,15 @@ private:
     DipSession& session() const { return window_->session(); }
     const QLabel& banner() const {
         return *window_->findChild<QLabel*>(QStringLiteral("staleBanner"));
+    }
+    // The limit is so small that automatic cells do not keep it, but cells of half the size do.
+    void limitError() const {
+        document().edit({}, {}, [](Project& project) {
+            project.immersions.resize(1);
+            project.film.resolution = FilmResolution::Automatic;
+            project.tolerance.limits.back() = Millimetres(0.12);
+            project.film.work = 20;
+        });
     }
     void drag(double degrees) const { emit window_->view().rotationDragged(0, degrees); }
     void release() const { emit window_->view().rotationFinished(); }

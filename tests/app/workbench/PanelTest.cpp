@@ -1,12 +1,16 @@
 // Tests the panels without a window: fields, heat scale, isolines, timeline and picture view.
+#include "BoxProject.h"
 #include "Contrast.h"
 #include "geometry/Shapes.h"
 #include "project/Schema.h"
 #include "workbench/accuracy/VerdictPanel.h"
+#include "workbench/accuracy/ZoneFields.h"
 #include "workbench/document/ProjectValue.h"
 #include "workbench/project/FilmFacts.h"
 #include "workbench/project/PropertyField.h"
+#include "workbench/project/PropertyPanel.h"
 #include "workbench/project/PropertySpecs.h"
+#include "workbench/results/ResultsPanel.h"
 #include "workbench/results/Timeline.h"
 #include "workbench/widgets/HeatScale.h"
 #include "workbench/widgets/NumberBox.h"
@@ -16,9 +20,11 @@
 
 #include <QApplication>
 #include <QColorDialog>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHelpEvent>
 #include <QJsonArray>
+#include <QLineEdit>
 #include <QScreen>
 #include <QScrollBar>
 #include <QSet>
@@ -263,6 +269,10 @@ private slots:
         QVERIFY2(sentence.contains(says), qPrintable(sentence));
         QCOMPARE(box.value(), 12.0);
         QCOMPARE(box.text(), QStringLiteral("12 mm")); // the box shows the value in use
+        const auto colour = [](const QWidget* widget) {
+            return widget->palette().color(QPalette::Text);
+        };
+        QTRY_COMPARE(colour(box.findChild<QLineEdit*>()), colour(&box)); // no longer red
     }
 
     void shownAreaAndPlace_inches_areConverted() {
@@ -336,6 +346,31 @@ private slots:
         QVERIFY(!takesUndo());
     }
 
+    void propertyPanel_twoEnteredNumbers_areTwoUndoSteps() {
+        const SolverRegistry registry;
+        PropertyPanel panel(registry);
+        Document document(boxProject());
+        panel.showNode({ProjectPart::Film});
+        panel.setDocument(&document);
+        auto* box = panel.findChild<QDoubleSpinBox*>(QStringLiteral("film.size_mm"));
+        QVERIFY(box);
+        for (const char* typed : {"250", "260"}) {
+            box->selectAll();
+            QTest::keyClicks(box, QLatin1String(typed));
+            QTest::keyClick(box, Qt::Key_Return);
+        }
+        QCOMPARE(document.project().film.width.value(), 260.0);
+        QCOMPARE(document.undoStack().count(), 2);
+        document.undoStack().undo();
+        QCOMPARE(document.project().film.width.value(), 250.0);
+        // The arrow keys change a value by many small steps, which are one undo step.
+        for (int step = 0; step < 3; ++step) {
+            QTest::keyClick(box, Qt::Key_Up);
+        }
+        QCOMPARE(document.undoStack().count(), 2);
+        panel.setDocument(nullptr);
+    }
+
     void propertyField_everyField_hasAccessibleName() {
         for (const PropertySpec& spec : allSpecs()) {
             const std::unique_ptr<PropertyField> field(
@@ -345,6 +380,34 @@ private slots:
                 QVERIFY2(!editor->whatsThis().isEmpty(), qPrintable(spec.path));
             }
         }
+    }
+
+    void zoneFields_tabKey_followsTheLayout() {
+        ZoneFields fields(LengthUnit::Millimetre);
+        fields.show();
+        auto* first = fields.findChild<QWidget*>(QStringLiteral("zoneBrush"));
+        int y = first->y();
+        for (QWidget* field = first->nextInFocusChain(); field != first;
+             field = field->nextInFocusChain()) {
+            if (field->parent() == &fields && field->focusPolicy() & Qt::TabFocus) {
+                QVERIFY2(field->geometry().bottom() >= y, qPrintable(field->objectName()));
+                y = field->y();
+            }
+        }
+    }
+
+    void zoneFields_marksNothing_allOthersAreDisabled() {
+        ZoneFields fields(LengthUnit::Millimetre);
+        auto* zone = fields.findChild<QComboBox*>(QStringLiteral("zoneBrush"));
+        auto* extent = fields.findChild<QComboBox*>(QStringLiteral("zoneBrushExtent"));
+        auto* radius = fields.findChild<QDoubleSpinBox*>(QStringLiteral("zoneBrushRadius"));
+        QVERIFY(!extent->isEnabled() && !radius->isEnabled());
+        zone->setCurrentIndex(1);
+        QVERIFY(extent->isEnabled() && radius->isEnabled());
+        extent->setCurrentIndex(1); // the whole face
+        QVERIFY(extent->isEnabled() && !radius->isEnabled());
+        zone->setCurrentIndex(0);
+        QVERIFY(!extent->isEnabled() && !radius->isEnabled());
     }
 
     void themePalette_bothThemes_haveContrast() {
@@ -475,6 +538,60 @@ private slots:
         QVERIFY2(shown.contains(QStringLiteral("25 mm²")), qPrintable(shown));
         QVERIFY2(shown.contains(QStringLiteral("2.5 %")), qPrintable(shown));
         QVERIFY(!text({}).contains(QStringLiteral("mm²")));
+    }
+
+    void verdictPanel_projectChanged_isGreyAndSaysSo() {
+        auto result = std::make_shared<JobResult>();
+        result->immersions.resize(1);
+        result->immersions[0].coverage = std::make_shared<const Coverage>();
+        result->verdict.advice = result->immersions[0].verdict.advice = Advice::Print;
+        VerdictPanel panel;
+        panel.setOutcome({result, {}, {}}, 0, LengthUnit::Millimetre);
+        const auto* text = panel.findChild<QTextBrowser*>(QStringLiteral("verdict"));
+        const QString heading = QStringLiteral("Before the last changes");
+        const QString fresh = text->toHtml();
+        QVERIFY(!text->toPlainText().contains(heading));
+        QVERIFY(fresh.contains(QStringLiteral("#008a9a")));
+        panel.setFresh(false);
+        QVERIFY(text->toPlainText().startsWith(heading));
+        QVERIFY(!text->toHtml().contains(QStringLiteral("#008a9a")));
+        panel.setFresh(true);
+        QCOMPARE(text->toHtml(), fresh);
+    }
+
+    void verdictPanel_draftWithoutResult_saysWhyAndWhatToDo() {
+        auto result = std::make_shared<JobResult>();
+        result->immersions.resize(1);
+        DipOutcome draft{result, {}, {}};
+        draft.fineness.level = 1;
+        VerdictPanel panel;
+        panel.setOutcome(draft, 0, LengthUnit::Millimetre);
+        const auto text = [&panel](DraftEnd end) {
+            panel.setDraftEnd(end);
+            return panel.findChild<QTextBrowser*>(QStringLiteral("verdict"))->toPlainText();
+        };
+        QVERIFY(text(DraftEnd::Cancelled).contains(QStringLiteral("was cancelled. Run the dip")));
+        QVERIFY(text(DraftEnd::Failed).contains(QStringLiteral("failed. See the log")));
+        QVERIFY(text(DraftEnd::ResultFollows).contains(QStringLiteral("follows")));
+    }
+
+    void resultsPanel_jobOutdated_marksVerdictAndReport() {
+        ResultsPanel panel;
+        const auto marked = [&panel] {
+            QStringList tabs;
+            for (int tab = 0; tab < panel.count(); ++tab) {
+                if (panel.tabText(tab).contains(u'•')) {
+                    tabs << panel.tabText(tab).chopped(2);
+                }
+            }
+            return tabs;
+        };
+        panel.setFreshness({false, false, false}, false);
+        QCOMPARE(marked().size(), panel.count());
+        panel.setFreshness({}, false); // another dip is outdated
+        QCOMPARE(marked(), QStringList({QStringLiteral("Verdict"), QStringLiteral("Report")}));
+        panel.setFreshness({}, true);
+        QVERIFY(marked().isEmpty());
     }
 
     void verdictPanel_narrow_scrollsOnlyVertically() {

@@ -17,6 +17,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -82,6 +84,17 @@ private slots:
         dialog.reject();
         QCOMPARE(printer(library_, "Mine").scaleX, 1.004);
         QCOMPARE(printer(library_, "Mine").margins[1].value(), 4.5);
+    }
+
+    void profilesDialog_longText_isShownInFull() {
+        ProfilesDialog dialog(library_, LengthUnit::Millimetre);
+        dialog.choose(ProfileKind::Printer, "Mine");
+        auto* text = dialog.findChild<QLabel*>("device_link.content");
+        text->setText("None, as in a language that needs many more words to say so");
+        dialog.resize(dialog.minimumSizeHint().width(), 620);
+        dialog.show();
+        QTRY_VERIFY(text->width() > 0 && text->height() >= text->heightForWidth(text->width()));
+        QVERIFY(!dialog.findChild<QScrollArea*>()->horizontalScrollBar()->isVisible());
     }
 
     void profilesDialog_newName_renamesProfile() {

@@ -102,6 +102,39 @@ private slots:
         QCOMPARE(applied[0][0].value<RankedPoses>().objective, 0.7);
     }
 
+    void setResult_rankingChanges_selectionStaysAtThePose() {
+        table_->choose(1);
+        SearchResult changed = result();
+        changed.ranking.insert(changed.ranking.begin(), poses(0.9, 0.9, 1.2, Degrees(30)));
+        page_->setResult(changed, {});
+        QCOMPARE(table_->chosen(), (std::vector<std::size_t>{2}));
+        QCOMPARE(table_->currentRow(), 2);
+        QSignalSpy applied(page_.get(), &SearchPage::applyAsked);
+        page_->findChild<QPushButton*>(QStringLiteral("takePose"))->click();
+        QCOMPARE(applied[0][0].value<RankedPoses>().objective, 0.7);
+    }
+
+    void setResult_rankingChanges_theSamePosesAreCompared() {
+        table_->selectRow(0);
+        table_->selectionModel()->select(table_->model()->index(2, 0),
+                                         QItemSelectionModel::Select | QItemSelectionModel::Rows);
+        SearchResult changed = result();
+        std::swap(changed.ranking[0], changed.ranking[1]);
+        page_->setResult(changed, {});
+        const auto* words = page_->findChild<QLabel*>(QStringLiteral("poseComparison"));
+        QVERIFY2(words->text().contains(QLatin1String("Rank 2 compared with rank 3")),
+                 qPrintable(words->text()));
+    }
+
+    void setResult_poseLeavesTheRanking_nothingIsSelected() {
+        table_->choose(1);
+        SearchResult changed = result();
+        changed.ranking[1] = poses(0.7, 0.75, 1.9, Degrees(91));
+        page_->setResult(changed, {});
+        QVERIFY(table_->chosen().empty());
+        QVERIFY(!page_->findChild<QPushButton*>(QStringLiteral("takePose"))->isEnabled());
+    }
+
     // Row 1 holds the pose with the objective 0.7.
     void searchPage_click_asksToSeeThePose() {
         QSignalSpy looked(page_.get(), &SearchPage::lookAsked);

@@ -94,6 +94,7 @@ private slots:
     void lockQuestion_cancelOrOpenAnyway_isFollowed();
     void changedQuestion_cancelOrOverwrite_isFollowed();
     void changedQuestion_saveAs_keepsBothFiles();
+    void closeQuestion_fileDeleted_isAskedAndSaveWritesTheFile();
     void outsideQuestion_cancelOrReadFiles_isFollowed();
     void textureFolder_textureThenModelThenNone_isChosen();
     void messages_htmlInName_isShownAsText();
@@ -236,6 +237,29 @@ void QuestionsTest::changedQuestion_saveAs_keepsBothFiles() {
     QCOMPARE(swellOf(job_), 1.22);
     QCOMPARE(swellOf(mine), 1.11);
     QCOMPARE(window_->document()->path(), mine);
+}
+
+void QuestionsTest::closeQuestion_fileDeleted_isAskedAndSaveWritesTheFile() {
+    WindowDriver driver(*window_);
+    QVERIFY(driver.open(job_));
+    QVERIFY(!driver.action("save")->isEnabled());
+    QVERIFY(QFile::remove(job_));
+    QEvent activated(QEvent::ActivationChange);
+    QApplication::sendEvent(window_.get(), &activated);
+    QVERIFY(driver.action("save")->isEnabled());
+    auto* notice = driver.find<NoticeBar>("notice");
+    QVERIFY(notice->isVisible());
+    driver.trigger("save");
+    QVERIFY(QFile::exists(job_));
+    QVERIFY(!notice->isVisible());
+    QVERIFY(!driver.action("save")->isEnabled());
+
+    QVERIFY(QFile::remove(job_));
+    answer(QStringLiteral("closeQuestion"), QStringLiteral("Save"));
+    QVERIFY(window_->close());
+    QVERIFY(isAnswered());
+    QVERIFY2(questionText_.contains(QStringLiteral("no longer exists")), qPrintable(questionText_));
+    QVERIFY(QFile::exists(job_));
 }
 
 void QuestionsTest::textureFolder_textureThenModelThenNone_isChosen() {
