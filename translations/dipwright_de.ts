@@ -5276,6 +5276,10 @@
         <source>Places to check in %1:</source>
         <translation>Zu prüfende Stellen in %1:</translation>
     </message>
+    <message>
+        <source>Before the last changes</source>
+        <translation>Vor den letzten Änderungen</translation>
+    </message>
 </context>
 <context>
     <name>ZoneAppearance</name>
@@ -6483,6 +6487,14 @@
         <source>If both programs save the project, the one that saves second asks which version to keep.</source>
         <translation>Wenn beide Programme das Projekt speichern, fragt das zweite, welche Fassung bleiben soll.</translation>
     </message>
+    <message>
+        <source>The file of this project no longer exists: %1. Save the project to write it again.</source>
+        <translation>Die Datei dieses Projekts gibt es nicht mehr: %1. Speichern Sie das Projekt, um sie neu zu schreiben.</translation>
+    </message>
+    <message>
+        <source>The file of “%1” no longer exists. Save the project before closing it?</source>
+        <translation>Die Datei von „%1“ gibt es nicht mehr. Das Projekt vor dem Schließen speichern?</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::DocumentSession</name>
@@ -7058,6 +7070,14 @@
     <message>
         <source>Swell when the dip begins: along X %1, along Z %2</source>
         <translation>Quellung zu Beginn des Tauchvorgangs: längs X %1, längs Z %2</translation>
+    </message>
+    <message>
+        <source>In these photos the film shrinks by %1 % per second, but film grows on the water; check that the times are in the order of the photos</source>
+        <translation>Auf diesen Fotos schrumpft der Film um %1 % pro Sekunde, Film wächst auf dem Wasser aber; prüfen Sie, ob die Zeiten in der Reihenfolge der Fotos stehen</translation>
+    </message>
+    <message>
+        <source>The sizes of the film in these photos do not determine its growth; check that the times are in the order of the photos, and take photos from before the dip begins until the film stops growing</source>
+        <translation>Die Größen des Films auf diesen Fotos bestimmen sein Wachstum nicht; prüfen Sie, ob die Zeiten in der Reihenfolge der Fotos stehen, und nehmen Sie Fotos von vor dem Beginn des Tauchvorgangs bis zum Ende des Wachstums auf</translation>
     </message>
 </context>
 <context>
@@ -7752,6 +7772,10 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>The readings of the patch of density %1 are impossible for ink; check that its densities and stretches are in the right rows</source>
         <translation>Die Messwerte des Felds der Dichte %1 sind für Farbe unmöglich; prüfen Sie, ob seine Dichten und Dehnungen in den richtigen Zeilen stehen</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, Zeile %2</translation>
     </message>
 </context>
 <context>
@@ -8873,6 +8897,10 @@ zuerst eintaucht</translation>
     <message>
         <source>The places marked in photo %1 are a mirror image of the places on the model; use the photo unflipped, and give the places in the model&apos;s own coordinates</source>
         <translation>Die im Foto %1 markierten Stellen sind ein Spiegelbild der Stellen auf dem Modell; verwenden Sie das Foto ungespiegelt, und geben Sie die Stellen in den Koordinaten des Modells an</translation>
+    </message>
+    <message>
+        <source>Line %1 of the pairs names a place outside the photo, which has %2 × %3 pixels; correct the place</source>
+        <translation>Zeile %1 der Paare nennt eine Stelle außerhalb des Fotos, das %2 × %3 Pixel hat; berichtigen Sie die Stelle</translation>
     </message>
 </context>
 <context>
@@ -12175,6 +12203,14 @@ mm je mm</translation>
     <message>
         <source>This is a draft. The verdict follows with the result.</source>
         <translation>Dies ist ein Entwurf. Das Urteil folgt mit dem Ergebnis.</translation>
+    </message>
+    <message>
+        <source>This is a draft. There is no verdict, because the run was cancelled. Run the dip to get one.</source>
+        <translation>Dies ist ein Entwurf. Es gibt kein Urteil, weil die Berechnung abgebrochen wurde. Starten Sie den Tauchvorgang, um eines zu erhalten.</translation>
+    </message>
+    <message>
+        <source>This is a draft. There is no verdict, because the run failed. See the log for the reason, then run the dip again.</source>
+        <translation>Dies ist ein Entwurf. Es gibt kein Urteil, weil die Berechnung fehlgeschlagen ist. Der Grund steht im Protokoll; starten Sie danach den Tauchvorgang erneut.</translation>
     </message>
 </context>
 <context>

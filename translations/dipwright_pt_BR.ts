@@ -5276,6 +5276,10 @@
         <source>Places to check in %1:</source>
         <translation>Lugares a verificar em %1:</translation>
     </message>
+    <message>
+        <source>Before the last changes</source>
+        <translation>Antes das últimas mudanças</translation>
+    </message>
 </context>
 <context>
     <name>ZoneAppearance</name>
@@ -6483,6 +6487,14 @@
         <source>If both programs save the project, the one that saves second asks which version to keep.</source>
         <translation>Se os dois programas salvarem o projeto, o segundo a salvar pergunta qual versão manter.</translation>
     </message>
+    <message>
+        <source>The file of this project no longer exists: %1. Save the project to write it again.</source>
+        <translation>O arquivo deste projeto não existe mais: %1. Salve o projeto para gravá-lo de novo.</translation>
+    </message>
+    <message>
+        <source>The file of “%1” no longer exists. Save the project before closing it?</source>
+        <translation>O arquivo de “%1” não existe mais. Salvar o projeto antes de fechar?</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::DocumentSession</name>
@@ -7058,6 +7070,14 @@
     <message>
         <source>Swell when the dip begins: along X %1, along Z %2</source>
         <translation>Inchamento no início da imersão: ao longo de X %1, ao longo de Z %2</translation>
+    </message>
+    <message>
+        <source>In these photos the film shrinks by %1 % per second, but film grows on the water; check that the times are in the order of the photos</source>
+        <translation>Nestas fotos a película encolhe %1 % por segundo, mas na água a película cresce; verifique se os tempos estão na ordem das fotos</translation>
+    </message>
+    <message>
+        <source>The sizes of the film in these photos do not determine its growth; check that the times are in the order of the photos, and take photos from before the dip begins until the film stops growing</source>
+        <translation>Os tamanhos da película nestas fotos não determinam o crescimento; verifique se os tempos estão na ordem das fotos, e tire fotos de antes do início da imersão até a película parar de crescer</translation>
     </message>
 </context>
 <context>
@@ -7752,6 +7772,10 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>The readings of the patch of density %1 are impossible for ink; check that its densities and stretches are in the right rows</source>
         <translation>As leituras da amostra de densidade %1 são impossíveis para uma tinta; verifique se suas densidades e estiramentos estão nas linhas certas</translation>
+    </message>
+    <message>
+        <source>%1, line %2</source>
+        <translation>%1, linha %2</translation>
     </message>
 </context>
 <context>
@@ -8873,6 +8897,10 @@ desce primeiro</translation>
     <message>
         <source>The places marked in photo %1 are a mirror image of the places on the model; use the photo unflipped, and give the places in the model&apos;s own coordinates</source>
         <translation>Os lugares marcados na foto %1 são uma imagem espelhada dos lugares no modelo; use a foto sem espelhá-la e dê os lugares nas coordenadas do próprio modelo</translation>
+    </message>
+    <message>
+        <source>Line %1 of the pairs names a place outside the photo, which has %2 × %3 pixels; correct the place</source>
+        <translation>A linha %1 dos pares indica um lugar fora da foto, que tem %2 × %3 pixels; corrija o lugar</translation>
     </message>
 </context>
 <context>
@@ -12175,6 +12203,14 @@ mm por mm</translation>
     <message>
         <source>This is a draft. The verdict follows with the result.</source>
         <translation>Este é um rascunho. O veredito vem com o resultado.</translation>
+    </message>
+    <message>
+        <source>This is a draft. There is no verdict, because the run was cancelled. Run the dip to get one.</source>
+        <translation>Este é um rascunho. Não há veredito, porque a execução foi cancelada. Execute a imersão para obter um.</translation>
+    </message>
+    <message>
+        <source>This is a draft. There is no verdict, because the run failed. See the log for the reason, then run the dip again.</source>
+        <translation>Este é um rascunho. Não há veredito, porque a execução falhou. Veja o motivo no registro e depois execute a imersão de novo.</translation>
     </message>
 </context>
 <context>
