@@ -39,6 +39,7 @@ Project sampleProject() {
                            QStringLiteral("box.png"),
                            25.4,
                            QStringLiteral("3 triangles turned"),
+                           QStringLiteral("The texture box.png is missing"),
                            "abc",
                            Millimetres(0),
                            {}};
@@ -47,10 +48,12 @@ Project sampleProject() {
                        0.5,
                        0.4,
                        0.06,
+                       0.2,
                        0.07,
                        Millimetres(2.5),
                        Advice::DoNotPrint,
                        Advice::CheckFirst,
+                       Advice::DoNotPrint,
                        Advice::DoNotPrint};
     project.film.preset = QStringLiteral("custom");
     project.film.width = Millimetres(150);
