@@ -252,7 +252,8 @@ std::vector<std::uint16_t> verticalsAtTheWater(const SpaceGrid& grid,
 
 AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int cells) {
     const float height = boundingBox(mesh).sizes().y() / float(airLayersPerCell * cells);
-    auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells, std::max(height, airLayer));
+    const float least = airLayer * float(airCells) / float(cells);
+    auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells, std::max(height, least));
     cell_ = grid->width();
     const AirSweep sweep = sweepAir(*grid, Eigen::Vector3f::UnitY());
     // Pocket number of each chamber that is a pocket.

@@ -24,8 +24,9 @@ class SpaceGrid;
 
 // Default number of grid cells along the body's longest edge for the search for air.
 inline constexpr int airCells = 96;
-// The grid has at most this many layers for each of these cells, so that shallow hollows are seen,
-// but layers are at least `airLayer` mm high. On paths, cells are cubes.
+// The grid has at most this many layers for each of these cells, so that shallow hollows are seen.
+// But with airCells, layers are at least `airLayer` mm high; with half as many cells, twice that.
+// On paths, cells are cubes.
 inline constexpr int airLayersPerCell = 4;
 inline constexpr float airLayer = 0.25f;
 // A pocket is at least so many cells deep and has the volume of at least so many cells.

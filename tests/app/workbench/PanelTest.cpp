@@ -77,6 +77,7 @@ private slots:
             QStringLiteral("model.source"),           QStringLiteral("model.texture_source"),
             QStringLiteral("model.unit_mm"),          QStringLiteral("model.sha256"),
             QStringLiteral("model.remarks"),         // shown with the model's facts
+            QStringLiteral("model.losses"),          // likewise
             QStringLiteral("model.tessellation_mm"), // these three are shown for a CAD model
             QStringLiteral("model.file_unit"),        QStringLiteral("model.cad_file"),
             QStringLiteral("process.solver"),        // in its own list
