@@ -16,9 +16,9 @@ const QList<QPageSize>& calibrationPapers();
 // printed without correction. The second page (`verifies`) uses the profile's correction.
 CalibrationPage calibrationPage(const PrinterProfile& profile, QSizeF paper, bool verifies);
 
-// If the measured rulers `x` and `y` do not fit those of `page` but are nearer to those of the same
-// page on another paper, returns that paper, because the page was then printed on it. A ruler fits
-// if its error is at most 2 %.
+// Finds out whether the page was printed on another paper than that of `page`. `x` and `y` are the
+// lengths measured on its rulers. If one of them is off by more than 2 %, returns the paper whose
+// rulers are nearest to both lengths; nothing if that is the paper of `page`.
 std::optional<QPageSize> otherPaperOf(const PrinterProfile& profile, const CalibrationPage& page,
                                       Millimetres x, Millimetres y);
 

@@ -32,8 +32,8 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
                   bool accept, const QString& where, QStringList& warnings);
 
 // Returns the film with edges so wide that its pieces, ruler and job line lie where the printer
-// prints at the profile's scale. `ofPrinter` are the printer's own margins. For a roll, the edges
-// are those of its longest page.
+// prints at the profile's scale. `ofPrinter` are the printer's own margins. A roll gets the edges
+// that its longest page needs.
 PackingFilm withinReach(PackingFilm film, const QMarginsF& ofPrinter,
                         const std::optional<PrinterProfile>& profile);
 

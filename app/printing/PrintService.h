@@ -60,8 +60,8 @@ PrintPlan planCalibration(PrintSystem& system, const CalibrationPage& page,
 std::optional<QSizeF> rollSize(const PrinterInfo& printer,
                                const std::optional<PrinterProfile>& profile);
 
-// Returns the printer's own margins, in mm, on this film: those of its paper of this size, or of
-// its roll. No margins if it is not known to have such a paper.
+// Returns the margins, in mm, that the printer leaves empty on a film of this size or on a roll.
+// They are 0 if the printer reports no paper of this size.
 QMarginsF printerMargins(PrintSystem& system, const QString& printer, const PackingFilm& film);
 
 // Plans several sheets. Checks all of them before the first is sent, so that no set of sheets is
