@@ -1,6 +1,7 @@
 #include "pipeline/JobWarnings.h"
 
 #include "dip/FilmMarks.h"
+#include "geometry/RefinedMesh.h"
 #include "geometry/SurfacePieces.h"
 #include "parallel/ParallelFor.h"
 #include "pipeline/JobVerdict.h"
@@ -17,17 +18,41 @@ namespace {
 constexpr std::size_t mostOfAKind = 4; // of each dip
 constexpr double leastArea = 2;        // mm²
 
-// Adds the largest connected pieces of the triangles that are not masked and for which `belongs` is
-// not 0.
-void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t dip,
-               const JobResult& result, const std::vector<std::uint32_t>& opposite,
-               std::vector<std::uint8_t> belongs) {
-    const TriangleMesh& mesh = result.project.model->mesh;
-    for (std::uint32_t triangle = 0; triangle < belongs.size() && result.mask; ++triangle) {
-        belongs[triangle] = belongs[triangle] && !result.mask->covers(middleOf(triangle));
+// The fine triangles of the job's part (fineBody() of the model), as coarse ones may be larger than
+// the pieces that are looked for.
+struct FineTriangles {
+    std::shared_ptr<const RefinedMesh> body;
+    std::vector<std::uint32_t> opposite; // oppositeEdges() of the fine mesh
+    std::vector<SurfacePoint> middles;   // on the model's mesh
+
+    explicit FineTriangles(const JobResult& result)
+        : body(result.share ? result.share->fade.mesh : fineBody(result.project.model->mesh)),
+          opposite(oppositeEdges(body->mesh())), middles(body->mesh().triangles.size()) {
+        parallelFor(std::size_t(0), middles.size(),
+                    [&](std::size_t triangle) { middles[triangle] = body->middle(triangle); });
     }
-    std::vector<SurfacePiece> pieces = surfacePieces(
-        mesh, opposite, [&](std::uint32_t triangle) { return belongs[triangle] != 0; }, leastArea);
+
+    // Returns `belongs` of each triangle's middle.
+    template <typename Belongs>
+    std::vector<std::uint8_t> that(const Belongs& belongs) const {
+        std::vector<std::uint8_t> found(middles.size());
+        parallelFor(std::size_t(0), found.size(),
+                    [&](std::size_t triangle) { found[triangle] = belongs(middles[triangle]); });
+        return found;
+    }
+};
+
+// Adds the largest connected pieces of the fine triangles that are not masked and for which
+// `belongs` is not 0.
+void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t dip,
+               const JobResult& result, const FineTriangles& fine,
+               const std::vector<std::uint8_t>& belongs) {
+    const auto isListed = [&](std::uint32_t triangle) {
+        return belongs[triangle] != 0 &&
+               !(result.mask && result.mask->covers(fine.middles[triangle]));
+    };
+    const TriangleMesh& mesh = fine.body->mesh();
+    std::vector<SurfacePiece> pieces = surfacePieces(mesh, fine.opposite, isListed, leastArea);
     pieces.resize(std::min(pieces.size(), mostOfAKind));
     for (const SurfacePiece& piece : pieces) {
         warnings.push_back({kind, dip, position(mesh, middleOf(piece.middle)),
@@ -35,26 +60,21 @@ void addPieces(std::vector<JobWarning>& warnings, WarningKind kind, std::size_t 
     }
 }
 
-std::vector<std::uint8_t> dryTriangles(const PosedBody& body) {
-    std::vector<std::uint8_t> dry(body.mesh.triangles.size());
-    parallelFor(std::size_t(0), dry.size(), [&](std::size_t triangle) {
-        dry[triangle] = body.isDry(middleOf(std::uint32_t(triangle)));
-    });
-    return dry;
-}
-
-// Triangles whose middle needs more ink than the ink limit allows.
-std::vector<std::uint8_t> paleTriangles(const ImmersionResult& dip, const TexturedMesh& painted,
-                                        const InkSettings& ink) {
-    std::vector<SurfacePoint> middles(painted.mesh.triangles.size());
-    for (std::uint32_t triangle = 0; triangle < middles.size(); ++triangle) {
-        middles[triangle] = middleOf(triangle);
-    }
-    const InkCompensation compensation(ink);
-    std::vector<LinearColour> wanted = SurfaceColours(painted).at(middles);
+// Returns the triangles that dip `number` paints and whose middle needs more ink than the ink limit
+// allows.
+std::vector<std::uint8_t> paleTriangles(const JobResult& result, std::size_t number,
+                                        const FineTriangles& fine) {
+    const InkCompensation compensation(result.project.ink);
+    std::vector<LinearColour> wanted = SurfaceColours(*result.painted).at(fine.middles);
     parallelFor(std::size_t(0), wanted.size(),
                 [&](std::size_t at) { wanted[at] = compensation.toned(wanted[at]); });
-    return palePlaces(*dip.laid, middles, wanted, compensation);
+    std::vector<std::uint8_t> pale =
+        palePlaces(*result.immersions[number].laid, fine.middles, wanted, compensation);
+    const Painter other = number == 0 ? Painter::Second : Painter::First;
+    for (std::size_t triangle = 0; triangle < pale.size() && result.share; ++triangle) {
+        pale[triangle] = pale[triangle] && result.share->painters[triangle] != other;
+    }
+    return pale;
 }
 
 void addNotReached(std::vector<JobWarning>& warnings, const JobResult& result) {
@@ -79,30 +99,27 @@ WarningKind kindOf(solver::PointMark mark) {
 } // namespace
 
 std::vector<JobWarning> jobWarnings(const JobResult& result) {
-    const std::vector<std::uint32_t> opposite = oppositeEdges(result.project.model->mesh);
+    const FineTriangles fine(result);
     std::vector<JobWarning> warnings;
     for (std::size_t dip = 0; dip < result.immersions.size(); ++dip) {
         const ImmersionResult& immersion = result.immersions[dip];
         const Coverage& coverage = *immersion.coverage;
         if (coverage.trappedAir.area >= leastArea) {
-            addPieces(warnings, WarningKind::TrappedAir, dip, result, opposite,
-                      dryTriangles(*immersion.body));
+            addPieces(
+                warnings, WarningKind::TrappedAir, dip, result, fine,
+                fine.that([&](const SurfacePoint& place) { return immersion.body->isDry(place); }));
         }
         for (const solver::PointMark mark : filmMarks) {
             if (coverage.marked.of(mark) >= leastArea) {
-                std::vector<std::uint8_t> marked(coverage.marks.size());
-                std::transform(
-                    coverage.marks.begin(), coverage.marks.end(), marked.begin(),
-                    [mark](std::uint8_t marks) { return std::uint8_t(has(marks, mark)); });
-                addPieces(warnings, kindOf(mark), dip, result, opposite, std::move(marked));
+                addPieces(warnings, kindOf(mark), dip, result, fine,
+                          fine.that([&](const SurfacePoint& place) {
+                              return has(coverage.marks[place.triangle], mark);
+                          }));
             }
         }
-    }
-    for (std::size_t dip = 0; dip < result.immersions.size() && result.painted; ++dip) {
-        const ImmersionResult& immersion = result.immersions[dip];
-        if (immersion.texture && immersion.texture->shortfallArea >= leastArea) {
-            addPieces(warnings, WarningKind::TooPale, dip, result, opposite,
-                      paleTriangles(immersion, *result.painted, result.project.ink));
+        if (result.painted && immersion.texture && immersion.texture->shortfallArea >= leastArea) {
+            addPieces(warnings, WarningKind::TooPale, dip, result, fine,
+                      paleTriangles(result, dip, fine));
         }
     }
     if (result.share) {

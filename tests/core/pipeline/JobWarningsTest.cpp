@@ -53,6 +53,27 @@ private slots:
     // density 1.18. Ink of the density 2 shows visibly less (by 0.05) where J is above 1.77: within
     // θ = 0.775.
     void warnings_inkLimitReached_areTooPale() {
+        makePale();
+        const std::vector<JobWarning> warnings = jobWarnings(result_);
+        QCOMPARE(warnings.size(), std::size_t(1));
+        QCOMPARE(warnings[0].kind, WarningKind::TooPale);
+        QVERIFY2(std::abs(warnings[0].area - 1616) < 80,
+                 qPrintable(QString::number(warnings[0].area)));
+        QVERIFY((warnings[0].place - Eigen::Vector3f(0, -30, 0)).norm() < 5);
+    }
+
+    void warnings_otherDipPaints_areNotTooPale() {
+        makePale();
+        const auto fine = fineBody(result_.project.model->mesh);
+        auto share = std::make_shared<BodyShare>();
+        share->fade.mesh = fine;
+        share->painters.assign(fine->mesh().triangles.size(), Painter::Second);
+        result_.share = share;
+        QVERIFY(jobWarnings(result_).empty());
+    }
+
+private:
+    void makePale() {
         const auto model = std::make_shared<TexturedMesh>(
             test::plainModel(sphereMesh(30, 24, 48), QColor(72, 72, 72)));
         result_.project.model = result_.painted = model;
@@ -64,15 +85,7 @@ private slots:
         texture->shortfallArea = 1900;
         result_.immersions[0].texture = texture;
         mark(solver::PointMark::Torn, [](const Eigen::Vector3f&) { return false; });
-        const std::vector<JobWarning> warnings = jobWarnings(result_);
-        QCOMPARE(warnings.size(), std::size_t(1));
-        QCOMPARE(warnings[0].kind, WarningKind::TooPale);
-        QVERIFY2(std::abs(warnings[0].area - 1616) < 80,
-                 qPrintable(QString::number(warnings[0].area)));
-        QVERIFY((warnings[0].place - Eigen::Vector3f(0, -30, 0)).norm() < 5);
     }
-
-private:
     template <typename Belongs>
     void mark(solver::PointMark mark, const Belongs& belongs) {
         const TriangleMesh& mesh = result_.project.model->mesh;
