@@ -107,7 +107,8 @@ SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::
                        withoutCosts(project.profiles),
                        project.unknown,
                        isSheetCorrected(project, options, number) ? std::optional(project.asBuilt)
-                                                                  : std::nullopt};
+                                                                  : std::nullopt,
+                       {project.verdict, project.tolerance.limits, project.tolerance.marks}};
     if (inputs.correction) {
         inputs.correction->times.clear();
     }

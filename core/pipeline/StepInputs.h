@@ -17,6 +17,7 @@
 #include "settings/ShareSettings.h"
 #include "settings/SheetSettings.h"
 #include "settings/ToleranceSettings.h"
+#include "settings/VerdictSettings.h"
 
 #include <QImage>
 #include <QJsonObject>
@@ -117,7 +118,15 @@ struct TextureInputs {
     bool operator==(const TextureInputs&) const = default;
 };
 
-// Inputs of the sheet with its job line.
+// What a verdict measures the results against.
+struct VerdictInputs {
+    VerdictSettings settings;
+    std::array<Millimetres, zoneCount> limits;
+    std::vector<ZoneMark> marks;
+    bool operator==(const VerdictInputs&) const = default;
+};
+
+// Inputs of the verdict and of the sheet with its job line, whose job number counts them all.
 struct SheetInputs {
     TextureInputs texture;
     QString project, date, immersion; // names
@@ -126,6 +135,7 @@ struct SheetInputs {
     ProjectProfiles profiles;
     QJsonObject unknown; // unknown keys of the project file, which are part of the job's hash
     std::optional<AsBuilt> correction; // none: the sheet is not corrected
+    VerdictInputs verdict;
     bool operator==(const SheetInputs&) const = default;
 };
 

@@ -212,6 +212,9 @@ private slots:
                                << "false" << false << false << true;
         QTest::newRow("name") << "immersions[0].name"
                               << "Bow" << false << false << true;
+        // The job number counts the verdict's limits, and the verdict depends on them.
+        QTest::newRow("limit of the verdict") << "verdict.pale"
+                                              << "0.01" << false << false << true;
         QTest::newRow("the solver that auto chose") << "process.solver"
                                                     << "pbd-cpu" << false << false << false;
         QTest::newRow("another solver") << "process.solver"
