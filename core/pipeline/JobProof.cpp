@@ -28,10 +28,6 @@ struct Text {
 constexpr int sheetPixels = 480, fallbackPixels = 1280; // in width
 const QColor unpainted(158, 158, 154);                  // in maps
 
-QRgb encoded(const LinearColour& light) {
-    return qRgb(encodedByte(light[0]), encodedByte(light[1]), encodedByte(light[2]));
-}
-
 QString number(double value, int decimals) {
     return QLocale().toString(value, 'f', decimals);
 }
@@ -60,14 +56,9 @@ Layer layerOf(const char* key, const QString& name, const QString& explanation,
 Layer printedLayer(const JobResult& result, const std::shared_ptr<const RefinedMesh>& fine,
                    std::size_t count) {
     const std::vector<ImmersionResult>& all = result.immersions;
-    const SheetInputs& inputs = all.front().inputs;
-    const std::vector<FilmAppearance> films =
-        filmAppearances({all.begin(), all.begin() + std::ptrdiff_t(count)}, true);
-    const auto body = std::make_shared<const PaintedBody>(
-        films, inputs.texture.printedInk(), groundOf(inputs.settings, result.project.baseColour),
-        fine.get());
+    const auto body = std::make_shared<const PaintedBody>(printedBody(result, count, *fine));
     const auto colour = [body, fine](const SurfacePoint& place) {
-        return encoded(body->colour(fine->onFine(place)));
+        return encodedPixel(body->colour(fine->onFine(place)));
     };
     if (count == all.size()) {
         return layerOf("printed", Text::tr("Printed"),
@@ -86,7 +77,7 @@ Layer wantedLayer(const JobResult& result) {
                    [look, wide, colours](const SurfacePoint& place) {
                        const LinearColour light =
                            colours->at(place, Eigen::Matrix<float, 3, 2>::Zero());
-                       return encoded(wide ? srgbLight(light) : light);
+                       return encodedPixel(wide ? srgbLight(light) : light);
                    });
 }
 

@@ -119,25 +119,24 @@ TankJob jobAtTank(const JobResult& result, const QString& path) {
 
 Traveller jobTraveller(const JobResult& result, const Progress& progress) {
     Traveller traveller = travellerText(result);
-    const std::vector<FilmAppearance> dipped = filmAppearances(result.immersions, false);
     const auto fine = result.fine ? result.fine : fineBody(result.project.model->mesh);
-    std::vector<PoseFilm> films;
+    const auto after = [&](std::size_t dips) {
+        return printedBody(result, dips, *fine, 3.0 * afterPixels.width() * afterPixels.height());
+    };
+    PaintedBody paint = after(0);
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& immersion = result.immersions[i];
         const Cradle* cradle = i < result.cradles.size() ? &result.cradles[i] : nullptr;
-        const PoseView view{*immersion.body, *fine, cradle ? &cradle->mesh : nullptr, films,
+        const PoseView view{*immersion.body, *fine, paint, cradle ? &cradle->mesh : nullptr,
                             result.mask.get()};
         TravellerDip& dip = traveller.dips[i];
         dip.front = posePicture(view, PoseSide::Front, posePixels, progress.silent());
         dip.right = posePicture(view, PoseSide::Right, posePixels, progress.silent());
         dip.sheet = reduced(immersion.sheet, sheetPixelsAcross);
-        films.push_back({dipped[i]});
-        if (tablePays(*fine, 3.0 * afterPixels.width() * afterPixels.height())) {
-            films.back().places = std::make_shared<const FilmPlaces>(*fine, *dipped[i].laid);
-        }
+        paint = after(i + 1);
         const bool isLast = i + 1 == result.immersions.size(); // then the tape is off
         dip.after =
-            afterDip({*immersion.body, *fine, nullptr, films, isLast ? nullptr : result.mask.get()},
+            afterDip({*immersion.body, *fine, paint, nullptr, isLast ? nullptr : result.mask.get()},
                      progress.silent());
     }
     return traveller;

@@ -29,6 +29,15 @@ Ground groundOf(const SheetSettings& sheet, const QString& baseColour) {
     return ground;
 }
 
+PaintedBody printedBody(const JobResult& result, std::size_t count, const RefinedMesh& fine,
+                        double places) {
+    const std::vector<ImmersionResult>& all = result.immersions;
+    const SheetInputs& inputs = all.front().inputs;
+    return {filmAppearances({all.begin(), all.begin() + std::ptrdiff_t(count)}, true),
+            inputs.texture.printedInk(), groundOf(inputs.settings, result.project.baseColour),
+            &fine, places};
+}
+
 QImage portraitOf(const JobResult& result, QSize size, const CancelToken& cancelToken) {
     constexpr float usual = 0.35f; // share of the oblique view from above in the direction
     const TriangleMesh& mesh = result.project.model->mesh;

@@ -67,13 +67,14 @@ private:
 // The paint of one dip on the body.
 class PaintedFilm {
 public:
-    PaintedFilm(const FilmAppearance& appearance, const InkSettings& ink, const RefinedMesh* fine)
+    PaintedFilm(const FilmAppearance& appearance, const InkSettings& ink, const RefinedMesh* fine,
+                double count)
         : laid_(appearance.laid), fine_(fine),
           picture_(appearance.image, appearance.laid->film().grid), ink_(ink),
           isCompensated_(ink.compensate), passes_(float(ink.printedPasses())),
           white_(appearance.white), slip_(appearance.slip),
           highest_(float(appearance.depth + appearance.slip.deeper.value())) {
-        if (fine) {
+        if (fine && tablePays(*fine, count)) {
             places_.emplace(*fine, *laid_);
         }
         for (const PrintedSpot& spot : appearance.spots) {
@@ -156,7 +157,7 @@ private:
         if (position(laid_->body().mesh, onBody).y() > highest_) {
             return std::nullopt;
         }
-        return places_ ? places_->at(point) : laid_->place(point);
+        return places_ ? places_->at(point) : laid_->place(onBody);
     }
     // Returns the place of the picture that lies at `rest` after the film has slipped.
     Eigen::Vector2f printedAt(const Eigen::Vector2f& rest) const {
@@ -180,17 +181,15 @@ private:
 };
 
 PaintedBody::PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
-                         const Ground& ground, const RefinedMesh* fine)
+                         const Ground& ground, const RefinedMesh* fine, double count)
     : whiteOutside_(ground.whiteOutside) {
     if (ground.base) {
         base_ = linearColour(*ground.base);
     }
     for (const FilmAppearance& appearance : films) {
-        films_.push_back(std::make_unique<const PaintedFilm>(appearance, ink, fine));
+        films_.push_back(std::make_shared<const PaintedFilm>(appearance, ink, fine, count));
     }
 }
-
-PaintedBody::~PaintedBody() = default;
 
 LinearColour PaintedBody::onBase(const SurfacePoint& point) const {
     LinearColour light = *base_;
@@ -236,9 +235,7 @@ std::vector<QRgb> printedColours(const RefinedMesh& body, const std::vector<Film
     const PaintedBody painted(films, ink, ground);
     std::vector<QRgb> colours(body.mesh().triangles.size());
     parallelFor(std::size_t(0), colours.size(), [&](std::size_t triangle) {
-        const LinearColour colour = painted.colour(body.middle(triangle));
-        colours[triangle] =
-            qRgb(encodedByte(colour[0]), encodedByte(colour[1]), encodedByte(colour[2]));
+        colours[triangle] = encodedPixel(painted.colour(body.middle(triangle)));
     });
     return colours;
 }

@@ -5,6 +5,7 @@
 #include "settings/InkSettings.h"
 #include "texture/LinearLight.h"
 
+#include <limits>
 #include <memory>
 
 namespace dipwright {
@@ -17,10 +18,10 @@ class PaintedBody {
 public:
     // `ink` holds the settings by which the images were compensated. If `fine` is given, places
     // refer to this refined mesh of the body, and each film gets a table of its places
-    // (FilmPlaces.h). Uses all cores.
+    // (FilmPlaces.h) if that is faster for `count` places. Uses all cores.
     PaintedBody(const std::vector<FilmAppearance>& films, const InkSettings& ink,
-                const Ground& ground = {}, const RefinedMesh* fine = nullptr);
-    ~PaintedBody();
+                const Ground& ground = {}, const RefinedMesh* fine = nullptr,
+                double count = std::numeric_limits<double>::infinity());
 
     // Returns the colour of a place: the bare body's colour, or the ink of all films on white or on
     // the body's own colour. The densities of films add up, because light passes through all of
@@ -33,7 +34,7 @@ public:
 private:
     LinearColour onBase(const SurfacePoint& point) const;
 
-    std::vector<std::unique_ptr<const PaintedFilm>> films_;
+    std::vector<std::shared_ptr<const PaintedFilm>> films_;
     std::optional<LinearColour> base_;
     bool whiteOutside_;
 };

@@ -74,6 +74,10 @@ std::uint8_t encodedByte(float linear) {
     return table[std::size_t(std::lrint(std::clamp(linear, 0.0f, 1.0f) * encodingSteps))];
 }
 
+QRgb encodedPixel(const LinearColour& light) {
+    return qRgb(encodedByte(light[0]), encodedByte(light[1]), encodedByte(light[2]));
+}
+
 LinearColour linearColour(const QColor& colour) {
     const std::array<float, 256>& table = linearTable();
     return {table[std::size_t(colour.red())], table[std::size_t(colour.green())],

@@ -20,6 +20,8 @@ double srgbFromLinear(double linear);
 const std::array<float, 256>& linearTable();
 // Returns the nearest eight-bit value; light outside 0 … 1 is clamped.
 std::uint8_t encodedByte(float linear);
+// Returns the opaque sRGB pixel of this light.
+QRgb encodedPixel(const LinearColour& light);
 
 LinearColour linearColour(const QColor& colour);
 // Converts light to wide colour's primaries.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int samplesAcross = 3; // samples per pixel along each axis; odd
 constexpr double room = 1.06;    // picture size divided by body size
-const Eigen::Array3f bareBody(0.78F, 0.78F, 0.76F), cradleColour(0.93F, 0.80F, 0.55F);
+const Eigen::Array3f cradleColour(0.93F, 0.80F, 0.55F);
 
 // Returns the positions of a refined mesh in the pose frame.
 TriangleMesh posed(const RefinedMesh& fine, const PosedBody& body) {
@@ -108,43 +108,15 @@ private:
             return lit(cradleColour, triangleNormal(*view_.cradle, point.triangle));
         }
         const SurfacePoint point = body_.at(column, row);
-        return point.isValid() ? lit(filmColour(point), triangleNormal(fine_, point.triangle))
+        return point.isValid() ? lit(ownColour(point), triangleNormal(fine_, point.triangle))
                                : Eigen::Array3f::Ones();
     }
 
-    static Eigen::Array3f channels(const QColor& colour) {
+    Eigen::Array3f ownColour(const SurfacePoint& point) const {
+        const bool isTaped = view_.mask && view_.mask->covers(view_.fine.onCoarse(point));
+        const QColor colour =
+            isTaped ? maskColour : QColor(encodedPixel(view_.paint.colour(point)));
         return {colour.redF(), colour.greenF(), colour.blueF()};
-    }
-    // `u` and `v` run from 0 to 1, from the upper left corner.
-    static QColor pixelOf(const QImage& image, double u, double v) {
-        return image.pixelColor(std::clamp(int(u * image.width()), 0, image.width() - 1),
-                                std::clamp(int(v * image.height()), 0, image.height() - 1));
-    }
-
-    Eigen::Array3f filmColour(const SurfacePoint& point) const {
-        if (view_.mask && view_.mask->covers(view_.fine.onCoarse(point))) {
-            return channels(maskColour);
-        }
-        for (auto film = view_.films.rbegin(); film != view_.films.rend(); ++film) {
-            const auto place = film->places
-                                   ? film->places->at(point)
-                                   : film->appearance.laid->place(view_.fine.onCoarse(point));
-            if (place) {
-                const solver::FilmGrid& grid = film->appearance.laid->film().grid;
-                const double u = double(place->rest.x()) / grid.width + 0.5;
-                const double v = double(place->rest.y()) / grid.depth + 0.5;
-                const QColor printed = pixelOf(film->appearance.image, u, v);
-                if (printed.alpha() > 127) {
-                    Eigen::Array3f light = channels(printed);
-                    for (const PrintedSpot& spot : film->appearance.spots) {
-                        const float tint = float(pixelOf(spot.tints, u, v).redF());
-                        light *= 1 - tint * (1 - channels(spot.colour));
-                    }
-                    return light;
-                }
-            }
-        }
-        return bareBody;
     }
 
     // Returns the colour of the surface in the light of a lamp over the viewer's left shoulder.

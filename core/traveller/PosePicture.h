@@ -1,10 +1,10 @@
 // Draws a body as it hangs over the water, in parallel projection.
 #pragma once
 
-#include "dip/LaidFilm.h"
+#include "dip/Pose.h"
+#include "geometry/RefinedMesh.h"
 #include "marks/SurfaceMask.h"
-#include "results/FilmPlaces.h"
-#include "results/Results.h"
+#include "results/PaintedBody.h"
 
 #include <QImage>
 
@@ -15,18 +15,11 @@ namespace dipwright {
 // film's upper edge up and its right edge on the left.
 enum class PoseSide { Front, Right, Below };
 
-// A film on the body, and the table of its places on a refined mesh of the body. Without a table,
-// each place is searched for.
-struct PoseFilm {
-    FilmAppearance appearance;
-    std::shared_ptr<const FilmPlaces> places = nullptr;
-};
-
 struct PoseView {
     const PosedBody& body;
-    const RefinedMesh& fine;              // of the body; the films' tables refer to it
+    const RefinedMesh& fine;              // of the body
+    const PaintedBody& paint;             // on `fine`
     const TriangleMesh* cradle = nullptr; // in the body's frame; null or empty: no cradle
-    std::vector<PoseFilm> films;          // later ones lie over earlier ones
     const SurfaceMask* mask = nullptr;    // drawn as tape; null: nothing is masked
 };
 

@@ -103,7 +103,8 @@ private:
                 fine_ = fineBody(model_->mesh);
             }
             const PosedBody body = posedBody(model_->mesh, immersion);
-            const PoseView view{body, *fine_, nullptr, {}};
+            const PaintedBody bare({}, {});
+            const PoseView view{body, *fine_, bare};
             found = drawn_.emplace(key, posePicture(view, PoseSide::Front, pictureSize, {}).image)
                         .first;
         }

@@ -3,6 +3,7 @@
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
 #include "sheet/page/Sheet.h"
+#include "traveller/PosePicture.h"
 
 #include <QProcess>
 #include <QStandardPaths>
@@ -119,8 +120,8 @@ private slots:
         QImage red(210, 297, QImage::Format_RGBA8888);
         red.fill(Qt::red);
         const RefinedMesh fine(sphereMesh(35, 60, 120), 2);
-        const auto places = std::make_shared<const FilmPlaces>(fine, *film());
-        const PoseView view{film()->body(), fine, nullptr, {{{film(), red}, places}}};
+        const PaintedBody paint({{film(), red}}, {}, {}, &fine);
+        const PoseView view{film()->body(), fine, paint};
         const auto isRed = [](const QColor& colour) {
             return colour.red() > 2 * colour.green() + 40;
         };
@@ -134,6 +135,30 @@ private slots:
         QVERIFY(std::abs(front.bottom + 0.03 * 70) < 0.1);
         const PosePicture below = posePicture(view, PoseSide::Below, size, {});
         QVERIFY(isRed(below.image.pixelColor(100, 40)) && isRed(below.image.pixelColor(100, 160)));
+    }
+
+    // Where two dips fade into each other, each lets some light through, and the part shows the
+    // product.
+    void posePicture_twoDips_addsTheirInk() {
+        const auto shownBelow = [](const std::vector<int>& greys) {
+            std::vector<FilmAppearance> films;
+            for (const int grey : greys) {
+                films.push_back({film(), QImage(210, 297, QImage::Format_RGBA8888)});
+                films.back().image.fill(QColor(grey, grey, grey));
+            }
+            const RefinedMesh fine(sphereMesh(35, 60, 120), 2);
+            InkSettings ink;
+            ink.compensate = false;
+            const PaintedBody paint(films, ink, {}, &fine);
+            const PoseView view{film()->body(), fine, paint};
+            return posePicture(view, PoseSide::Below, {100, 100}, {})
+                .image.pixelColor(50, 50)
+                .red();
+        };
+        const int both =
+            qRound(255 * srgbFromLinear(linearFromSrgb(200 / 255.0) * linearFromSrgb(150 / 255.0)));
+        QVERIFY(std::abs(shownBelow({200, 150}) - shownBelow({both})) <= 1);
+        QVERIFY(shownBelow({200, 150}) < shownBelow({150}) - 20);
     }
 };
 
