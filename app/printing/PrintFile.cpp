@@ -105,16 +105,7 @@ bool isTiff(const QString& path) {
 
 QStringList leftOut(const Sheet& sheet, const PrintCorrection& correction, bool tiff) {
     const bool inks = correction.colour && correction.colour->isCmyk();
-    QStringList sentences;
-    if (sheet.settings.white != WhiteLayer::None && !inks) {
-        sentences << Text::tr("The white layer is left out: it needs a printer profile with an ICC "
-                              "profile in CMYK");
-    }
-    if (!inks && std::any_of(sheet.plates.begin(), sheet.plates.end(),
-                             [](const auto& plate) { return plate.alternate.isValid(); })) {
-        sentences << Text::tr("The spot colours are left out: they need a printer profile with an "
-                              "ICC profile in CMYK");
-    }
+    QStringList sentences = lostPlates(sheet, inks);
     if (sheet.settings.cutLine != CutLine::None && (tiff || !inks)) {
         sentences << Text::tr("The cut contour is left out: it needs a PDF and a printer profile "
                               "with an ICC profile in CMYK");

@@ -2,11 +2,13 @@
 
 #include "base/Error.h"
 #include "geometry/SurfaceSamples.h"
+#include "parallel/ParallelFor.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace dipwright {
 
@@ -54,6 +56,41 @@ FieldGrid boxGrid(const BoundingBox& box, double spacing) {
     return centredGrid(box, size, spacing);
 }
 
+// A place of the surface, and how thick the body is there.
+struct Thickness {
+    Eigen::Vector3f place, outward;
+    float plate; // distance to the opposite face, mm; infinite if no face lies opposite
+};
+
+// Measures the thickness at `count` places that are spread evenly.
+std::vector<Thickness> thicknessSamples(const TriangleMesh& body, const SurfaceQuery& query,
+                                        double count) {
+    // distance from the face at which the ray starts, so that it misses the face
+    const float clear = 1e-5F * boundingBox(body).diagonal().norm();
+    const std::vector<SurfacePoint> samples = evenSamples(body, surfaceArea(body) / count);
+    std::vector<Thickness> found(samples.size());
+    parallelFor(std::size_t(0), samples.size(), [&](std::size_t i) {
+        const Eigen::Vector3f outward = triangleNormal(body, samples[i].triangle);
+        const Eigen::Vector3f place = position(body, samples[i]);
+        const RayHit through = query.hit(place - clear * outward, -outward);
+        const bool isPlate = through.point.isValid() &&
+                             triangleNormal(body, through.point.triangle).dot(outward) < opposite;
+        found[i] = {place, outward,
+                    isPlate ? through.distance + clear : std::numeric_limits<float>::infinity()};
+    });
+    return found;
+}
+
+// Tells whether a ball of this diameter, mm, fits into the body where it touches the surface at
+// `at`. It does not fit beside the edges of a fin, even though these lie far apart.
+bool isThick(const Thickness& at, const SurfaceQuery& query, double diameter) {
+    constexpr double touching = 0.9; // less than 1 because of rounding, and of coarse triangles
+    const auto radius = float(diameter / 2);
+    return double(at.plate) >= diameter &&
+           double(query.closest(at.place - radius * at.outward).distance) >=
+               touching * double(radius);
+}
+
 } // namespace
 
 std::size_t FieldGrid::sampleCount() const {
@@ -76,25 +113,43 @@ FieldGrid boxGrid(const TriangleMesh& body, double spacing) {
 }
 
 double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query) {
-    // distance from the face at which the ray starts, so that it misses the face
-    const float clear = 1e-5F * boundingBox(body).diagonal().norm();
-    const std::vector<SurfacePoint> samples = evenSamples(body, surfaceArea(body) / wantedSamples);
     std::vector<float> thicknesses;
-    for (const SurfacePoint& sample : samples) {
-        const Eigen::Vector3f outward = triangleNormal(body, sample.triangle);
-        const RayHit through = query.hit(position(body, sample) - clear * outward, -outward);
-        if (through.point.isValid() &&
-            triangleNormal(body, through.point.triangle).dot(outward) < opposite) {
-            thicknesses.push_back(through.distance + clear);
-        }
+    for (const Thickness& sample : thicknessSamples(body, query, wantedSamples)) {
+        thicknesses.push_back(sample.plate);
     }
-    const auto rank = std::size_t(thinShare * double(samples.size()));
+    const auto rank = std::size_t(thinShare * double(thicknesses.size()));
     if (rank >= thicknesses.size()) {
         return std::numeric_limits<double>::infinity();
     }
     const auto nth = thicknesses.begin() + std::ptrdiff_t(rank);
     std::nth_element(thicknesses.begin(), nth, thicknesses.end());
     return double(*nth);
+}
+
+MissedParts missedParts(const TriangleMesh& body, const SurfaceQuery& query, double spacing) {
+    constexpr double manySamples = 20'000, leastShare = 0.001, leastReach = 4; // reach in cells
+    std::vector<Thickness> samples = thicknessSamples(body, query, manySamples);
+    const auto thick = std::partition(samples.begin(), samples.end(), [&](const Thickness& at) {
+        return !isThick(at, query, spacing);
+    });
+    const std::span<const Thickness> thin(samples.begin(), thick), others(thick, samples.end());
+    const auto reach = float(leastReach * spacing);
+    std::vector<std::uint8_t> sticksOut(thin.size());
+    parallelFor(std::size_t(0), thin.size(), [&](std::size_t i) {
+        sticksOut[i] = std::none_of(others.begin(), others.end(), [&](const Thickness& other) {
+            return (other.place - thin[i].place).squaredNorm() < reach * reach;
+        });
+    });
+    MissedParts missed;
+    for (std::size_t i = 0; i < thin.size(); ++i) {
+        if (sticksOut[i]) {
+            missed.area += surfaceArea(body) / double(samples.size());
+            if (double(thin[i].plate) < spacing) { // not beside the edge of a fin
+                missed.thickness = std::max(missed.thickness, double(thin[i].plate));
+            }
+        }
+    }
+    return missed.area < leastShare * surfaceArea(body) ? MissedParts{} : missed;
 }
 
 bool isFineEnough(const FieldGrid& grid, double thinnest) {

@@ -33,6 +33,17 @@ double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query);
 // Whether a field on this grid resolves plates of this thickness.
 bool isFineEnough(const FieldGrid& grid, double thinnest);
 
+// The parts of a body that a field does not contain.
+struct MissedParts {
+    double area = 0;      // mm² of surface; 0: none
+    double thickness = 0; // mm, of the thickest of them
+};
+// Returns the plates and pins that are thinner than one cell of `spacing` mm and stick out: their
+// surface lies more than four cells from any thicker place. A field may have no sample inside them,
+// and then film passes through. Finds parts of at least 0.1 % of the surface. `query` must have
+// been built from `body`. Uses all cores; deterministic.
+MissedParts missedParts(const TriangleMesh& body, const SurfaceQuery& query, double spacing);
+
 // Returns cubeGrid() if it is fine enough for parts of this thickness. Otherwise returns a box with
 // finer cells, as fine as the parts need or mostFieldSamples allows.
 FieldGrid fieldGrid(const TriangleMesh& body, int resolution, double thinnest);

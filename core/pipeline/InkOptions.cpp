@@ -1,5 +1,6 @@
 #include "pipeline/InkOptions.h"
 
+#include "base/WeightedSpread.h"
 #include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 #include "sheet/prepress/PlateCompensation.h"
@@ -255,33 +256,6 @@ private:
     std::array<std::array<float, 256>, 4> densities_;
 };
 
-// CIE L*a*b* of light in sRGB's primaries, relative to D65.
-Eigen::Array3f labOf(const LinearColour& light) {
-    const auto root = [](float value) {
-        return value > 0.008856f ? std::cbrt(value) : 7.787f * value + 16.0f / 116;
-    };
-    const float x =
-        (0.4124564f * light[0] + 0.3575761f * light[1] + 0.1804375f * light[2]) / 0.95047f;
-    const float y = 0.2126729f * light[0] + 0.7151522f * light[1] + 0.0721750f * light[2];
-    const float z =
-        (0.0193339f * light[0] + 0.1191920f * light[1] + 0.9503041f * light[2]) / 1.08883f;
-    return {116 * root(y) - 16, 500 * (root(x) - root(y)), 200 * (root(y) - root(z))};
-}
-
-// Weighted mean and variance.
-struct Spread {
-    double weight = 0, sum = 0, squares = 0;
-    void add(double value, double by) {
-        weight += by;
-        sum += by * value;
-        squares += by * value * value;
-    }
-    double deviation() const {
-        const double mean = weight > 0 ? sum / weight : 0;
-        return weight > 0 ? std::sqrt(std::max(0.0, squares / weight - mean * mean)) : 0;
-    }
-};
-
 // The samples and where ink is short now.
 class Places {
 public:
@@ -307,7 +281,7 @@ public:
         const std::vector<Shown> shown = ink.shown(samples_);
         InkReach reach;
         std::vector<float> where;
-        Spread wanted, got;
+        WeightedSpread wanted, got;
         double shortNow = 0, error = 0;
         for (std::size_t i = 0; i < shown.size(); ++i) {
             const auto area = double(samples_.places[i].area);

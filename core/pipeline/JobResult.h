@@ -52,6 +52,7 @@ struct ImmersionResult {
     // (sheet/prepress/Separation.h). None if the inks are not compensated separately.
     std::optional<double> inkShortfall;
     std::vector<InkArea> inks; // that the project's printer takes for the sheet; empty: a draft
+    QStringList lostPlates;    // of the sheet (sheet/prepress/Separation.h)
 
     // Returns the numerical error if it is known, else null.
     const NumericalErrorEstimate* knownError() const {

@@ -1,10 +1,12 @@
 #include "pipeline/JobVerdict.h"
 
 #include "accuracy/verdict/BareZones.h"
+#include "base/WeightedSpread.h"
 #include "dip/TankFit.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
 #include "pipeline/ModelNotes.h"
+#include "pipeline/PrintedBody.h"
 #include "project/Profiles.h"
 #include "share/UnpaintedPlaces.h"
 #include "texture/ReverseTexture.h"
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 namespace dipwright {
 namespace {
@@ -27,6 +30,14 @@ constexpr double bareSamples = 20'000; // number of points on the body
 // Largest share of the surface that two dips may paint twice if they do not share the body. Along
 // the ends of two films that meet, less is painted twice.
 constexpr double mostPaintedTwice = 0.02;
+// A sheet with less ink than this, in mm² of full tint, has none: less than a dot of 0.4 mm.
+constexpr double leastInk = 0.1;
+// The share of its contrast that a picture should keep on the part's own colour: the deviation of
+// L*, compared with the same ink on white. Grey of #808080 leaves 60 %, #303030 31 %, #101010 15 %
+// (docs/film-validation.md, "The verdict").
+constexpr double leastContrastKept = 0.3, contrastLost = 0.15;
+constexpr double contrastSamples = 5'000; // number of points on the body
+constexpr double leastContrast = 0.5;     // deviation of L*; pictures with less are plain
 
 // Adds reasons for marked zones that are not painted. Kind::Unreached judges the rest of the body.
 void addBareZones(ReasonList& found, const JobResult& result, const ZonedBody& zoned) {
@@ -78,6 +89,53 @@ double paintedTwice(const JobResult& result) {
            result.coverageTotal;
 }
 
+bool takesInk(const ImmersionResult& dip) {
+    const double ink =
+        std::accumulate(dip.inks.begin(), dip.inks.end(), 0.0,
+                        [](double sum, const InkArea& one) { return sum + one.area; });
+    return dip.inks.empty() || ink >= leastInk; // drafts do not measure their ink
+}
+
+// Adds a reason if little of the picture can be seen on the part's own colour.
+void addContrastReason(ReasonList& found, const JobResult& result) {
+    if (result.project.baseColour.isEmpty()) {
+        return;
+    }
+    const TriangleMesh& mesh = result.project.model->mesh;
+    const SheetInputs& inputs = result.immersions.front().inputs;
+    const InkSettings ink = inputs.texture.printedInk();
+    const bool hasWhite =
+        std::all_of(result.immersions.begin(), result.immersions.end(),
+                    [](const ImmersionResult& dip) { return dip.lostPlates.isEmpty(); });
+    const PaintedBody onPart(filmAppearances(result.immersions, hasWhite), ink,
+                             groundOf(inputs.settings, result.project.baseColour));
+    const PaintedBody onWhite(filmAppearances(result.immersions, false), ink);
+    const std::vector<SurfacePoint> places = evenSamples(mesh, surfaceArea(mesh) / contrastSamples);
+    std::vector<std::optional<std::array<float, 2>>> lightness(places.size());
+    parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
+        if (onPart.marks(places[i])) {
+            lightness[i] = {labOf(onPart.colour(places[i]))[0],
+                            labOf(onWhite.colour(places[i]))[0]};
+        }
+    });
+    WeightedSpread kept, wanted;
+    for (const auto& pair : lightness) {
+        if (pair) {
+            kept.add(double((*pair)[0]));
+            wanted.add(double((*pair)[1]));
+        }
+    }
+    if (wanted.deviation() <= leastContrast) {
+        return;
+    }
+    const double share = kept.deviation() / wanted.deviation();
+    if (share < leastContrastKept) {
+        found.add({Kind::FaintPicture,
+                   share < contrastLost ? Advice::DoNotPrint : Advice::CheckFirst, share,
+                   leastContrastKept});
+    }
+}
+
 // Tells whether the model shows only one colour.
 bool isPlain(const Project& project) {
     const std::vector<Material>& materials = project.model->materials;
@@ -97,6 +155,10 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
     if (!project.modelOrigin.remarks.isEmpty()) {
         found.add(
             {Kind::ChangedModel, project.verdict.changedModel, 0, 0, project.modelOrigin.remarks});
+    }
+    const PosedBody& body = *result.immersions.front().body;
+    if (const QString note = thinPartNote(project, body.mesh, body.query); !note.isEmpty()) {
+        found.add({Kind::ThinPlaces, Advice::CheckFirst, 0, 0, note});
     }
     if (!project.modelOrigin.losses.isEmpty()) {
         found.add({Kind::IncompleteModel, project.verdict.incompleteModel, 0, 0,
@@ -141,7 +203,8 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
                     tankFaults(project.profiles.tank, project.process, dip.immersion,
                                dip.body->mesh, dip.body->path)
                         .join(QStringLiteral(". ")),
-                    mask, project.immersions.size() == 1},
+                    mask, project.immersions.size() == 1, takesInk(dip),
+                    dip.lostPlates.join(QStringLiteral(". "))},
                    project.tolerance, project.verdict);
 }
 
@@ -154,6 +217,7 @@ Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
     if (result.tolerances) {
         addHandlingReasons(found, *result.tolerances);
     }
+    addContrastReason(found, result);
     addOriginReasons(found, result);
     return std::move(found).verdict();
 }

@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 
+#include <cmath>
+
 namespace dipwright {
 namespace {
 
@@ -19,13 +21,22 @@ struct Text {
 QString thinPartNote(const Project& project, const TriangleMesh& mesh, const SurfaceQuery& query) {
     const double thinnest = thinnestPart(mesh, query);
     const FieldGrid field = fieldGrid(project.model->mesh, project.fieldResolution, thinnest);
-    if (isFineEnough(field, thinnest)) {
+    if (!isFineEnough(field, thinnest)) {
+        return Text::tr("Some places of the model are only %1 mm thick. The film may miss them, "
+                        "because the smallest possible cells of the distance field are %2 mm. Make "
+                        "these places thicker, or dip a smaller section of the model.")
+            .arg(thinnest, 0, 'g', 2)
+            .arg(field.spacing, 0, 'g', 2);
+    }
+    const MissedParts missed = missedParts(mesh, query, field.spacing);
+    if (missed.area == 0) {
         return {};
     }
-    return Text::tr("Some places of the model are only %1 mm thick. The film may miss them, "
-                    "because the smallest possible cells of the distance field are %2 mm. Make "
-                    "these places thicker, or dip a smaller section of the model.")
-        .arg(thinnest, 0, 'g', 2)
+    return Text::tr("Fins or pins of the model, %1 mm² in all, are at most %2 mm thick. The film "
+                    "may miss them, because the cells of the distance field are %3 mm. Increase "
+                    "the resolution of the distance field, or make these places thicker.")
+        .arg(std::round(missed.area))
+        .arg(missed.thickness, 0, 'g', 2)
         .arg(field.spacing, 0, 'g', 2);
 }
 

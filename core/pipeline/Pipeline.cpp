@@ -530,6 +530,7 @@ void measureInks(ImmersionResult& now, const std::optional<PrinterProfile>& prin
     now.inkShortfall = now.sheet.wanted && colour && colour->isCmyk()
                            ? std::optional(inkShortfall(now.sheet, correction))
                            : std::nullopt;
+    now.lostPlates = lostPlates(now.sheet, colour && colour->isCmyk());
     now.inks = isDraft ? std::vector<InkArea>() : inkAreas(now.sheet, correction);
 }
 
@@ -744,10 +745,6 @@ void runImmersions(JobResult& result, Run& run, const std::vector<SheetInputs>& 
 
 QStringList notesOf(const JobResult& result) {
     QStringList notes;
-    const PosedBody& body = *result.immersions.front().body;
-    if (const QString note = thinPartNote(result.project, body.mesh, body.query); !note.isEmpty()) {
-        notes.append(note);
-    }
     constexpr double negligibleShare = 0.01; // share of the body
     if (result.coverageTotal < negligibleShare && isInsideOut(*result.project.model)) {
         notes.append(insideOutNote());

@@ -74,6 +74,18 @@ std::uint8_t encodedByte(float linear) {
     return table[std::size_t(std::lrint(std::clamp(linear, 0.0f, 1.0f) * encodingSteps))];
 }
 
+Eigen::Array3f labOf(const LinearColour& light) {
+    const auto root = [](float value) {
+        return value > 0.008856f ? std::cbrt(value) : 7.787f * value + 16.0f / 116;
+    };
+    const float x =
+        (0.4124564f * light[0] + 0.3575761f * light[1] + 0.1804375f * light[2]) / 0.95047f;
+    const float y = 0.2126729f * light[0] + 0.7151522f * light[1] + 0.0721750f * light[2];
+    const float z =
+        (0.0193339f * light[0] + 0.1191920f * light[1] + 0.9503041f * light[2]) / 1.08883f;
+    return {116 * root(y) - 16, 500 * (root(x) - root(y)), 200 * (root(y) - root(z))};
+}
+
 QRgb encodedPixel(const LinearColour& light) {
     return qRgb(encodedByte(light[0]), encodedByte(light[1]), encodedByte(light[2]));
 }

@@ -24,6 +24,8 @@ std::uint8_t encodedByte(float linear);
 QRgb encodedPixel(const LinearColour& light);
 
 LinearColour linearColour(const QColor& colour);
+// Returns the CIE L*a*b* of light in sRGB's primaries, relative to D65 (CIE 15:2018).
+Eigen::Array3f labOf(const LinearColour& light);
 // Converts light to wide colour's primaries.
 LinearColour wideLight(const LinearColour& srgb);
 // Converts light back to sRGB's primaries; colours outside sRGB are clamped.

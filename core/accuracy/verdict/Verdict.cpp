@@ -122,6 +122,12 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
         found.add({Kind::Unpainted, Advice::DoNotPrint});
         return;
     }
+    if (!dip.takesInk) {
+        found.add({Kind::NoInk, Advice::DoNotPrint});
+    }
+    if (!dip.lostPlates.isEmpty()) {
+        found.add({Kind::LostPlates, Advice::CheckFirst, 0, 0, dip.lostPlates});
+    }
     const MarkedArea& marked = dip.coverage.marked;
     found.addShare(Kind::Air, dip.coverage.trappedAir.area / surfaceArea(dip.laid.body().mesh),
                    limits.air);
@@ -243,6 +249,8 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"torn_bare", ""},
                                KindWords{"film_edge", "verdict.edge_mm"},
                                KindWords{"tank", ""},
+                               KindWords{"no_ink", ""},
+                               KindWords{"lost_plates", ""},
                                KindWords{"unreached", "verdict.unreached"},
                                KindWords{"narrow", "verdict.narrow"},
                                KindWords{"zone_bare", "verdict.zone_bare"},
@@ -254,8 +262,10 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"unknown_name", ""},
                                KindWords{"incomplete_model", "verdict.incomplete_model"},
                                KindWords{"painted_twice", "share.enabled"},
-                               KindWords{"little_painted", "verdict.least_painted"}};
-static_assert(kindWords.size() == std::size_t(Kind::LittlePainted) + 1);
+                               KindWords{"little_painted", "verdict.least_painted"},
+                               KindWords{"faint_picture", ""},
+                               KindWords{"thin_places", "body.sdf_resolution"}};
+static_assert(kindWords.size() == std::size_t(Kind::ThinPlaces) + 1);
 
 } // namespace
 

@@ -36,6 +36,8 @@ struct VerdictReason {
                   // bare because the film tears before
         FilmEdge, // film that paints the body lies only `value` mm from the film's edge
         Tank,     // `text`: the limits of the tank or its machine that the dip exceeds
+        NoInk,    // the sheet takes no ink
+        LostPlates, // `text`: the plates that the project's printer cannot print
         // Reasons about all dips together.
         Unreached,    // neither dip paints the share `value` of the body's surface
         Narrow,       // the share `value` of the overlap is too narrow
@@ -50,6 +52,9 @@ struct VerdictReason {
         IncompleteModel, // `text`: what the import left out or cannot show as the file means it
         PaintedTwice,    // both dips print the share `value` of the body's surface at full strength
         LittlePainted,   // the only dip paints the share `value` of the surface, less than `limit`
+        FaintPicture,    // on the part's own colour, the picture keeps the share `value` of its
+                         // contrast, less than `limit`
+        ThinPlaces,      // `text`: places that are too thin for the distance field's cells
     };
     Kind kind;
     Advice advice = Advice::Print; // the verdict if this is the only reason
@@ -110,6 +115,8 @@ struct JudgedDip {
     QString tankFaults = {}; // sentences on limits of the tank that the dip exceeds; empty: none
     const SurfaceMask* mask = nullptr; // masked surface is not judged; null: none
     bool isOnlyDip = false;            // the job has no other dip
+    bool takesInk = true;              // the sheet's picture has ink
+    QString lostPlates = {}; // sentences on plates that the printer cannot print; empty: none
 };
 
 // Returns the verdict on one dip by the limits in `tolerance` and `limits`.

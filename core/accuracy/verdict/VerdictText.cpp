@@ -117,7 +117,11 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("Film that paints the part lies only %1 from the film's edge; at least %2 "
                         "are required. Use a larger film, or move the part to the film's centre.")
             .arg(length(reason.value), length(reason.limit));
+    case Kind::NoInk:
+        return Text::tr("The sheet has no ink: its picture is white or transparent. Check the "
+                        "texture and the artwork.");
     case Kind::Tank:
+    case Kind::LostPlates:
         return reason.text + QLatin1Char('.');
     default:
         return {};
@@ -157,6 +161,11 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("The dip paints only %1 % of the part; the limit is %2 %. Check the depth "
                         "and the pose.")
             .arg(shares[0], shares[1]);
+    case Kind::FaintPicture:
+        return Text::tr("On the part's own colour, the picture keeps only %1 % of its contrast; at "
+                        "least %2 % are required. Coat the part, print a white layer under the "
+                        "colours, or correct the part colour.")
+            .arg(shares[0], shares[1]);
     case Kind::IncompleteModel:
     case Kind::ChangedModel:
         return Text::tr("Model: %1").arg(reason.text);
@@ -164,6 +173,7 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("The film's swell is guessed, not measured: the picture may be a few per "
                         "cent too large or too small. Measure the film.");
     case Kind::ExpiredFilm:
+    case Kind::ThinPlaces:
     case Kind::UnknownName:
         return reason.text + QLatin1Char('.');
     default:

@@ -10,12 +10,21 @@
 #include "texture/Bleed.h"
 #include "texture/StretchPlane.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <span>
 
 namespace dipwright {
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Separation)
+};
+
+} // namespace
 
 void limitInk(QByteArray& cmyk, double mostInk) {
     const int most = int(std::floor(mostInk * 255));
@@ -339,6 +348,23 @@ std::vector<InkArea> inkAreas(const Sheet& original, const PrintCorrection& corr
 bool areEstimated(const std::vector<InkArea>& inks) {
     return std::none_of(inks.begin(), inks.end(),
                         [](const InkArea& ink) { return ink.process == 3; });
+}
+
+QStringList lostPlates(const Sheet& sheet, bool isSeparated) {
+    QStringList sentences;
+    if (isSeparated) {
+        return sentences;
+    }
+    if (sheet.settings.white != WhiteLayer::None) {
+        sentences << Text::tr("The white layer is left out: it needs a printer profile with an ICC "
+                              "profile in CMYK");
+    }
+    if (std::any_of(sheet.plates.begin(), sheet.plates.end(),
+                    [](const SheetPlate& plate) { return plate.alternate.isValid(); })) {
+        sentences << Text::tr("The spot colours are left out: they need a printer profile with an "
+                              "ICC profile in CMYK");
+    }
+    return sentences;
 }
 
 std::array<char, 4> bareInks(const PrinterColour& colour) {

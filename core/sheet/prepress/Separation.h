@@ -57,6 +57,11 @@ std::vector<InkArea> inkAreas(const Sheet& sheet, const PrintCorrection& correct
 // Tells whether inkAreas() estimated these inks.
 bool areEstimated(const std::vector<InkArea>& inks);
 
+// Returns a sentence, without full stop, for the white layer and for the spot colours if the sheet
+// has them and its printer cannot print them: they need a printer profile with an ICC profile in
+// CMYK. `isSeparated`: whether there is one.
+QStringList lostPlates(const Sheet& sheet, bool isSeparated);
+
 // Returns the amounts of the four inks on the bare paper around the film.
 std::array<char, 4> bareInks(const PrinterColour& colour);
 

@@ -109,6 +109,7 @@ private Q_SLOTS:
     void buildDistanceField_invalidInput_isRefused();
 
     void thinnestPart_platesCount_taperedEdgesDoNot();
+    void missedParts_finsCount_edgesDoNot();
     void cachedDistanceField_usualBodies_keepTheCube();
     void cachedDistanceField_thinPlate_isResolvedInAnyDirection_data();
     void cachedDistanceField_thinPlate_isResolvedInAnyDirection();
@@ -320,6 +321,33 @@ void DistanceFieldTest::thinnestPart_platesCount_taperedEdgesDoNot() {
     };
     QVERIFY(std::abs(withFin(30) - 0.5) < 1e-2);
     QVERIFY(withFin(5) > 50);
+}
+
+// A fin is missed if it is thinner than a cell and sticks out by more than four cells. The edges of
+// the cube, of a wedge and of a cone are thin, too, but stick out less.
+void DistanceFieldTest::missedParts_finsCount_edgesDoNot() {
+    const auto missed = [](const TriangleMesh& mesh, double spacing) {
+        return missedParts(mesh, SurfaceQuery(mesh), spacing);
+    };
+    const auto withFin = [](double edge, double thickness) {
+        TriangleMesh fin = boxMesh({edge, edge, thickness});
+        for (auto& position : fin.positions) {
+            position.y() += 30 + float(edge / 2);
+        }
+        return joined(boxMesh({60, 60, 60}), fin);
+    };
+    const MissedParts fin = missed(withFin(8, 0.3), 0.5);
+    QVERIFY(std::abs(fin.thickness - 0.3) < 1e-3);
+    // Both faces, and the four narrow ones; two cells or more from the cube.
+    QVERIFY2(fin.area > 2 * 8 * 6 && fin.area < 2 * 8 * 8 + 4 * 8 * 0.3,
+             qPrintable(QString::number(fin.area)));
+    QCOMPARE(missed(withFin(8, 0.6), 0.5).area, 0.0);
+    QCOMPARE(missed(withFin(1.5, 0.3), 0.5).area, 0.0);
+    QVERIFY(missed(boxMesh({0.4, 30, 0.4}), 0.5).area > 0.9 * 4 * 0.4 * 30); // all of it is thin
+    for (const TriangleMesh& mesh : {boxMesh({60, 60, 60}), tetrahedronMesh(60),
+                                     coneMesh(0.5, 60, 90), sphereMesh(35, 40, 80)}) {
+        QCOMPARE(missed(mesh, 0.5).area, 0.0);
+    }
 }
 
 void DistanceFieldTest::cachedDistanceField_usualBodies_keepTheCube() {

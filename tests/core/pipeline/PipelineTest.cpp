@@ -20,6 +20,7 @@
 #include <QCryptographicHash>
 #include <QGuiApplication>
 #include <QJsonArray>
+#include <QPainter>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QtTest>
@@ -148,6 +149,38 @@ private slots:
         job.process.depth = Millimetres(1);
         const JobResult result = runJob(job, *registry_, {}, nullptr, {});
         QVERIFY(hasReason(result.verdict, VerdictReason::Kind::LittlePainted));
+    }
+
+    void runJob_whatCannotBeSeenOrPrinted_isInTheVerdict() {
+        const auto verdicts = [&](const auto& change) {
+            Project job = ballJob();
+            job.immersions.resize(1);
+            change(job);
+            const JobResult result = runJob(job, *registry_, {}, nullptr, {});
+            return std::array{result.immersions.front().verdict, result.verdict};
+        };
+        const auto white =
+            verdicts([](Project& job) { job.model = texturedBall(QColor(Qt::white)); });
+        QVERIFY(hasReason(white[0], VerdictReason::Kind::NoInk));
+        QCOMPARE(white[0].advice, Advice::DoNotPrint);
+        const auto plates = verdicts([](Project& job) { job.sheet.white = WhiteLayer::Last; });
+        QVERIFY(hasReason(plates[0], VerdictReason::Kind::LostPlates));
+        QVERIFY(!hasReason(plates[0], VerdictReason::Kind::NoInk));
+        const auto onColour = [&](const char* colour) {
+            return verdicts([colour](Project& job) {
+                auto model = std::make_shared<TexturedMesh>(*job.model);
+                QImage half(64, 64, QImage::Format_RGBA8888);
+                half.fill(Qt::black);
+                QPainter(&half).fillRect(0, 0, 32, 64, Qt::white);
+                model->textures = {half};
+                job.model = model;
+                job.baseColour = QString::fromLatin1(colour);
+            })[1];
+        };
+        QVERIFY(!hasReason(onColour("#808080"), VerdictReason::Kind::FaintPicture));
+        const Verdict faint = onColour("#282828"), lost = onColour("#080808");
+        QVERIFY(hasReason(faint, VerdictReason::Kind::FaintPicture));
+        QVERIFY(faint.advice == Advice::CheckFirst && lost.advice == Advice::DoNotPrint);
     }
 
     void runJob_maskOnUnknownFace_isToBeChecked() {
