@@ -60,8 +60,7 @@ void addPart(Project& project, const QStringList& files, const QCommandLineParse
              const Progress& progress) {
     const std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));
     const QSize picture = photos.front().picture.size();
-    const std::vector<PlacePair> pairs = partPairs(parser, int(photos.size()));
-    requireInPhotos(pairs, picture, parser.value(pairsOption));
+    const std::vector<PlacePair> pairs = partPairs(parser, photos);
     const PartView camera =
         fitPartCamera(pairs, int(photos.size()), picture, parser.value(pairsOption), lens);
     const auto seen = placesOnPart(photos, pairs, parser, lens, progress.part(0.1, 0.5));

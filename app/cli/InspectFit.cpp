@@ -35,9 +35,8 @@ FitPairs pairsOf(const std::vector<PartPhoto>& photos, const QCommandLineParser&
     FitPairs pairs;
     pairs.photos = int(photos.size());
     pairs.picture = photos.front().picture.size();
-    pairs.body = partPairs(parser, pairs.photos);
+    pairs.body = partPairs(parser, photos);
     pairs.where = parser.value(pairsOption);
-    requireInPhotos(pairs.body, pairs.picture, pairs.where);
     pairs.printed = placesOnPart(photos, pairs.body, parser, lens, progress);
     return pairs;
 }

@@ -92,13 +92,17 @@ std::vector<std::shared_ptr<const LaidFilm>> dippedFilms(Project project,
     return dips;
 }
 
-std::vector<PlacePair> partPairs(const QCommandLineParser& parser, int photos) {
+std::vector<PlacePair> partPairs(const QCommandLineParser& parser,
+                                 const std::vector<PartPhoto>& photos) {
     const QString path = parser.value(pairsOption);
     if (path.isEmpty()) {
         throw UsageError(QStringLiteral("Name the table of pairs with --pairs FILE.csv"),
                          QStringLiteral("--pairs"));
     }
-    return readPairs(readSmallFile(path, mostTableBytes), photos, path);
+    std::vector<PlacePair> pairs =
+        readPairs(readSmallFile(path, mostTableBytes), int(photos.size()), path);
+    requireInPhotos(pairs, photos.front().picture.size(), path);
+    return pairs;
 }
 
 std::vector<PartPhoto> readPartPhotos(const QStringList& files, const Progress& progress) {
@@ -177,10 +181,9 @@ void declarePart(CommandSyntax& syntax) {
 
 void inspectPart(const QStringList& files, const QCommandLineParser& parser,
                  const std::optional<Lens>& lens, Console& console) {
-    std::vector<PlacePair> pairs = partPairs(parser, int(files.size()));
     const Progress progress = console.progress();
     const std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.2));
-    requireInPhotos(pairs, photos.front().picture.size(), parser.value(pairsOption));
+    std::vector<PlacePair> pairs = partPairs(parser, photos);
     FoundPrint print;
     if (parser.isSet(projectOption)) {
         print = searchPrint(photos, pairs, parser, lens, progress);

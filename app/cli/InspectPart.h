@@ -17,8 +17,9 @@ void inspectPart(const QStringList& files, const QCommandLineParser& parser,
                  const std::optional<Lens>& lens, Console& console);
 
 // The following functions are shared with “inspect fit” and “inspect built”. They throw UsageError
-// or Error. partPairs() returns the pairs of --pairs.
-std::vector<PlacePair> partPairs(const QCommandLineParser& parser, int photos);
+// or Error. partPairs() returns the pairs of --pairs, which are places in these photos.
+std::vector<PlacePair> partPairs(const QCommandLineParser& parser,
+                                 const std::vector<PartPhoto>& photos);
 // Reads the photos of the part.
 std::vector<PartPhoto> readPartPhotos(const QStringList& files, const Progress& progress);
 // Simulates the dips of the project and returns the films as they lie on the body.

@@ -6,12 +6,31 @@
 #include <quazip.h>
 #include <quazipfile.h>
 
+#include <algorithm>
+
 namespace dipwright {
 namespace {
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Archive)
 };
+
+constexpr qint64 pieceBytes = qint64(1) << 20; // packed between two reports
+
+// Returns false if the entry cannot be written.
+bool writePieces(QuaZipFile& entry, const QByteArray& contents,
+                 const std::function<void(qint64)>& packed) {
+    for (qint64 begin = 0; begin < contents.size(); begin += pieceBytes) {
+        const qint64 length = std::min(pieceBytes, contents.size() - begin);
+        if (entry.write(contents.constData() + begin, length) != length) {
+            return false;
+        }
+        if (packed) {
+            packed(length);
+        }
+    }
+    return true;
+}
 
 } // namespace
 
@@ -26,14 +45,15 @@ ZipWriter::ZipWriter() {
 
 ZipWriter::~ZipWriter() = default;
 
-void ZipWriter::add(const QString& name, const QByteArray& contents, Packing packing) {
+void ZipWriter::add(const QString& name, const QByteArray& contents, Packing packing,
+                    const std::function<void(qint64)>& packed) {
     QuaZipNewInfo info(name);
     info.dateTime = QDateTime(QDate(1980, 1, 1), QTime(0, 0));
     const bool stored = packing == Packing::Stored;
     QuaZipFile entry(zip_.get());
     const bool written = entry.open(QIODevice::WriteOnly, info, nullptr, 0, stored ? 0 : Z_DEFLATED,
                                     stored ? 0 : Z_DEFAULT_COMPRESSION) &&
-                         entry.write(contents) == contents.size();
+                         writePieces(entry, contents, packed);
     entry.close();
     if (!written || entry.getZipError() != ZIP_OK) {
         throw Error(Text::tr("The file cannot be packed"), name);

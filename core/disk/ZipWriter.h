@@ -4,6 +4,7 @@
 #include <QBuffer>
 #include <QByteArray>
 #include <QString>
+#include <functional>
 #include <memory>
 
 class QuaZip;
@@ -17,7 +18,10 @@ public:
 
     ZipWriter();
     ~ZipWriter();
-    void add(const QString& name, const QByteArray& contents, Packing packing);
+    // Calls `packed` after each megabyte or less, with the number of bytes since its last call.
+    // What it throws ends the work; the archive cannot be finished then.
+    void add(const QString& name, const QByteArray& contents, Packing packing,
+             const std::function<void(qint64)>& packed = {});
     // Size of all contents before compression.
     qint64 unpackedBytes() const { return unpackedBytes_; }
     // Returns the archive. Throws Error if it is not complete.

@@ -33,8 +33,10 @@ void requireUnchanged(const QString& path, const FileVersion& known) {
 
 // Checks the file right before it is replaced, because another program may write while this one
 // packs.
-void replaceProject(const Project& project, const QString& path, FileVersion& known) {
-    known = saveProject(project, path, [&] { requireUnchanged(path, known); });
+void replaceProject(const Project& project, const QString& path, FileVersion& known,
+                    const Progress& progress) {
+    known = saveProject(
+        project, path, [&] { requireUnchanged(path, known); }, progress);
 }
 
 ProjectFile::ProjectFile(const QString& path) : path_(path) {

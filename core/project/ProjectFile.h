@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/Error.h"
+#include "base/Progress.h"
 #include "disk/FileLock.h"
 #include "disk/FileVersion.h"
 
@@ -16,8 +17,10 @@ public:
 };
 
 // Writes the project (saveProject) if its file still has the version `known` or does not exist any
-// more. Then sets `known` to the new version. Throws ChangedFile or Error.
-void replaceProject(const Project& project, const QString& path, FileVersion& known);
+// more. Then sets `known` to the new version. Throws ChangedFile, Error, or Cancelled before it
+// replaces the file.
+void replaceProject(const Project& project, const QString& path, FileVersion& known,
+                    const Progress& progress = {});
 
 // An open project file. Holds its lock.
 class ProjectFile {

@@ -21,6 +21,7 @@
 #include <QJsonDocument>
 
 #include <QJsonObject>
+#include <algorithm>
 #include <map>
 
 namespace dipwright {
@@ -66,11 +67,43 @@ QJsonArray inksEntries(const TexturedMesh& model) {
     return entries;
 }
 
+// Reports how much of a project's data is packed. The last part of the progress is left for writing
+// the file.
+class PackingProgress {
+public:
+    PackingProgress(const Project& project, qint64 meshBytes, const Progress& progress)
+        : progress_(progress), total_(meshBytes + project.cad.bytes.size()) {
+        const TexturedMesh& model = *project.model;
+        for (const std::vector<QImage>* pictures : {&model.textures, &model.inks}) {
+            for (const QImage& picture : *pictures) {
+                total_ += picture.sizeInBytes();
+            }
+        }
+        for (const ArtworkLayer& layer : project.artwork.layers) {
+            total_ += layer.picture.image.sizeInBytes();
+        }
+        for (const auto& [name, contents] : project.unknownEntries) {
+            total_ += contents.size();
+        }
+    }
+
+    void add(qint64 bytes) {
+        constexpr double packingShare = 0.9;
+        packed_ = std::min(packed_ + bytes, total_);
+        progress_(packingShare * double(packed_) / double(total_), Text::tr("Saving the project"));
+    }
+
+private:
+    const Progress& progress_;
+    qint64 total_ = 0, packed_ = 0;
+};
+
 // Writes each picture of a project into its file once. Throws Error if there are too many to be
 // read again.
 class SavedPictures {
 public:
-    explicit SavedPictures(ZipWriter& archive) : archive_(archive) {}
+    SavedPictures(ZipWriter& archive, PackingProgress& progress)
+        : archive_(archive), progress_(progress) {}
 
     void add(const QString& entry, const QImage& picture) {
         const auto [size, isNew] = sizes_.try_emplace(entry, 0);
@@ -79,12 +112,14 @@ public:
             archive_.add(entry, bytes, ZipWriter::Packing::Stored);
             size->second = bytes.size();
         }
+        progress_.add(picture.sizeInBytes());
         count_.add(picture, size->second, entry);
     }
     bool contains(const QString& entry) const { return sizes_.contains(entry); }
 
 private:
     ZipWriter& archive_;
+    PackingProgress& progress_;
     std::map<QString, qint64> sizes_; // bytes of the pictures written so far, by entry
     PictureCount count_;
 };
@@ -110,7 +145,7 @@ void requireOpenable(const TexturedMesh& model, const ZipWriter& archive,
     }
 }
 
-QByteArray projectBytes(const Project& project, const QString& path) {
+QByteArray projectBytes(const Project& project, const QString& path, const Progress& progress) {
     const QByteArray mesh = writeModel(withoutPictures(*project.model));
     QJsonObject json = toJson(project);
     QJsonObject model = json.value(QLatin1String("model")).toObject();
@@ -128,8 +163,10 @@ QByteArray projectBytes(const Project& project, const QString& path) {
     archive.add(mimeEntry, mimeType, ZipWriter::Packing::Stored);
     const QByteArray document = QJsonDocument(json).toJson();
     archive.add(documentEntry, document, ZipWriter::Packing::Deflated);
-    archive.add(meshEntry, mesh, ZipWriter::Packing::Deflated);
-    SavedPictures pictures(archive);
+    PackingProgress packing(project, mesh.size(), progress);
+    const auto packed = [&packing](qint64 bytes) { packing.add(bytes); };
+    archive.add(meshEntry, mesh, ZipWriter::Packing::Deflated, packed);
+    SavedPictures pictures(archive, packing);
     for (std::size_t index = 0; index < project.model->textures.size(); ++index) {
         pictures.add(textureEntry(index), project.model->textures[index]);
     }
@@ -145,12 +182,12 @@ QByteArray projectBytes(const Project& project, const QString& path) {
     }
     QSet<QString> own{mimeEntry, documentEntry, meshEntry};
     if (!project.cad.bytes.isEmpty()) {
-        archive.add(cadEntry, project.cad.bytes, ZipWriter::Packing::Deflated);
+        archive.add(cadEntry, project.cad.bytes, ZipWriter::Packing::Deflated, packed);
         own.insert(cadEntry);
     }
     for (const auto& [name, contents] : project.unknownEntries) {
         if (!own.contains(name) && !pictures.contains(name)) {
-            archive.add(name, contents, ZipWriter::Packing::Deflated);
+            archive.add(name, contents, ZipWriter::Packing::Deflated, packed);
         }
     }
     QByteArray bytes = archive.finish();
@@ -332,9 +369,14 @@ QString solverOfProject(const QString& path) {
 }
 
 FileVersion saveProject(const Project& project, const QString& path,
-                        const std::function<void()>& beforeReplacing) {
-    const QByteArray bytes = projectBytes(withinSnapshotLimits(project), path);
-    const QString failure = replaceFile(path, bytes, beforeReplacing);
+                        const std::function<void()>& beforeReplacing, const Progress& progress) {
+    const QByteArray bytes = projectBytes(withinSnapshotLimits(project), path, progress);
+    const QString failure = replaceFile(path, bytes, [&] {
+        progress.cancelToken.throwIfCancelled();
+        if (beforeReplacing) {
+            beforeReplacing();
+        }
+    });
     if (!failure.isEmpty()) {
         throw Error(Text::tr("The project cannot be saved: %1").arg(failure), path);
     }

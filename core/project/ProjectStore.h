@@ -2,6 +2,7 @@
 // assets/ and any entries of other programs (docs/files-and-commands.md, "The project file").
 #pragma once
 
+#include "base/Progress.h"
 #include "disk/FileVersion.h"
 
 #include <functional>
@@ -21,8 +22,10 @@ QString solverOfProject(const QString& path);
 
 // Writes the project by an atomic write (disk/AtomicFile.h). Does not check whether others have
 // changed the file; ProjectFile does. Returns the version of the new contents. Throws Error (not
-// writable, disk full, or too large to be read again). `beforeReplacing`: as in replaceFile().
+// writable, disk full, or too large to be read again). Throws Cancelled before
+// it replaces the file. `beforeReplacing`: as in replaceFile().
 FileVersion saveProject(const Project& project, const QString& path,
-                        const std::function<void()>& beforeReplacing = {});
+                        const std::function<void()>& beforeReplacing = {},
+                        const Progress& progress = {});
 
 } // namespace dipwright

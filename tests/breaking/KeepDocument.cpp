@@ -42,12 +42,17 @@ void change(Document& document) {
                   [](Project& project) { project.film.swellX = 1.125; });
 }
 
+void saveNow(Document& document) {
+    const DocumentSnapshot snapshot = document.beginSave();
+    document.endSave(snapshot, snapshot.write({}));
+}
+
 void save(const QString& job) {
     const FileVersion version = FileVersion::of(job);
     Document document(loadProject(job), job, version);
     document.lock();
     change(document);
-    document.save();
+    saveNow(document);
 }
 
 void keep(const QString& job, const QString& folder) {
@@ -55,6 +60,7 @@ void keep(const QString& job, const QString& folder) {
     AutoSaver saver(document, folder);
     change(document);
     saver.keepNow();
+    saver.waitForCopy();
     if (QDir(folder, QStringLiteral("*.dipw")).isEmpty()) {
         throw Error(QStringLiteral("Nothing was kept"), folder);
     }
@@ -94,7 +100,8 @@ void cycle(const QString& job, const QString& folder, int number) {
     document.edit(QStringLiteral("Swell"), {},
                   [&](Project& project) { project.film.swellX = 1 + 0.01 * (number % 9 + 1); });
     saver.keepNow();
-    document.save();
+    saver.waitForCopy();
+    saveNow(document);
     exportResults(job, folder + QStringLiteral("/out"));
 }
 

@@ -114,27 +114,64 @@ QString Document::title() const {
     return path_.isEmpty() ? project_.name : oneLine(QFileInfo(path_).completeBaseName());
 }
 
-void Document::save() {
-    replaceProject(project_, path_, version_);
-    setSaved();
+FileVersion DocumentSnapshot::write(const Progress& progress) const {
+    if (!replaced) {
+        return saveProject(project, path, {}, progress);
+    }
+    FileVersion version = *replaced;
+    replaceProject(project, path, version, progress);
+    return version;
 }
 
-void Document::saveAs(const QString& path) {
+// Marks the state as saved at once, because the undo stack can only mark its current state, and
+// must not merge later edits into it. isModified() stays true until the save has ended.
+DocumentSnapshot Document::snapshotForSave(const QString& path) {
+    endDrag();
+    const bool wasSaved = undoStack_.isClean();
+    isSaving_ = true;
+    undoStack_.setClean();
+    emit fileChanged();
+    return {project_, path, {}, nullptr, wasSaved};
+}
+
+DocumentSnapshot Document::beginSave() {
+    DocumentSnapshot snapshot = snapshotForSave(path_);
+    snapshot.replaced = version_;
+    return snapshot;
+}
+
+DocumentSnapshot Document::beginSaveAs(const QString& path) {
     if (path == path_) {
-        version_ = saveProject(project_, path);
-    } else {
-        auto lock = std::make_unique<FileLock>();
-        const LockState state = lock->acquire(path);
-        if (!state.acquired) {
-            throw Error(tr("The project is open elsewhere (%1); choose another name")
-                            .arg(holderText(state)),
-                        path);
-        }
-        version_ = saveProject(project_, path);
-        path_ = path;
-        lock_ = std::move(lock);
+        return snapshotForSave(path);
     }
-    setSaved();
+    auto lock = std::make_shared<FileLock>();
+    const LockState state = lock->acquire(path);
+    if (!state.acquired) {
+        throw Error(
+            tr("The project is open elsewhere (%1); choose another name").arg(holderText(state)),
+            path);
+    }
+    DocumentSnapshot snapshot = snapshotForSave(path);
+    snapshot.lock = std::move(lock);
+    return snapshot;
+}
+
+void Document::endSave(const DocumentSnapshot& saved, const FileVersion& version) {
+    version_ = version;
+    path_ = saved.path;
+    if (saved.lock) {
+        lock_ = saved.lock;
+    }
+    isSaving_ = recovered_ = isFileMissing_ = false;
+    emit fileChanged();
+}
+
+void Document::dropSave(const DocumentSnapshot& dropped) {
+    isSaving_ = false;
+    if (!dropped.wasSaved) {
+        undoStack_.resetClean();
+    }
+    emit fileChanged();
 }
 
 void Document::checkFile() {
@@ -142,12 +179,6 @@ void Document::checkFile() {
     if (std::exchange(isFileMissing_, isMissing) != isMissing) {
         emit fileChanged();
     }
-}
-
-void Document::setSaved() {
-    recovered_ = isFileMissing_ = false;
-    undoStack_.setClean();
-    emit fileChanged();
 }
 
 void Document::setResult(std::shared_ptr<const JobResult> result) {

@@ -1,7 +1,8 @@
 // One open document: its project, undo steps and file, its last result, and which results are out
-// of date. No widgets. UI thread only.
+// of date. No widgets. UI thread only, except DocumentSnapshot::write().
 #pragma once
 
+#include "base/Progress.h"
 #include "disk/FileLock.h"
 #include "disk/FileVersion.h"
 #include "pipeline/JobResult.h"
@@ -26,6 +27,20 @@ struct Freshness {
 
 // Returns which steps have the same inputs now as then.
 Freshness freshness(const SheetInputs& then, const SheetInputs& now);
+
+// The state of a document that is being saved. Changes of the document do not affect it.
+struct DocumentSnapshot {
+    Project project;
+    QString path;
+    std::optional<FileVersion> replaced; // only this version is replaced; none: any version
+    std::shared_ptr<FileLock> lock;      // of a new path; null: the document holds the lock
+    bool wasSaved = false;               // also before this save
+
+    // Writes the file and returns its version. Any thread. Throws ChangedFile if the file has
+    // another version than `replaced`. Throws Error if it cannot be written, and Cancelled. After
+    // an exception, the file is unchanged.
+    FileVersion write(const Progress& progress) const;
+};
 
 class Document : public QObject {
     Q_OBJECT
@@ -56,7 +71,7 @@ public:
     QString title() const; // the file's name, else the project's name
     bool isModified() const {
         return (path_.isEmpty() && !markedUnmodified_) || recovered_ || isFileMissing_ || drag_ ||
-               !undoStack_.isClean();
+               isSaving_ || !undoStack_.isClean();
     }
     // Looks whether the file still exists. A document whose file is missing counts as modified.
     void checkFile();
@@ -70,13 +85,17 @@ public:
     }
     // Takes the lock of the file if it is free. Returns the state in which it found the lock.
     LockState lock() { return lock_->acquire(path_); }
-    // Throws ChangedFile if another program has written the file since version(). Throws Error if
-    // the file cannot be written. After an exception, file and document are unchanged.
-    void save();
-    // Saves to `path` and replaces an existing file. Throws Error if the file cannot be written or
-    // is open elsewhere. With the document's own path, overwrites even what another program has
-    // written.
-    void saveAs(const QString& path);
+    // A save has three steps: beginSave() or beginSaveAs(), DocumentSnapshot::write(), and
+    // endSave() or dropSave(). Only one save at a time. The document may be edited meanwhile, and
+    // counts as modified. beginSave() ends a drag. A dropped save changes nothing, except that the
+    // document then stays modified even if the user goes back to the state in the file.
+    DocumentSnapshot beginSave(); // to the document's own path
+    // To `path`, which replaces an existing file. With the document's own path, overwrites even
+    // what another program has written. Throws Error if the file is open elsewhere.
+    DocumentSnapshot beginSaveAs(const QString& path);
+    // `version`: of the written file.
+    void endSave(const DocumentSnapshot& saved, const FileVersion& version);
+    void dropSave(const DocumentSnapshot& dropped);
 
     // Returns whether the user chose this file or allowed to read it. False for paths that came
     // with the project file, because a stranger may have written that file.
@@ -105,17 +124,17 @@ private:
     };
     void goTo(const Project& project); // by an undo step; a drag that has not ended is dropped
     void showProject(const Project& project);
-    void setSaved();
+    DocumentSnapshot snapshotForSave(const QString& path);
 
     Project project_;
     QString path_;
     QUndoStack undoStack_;
     int mergeRound_ = 0;
     std::optional<Drag> drag_; // none: nothing is dragged
-    bool recovered_ = false, markedUnmodified_ = false, isFileMissing_ = false;
+    bool recovered_ = false, markedUnmodified_ = false, isFileMissing_ = false, isSaving_ = false;
     FileVersion version_;
     QStringList untrusted_; // paths of files
-    std::unique_ptr<FileLock> lock_ = std::make_unique<FileLock>();
+    std::shared_ptr<FileLock> lock_ = std::make_shared<FileLock>();
     std::shared_ptr<const JobResult> result_;
 };
 

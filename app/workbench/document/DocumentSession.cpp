@@ -1,5 +1,7 @@
 #include "workbench/document/DocumentSession.h"
 
+#include "base/Error.h"
+#include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 #include "workbench/document/ModelImport.h"
 #include "workbench/document/RecentProjects.h"
@@ -28,6 +30,31 @@ ReadProject projectFrom(const QString& path, const QString& file,
     progress.cancelToken.throwIfCancelled();
     return read;
 }
+
+// Writes a snapshot of a document.
+class SaveJob : public Job {
+public:
+    // `version`: of the written file; none: not written. `failure`: null if the job succeeded or
+    // was cancelled.
+    using Ended = std::function<void(const DocumentSnapshot& snapshot,
+                                     const std::optional<FileVersion>& version,
+                                     const std::exception_ptr& failure)>;
+
+    SaveJob(DocumentSnapshot snapshot, Ended ended)
+        : snapshot_(std::move(snapshot)), ended_(std::move(ended)) {}
+
+    QString title() const override { return DocumentSession::tr("Saving the project"); }
+    void process(const Progress& progress) override { version_ = snapshot_.write(progress); }
+    // A file that was written before the user cancelled counts as saved.
+    void finalize(bool, std::exception_ptr failure) override {
+        ended_(snapshot_, version_, failure);
+    }
+
+private:
+    DocumentSnapshot snapshot_;
+    Ended ended_;
+    std::optional<FileVersion> version_;
+};
 
 } // namespace
 
@@ -153,21 +180,68 @@ void DocumentSession::restore(const RecoveredDocument& recovered) {
             }
             document->setRecovered();
             take(std::move(document));
-            if (autoSaver_->keepNow()) { // else the old copy is the only one
-                discardRecovered(recovered);
-            }
+            autoSaver_->continueCopy(recovered);
             messages_.log(tr("Restored unsaved changes of %1").arg(recovered.name));
         });
 }
 
 void DocumentSession::save() {
-    document_->save();
-    reportSaved(document_->path());
+    startSave([this] { return document_->beginSave(); });
 }
 
 void DocumentSession::saveAs(const QString& path) {
-    document_->saveAs(path);
-    reportSaved(path);
+    startSave([this, path] { return document_->beginSaveAs(path); });
+}
+
+void DocumentSession::startSave(const std::function<DocumentSnapshot()>& begin) {
+    if (isSaving()) {
+        nextSave_ = [this, begin] { startSave(begin); };
+        return;
+    }
+    try {
+        saves_.start(std::make_unique<SaveJob>(
+            begin(), [this](const auto& snapshot, const auto& written, const auto& failure) {
+                endSave(snapshot, written, failure);
+            }));
+    } catch (const Error&) {
+        messages_.fail(tr("Save"), std::current_exception());
+    }
+}
+
+void DocumentSession::cancelSave() {
+    nextSave_ = {};
+    saves_.cancelAll();
+}
+
+void DocumentSession::endSave(const DocumentSnapshot& snapshot,
+                              const std::optional<FileVersion>& written,
+                              const std::exception_ptr& failure) {
+    const std::function<void()> next = std::exchange(nextSave_, {});
+    if (!written) {
+        document_->dropSave(snapshot);
+        reportNotSaved(snapshot.path, failure);
+        return;
+    }
+    document_->endSave(snapshot, *written);
+    if (document_->isModified()) {
+        autoSaver_->keepNow(); // the last copy may be older than the file
+    }
+    reportSaved(snapshot.path);
+    if (next) {
+        next();
+    }
+}
+
+void DocumentSession::reportNotSaved(const QString& path, const std::exception_ptr& failure) {
+    try {
+        if (failure) {
+            std::rethrow_exception(failure);
+        }
+    } catch (const ChangedFile&) {
+        emit fileWasChanged(path);
+    } catch (...) {
+        messages_.fail(tr("Save"), failure);
+    }
 }
 
 void DocumentSession::reportSaved(const QString& path) {

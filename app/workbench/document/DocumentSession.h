@@ -1,6 +1,7 @@
 // Manages the document of one window: opens, imports, restores and saves it, and keeps copies of
-// its unsaved changes. Reads on the worker thread; reports success by signals and failure by
-// messages. UI thread only.
+// its unsaved changes. Reads on the worker thread. Saves on a thread of its own, because a run may
+// keep the worker thread busy for hours. Reports success by signals and failure by messages. UI
+// thread only.
 #pragma once
 
 #include "import/trusted/ImportModel.h"
@@ -47,14 +48,21 @@ public:
                      const std::function<void(Project&)>& complete = {}, bool runs = false);
     void restore(const RecoveredDocument& recovered); // call it only without a document
 
-    void save(); // throws as Document::save() does
-    // Throws as Document::saveAs() does.
-    void saveAs(const QString& path);
-    void discardChanges(); // deletes the copy of unsaved changes
+    // Begin to save the current state of the document, which may be edited meanwhile. During a
+    // save, the next one waits until the first has succeeded, and then saves the state of that
+    // time.
+    void save();
+    void saveAs(const QString& path); // overwrites a file, even one that others have changed
+    bool isSaving() const { return saves_.isBusy(); }
+    void cancelSave();
+    const JobRunner& saves() const { return saves_; } // idle when the last save has ended
+    void discardChanges();                            // deletes the copy of unsaved changes
 
 signals:
     void documentChanged(); // the old document is deleted after this signal
     void saved(const QString& path);
+    // Another program has changed the file since it was read, so save() has not replaced it.
+    void fileWasChanged(const QString& path);
     void implausibleLengthFound(double millimetres); // the imported body is very long or short
     void runAsked();                                 // for a new project
 
@@ -62,7 +70,11 @@ private:
     // On failure, reports to `teller` and calls `failed`.
     void readProject(const QString& file, Messages& teller, const std::function<void()>& failed);
     bool lockOrAsk(Document& document);
+    void startSave(const std::function<DocumentSnapshot()>& begin);
+    void endSave(const DocumentSnapshot& snapshot, const std::optional<FileVersion>& written,
+                 const std::exception_ptr& failure);
     void reportSaved(const QString& path);
+    void reportNotSaved(const QString& path, const std::exception_ptr& failure);
     void take(std::unique_ptr<Document> document);
     DocumentSession& emptySession();
 
@@ -73,6 +85,8 @@ private:
     int autosaveSeconds_ = 20;
     std::unique_ptr<Document> document_;
     std::unique_ptr<AutoSaver> autoSaver_;
+    std::function<void()> nextSave_; // waits for the end of a save; empty: none
+    JobRunner saves_;                // destroyed first: saves report to the members above
 };
 
 } // namespace dipwright

@@ -74,12 +74,13 @@ void discardRecovered(const RecoveredDocument& recovered) {
 }
 
 AutoSaver::AutoSaver(Document& document, const QString& folder, QObject* parent)
-    : QObject(parent), document_(document), folder_(folder),
-      name_(QUuid::createUuid().toString(QUuid::WithoutBraces)) {
+    : QObject(parent), document_(document),
+      copy_(folder + QLatin1Char('/') + QUuid::createUuid().toString(QUuid::WithoutBraces) +
+            QStringLiteral(".dipw")) {
     writer_.setMaxThreadCount(1);
     timer_.setSingleShot(true);
     setInterval(defaultIntervalSeconds);
-    connect(&timer_, &QTimer::timeout, this, &AutoSaver::write);
+    connect(&timer_, &QTimer::timeout, this, &AutoSaver::keepNow);
     connect(&document, &Document::projectChanged, this, &AutoSaver::scheduleCopy);
     connect(&document, &Document::fileChanged, this, [this] {
         if (document_.isModified()) {
@@ -94,7 +95,7 @@ AutoSaver::AutoSaver(Document& document, const QString& folder, QObject* parent)
 }
 
 AutoSaver::~AutoSaver() {
-    writer_.waitForDone();
+    waitForCopy();
 }
 
 void AutoSaver::setInterval(int seconds) {
@@ -107,50 +108,61 @@ void AutoSaver::scheduleCopy() {
     }
 }
 
-QString AutoSaver::file(const char* extension) const {
-    return folder_ + QLatin1Char('/') + name_ + QLatin1String(extension);
-}
-
-bool AutoSaver::keepNow() {
-    timer_.stop();
-    write();
+bool AutoSaver::waitForCopy() {
     writer_.waitForDone();
     return isKept_;
 }
 
-void AutoSaver::write() {
-    QDir().mkpath(folder_);
-    if (!lock_) {
-        lock_ = std::make_unique<FileLock>();
-        lock_->acquire(file(".dipw"));
+void AutoSaver::continueCopy(const RecoveredDocument& restored) {
+    timer_.stop();
+    copy_ = restored.copy;
+    lockCopy();
+}
+
+void AutoSaver::lockCopy() {
+    if (!lock_.isHeld()) {
+        lock_.acquire(copy_);
     }
+}
+
+void AutoSaver::keepNow() {
+    timer_.stop();
     const QJsonObject description{
         {QStringLiteral("original"), document_.path()},
         {QStringLiteral("name"), document_.title()},
         {QStringLiteral("version"), document_.version().text()},
     };
-    writer_.start([this, project = document_.project(), description, copy = file(".dipw"),
-                   about = file(".json")] {
-        try {
-            writeAtomically(about, [&](QIODevice& device) {
-                device.write(QJsonDocument(description).toJson());
-            });
-            saveProject(project, copy);
-            isKept_ = true;
-        } catch (const Error& error) {
-            if (isKept_.exchange(false)) {
-                emit failed(error.sentence());
-            }
+    writing_ = {};
+    writer_.start([this, project = document_.project(), bytes = QJsonDocument(description).toJson(),
+                   cancelToken = writing_] { writeCopy(project, bytes, cancelToken); });
+}
+
+void AutoSaver::writeCopy(const Project& project, const QByteArray& description,
+                          const CancelToken& cancelToken) {
+    try {
+        QDir().mkpath(QFileInfo(copy_).path());
+        lockCopy();
+        writeAtomically(besides(copy_, ".json"),
+                        [&](QIODevice& device) { device.write(description); });
+        saveProject(project, copy_, {}, {nullptr, cancelToken});
+        isKept_ = true;
+    } catch (const Cancelled&) {
+        return; // the copy is about to be removed
+    } catch (const Error& error) {
+        if (isKept_.exchange(false)) {
+            emit failed(error.sentence());
         }
-    });
+    }
 }
 
 void AutoSaver::discard() {
     timer_.stop();
-    writer_.waitForDone();
-    QFile::remove(file(".dipw"));
-    QFile::remove(file(".json"));
-    lock_.reset();
+    writing_.cancel();
+    writer_.start([this] {
+        QFile::remove(copy_);
+        QFile::remove(besides(copy_, ".json"));
+        lock_.release();
+    });
 }
 
 } // namespace dipwright

@@ -5,6 +5,7 @@
 // when the document is saved or its changes are discarded.
 #pragma once
 
+#include "base/Progress.h"
 #include "disk/FileLock.h"
 #include "disk/FileVersion.h"
 
@@ -19,6 +20,7 @@
 namespace dipwright {
 
 class Document;
+struct Project;
 
 struct RecoveredDocument {
     QString copy;     // the recovery file
@@ -35,19 +37,26 @@ void discardRecovered(const RecoveredDocument& recovered);
 // Returns the default folder for copies.
 QString recoveryFolder();
 
-// Writes the copy of one document after changes, at most once per interval, on its own thread.
+// Writes the copy of one document after changes, at most once per interval. Writes and removes on
+// its own thread.
 class AutoSaver : public QObject {
     Q_OBJECT
 
 public:
     AutoSaver(Document& document, const QString& folder, QObject* parent = nullptr);
-    ~AutoSaver() override; // waits for a write; the copy stays if edits are unsaved
+    ~AutoSaver() override; // waits as waitForCopy(); the copy stays if edits are unsaved
 
     void setInterval(int seconds);
-    // Writes the copy now and waits for it. Returns false if it cannot be written.
-    bool keepNow();
-    // Removes the copy. Call it when the changes are saved or discarded.
+    // Uses the copy of the restored document from now on. It already has the unsaved changes. Call
+    // this before the first write.
+    void continueCopy(const RecoveredDocument& restored);
+    // Begins to write the copy.
+    void keepNow();
+    // Begins to remove the copy, and cancels a write. Call it when the changes are saved or
+    // discarded.
     void discard();
+    // Waits until the copy is written or removed. Returns false if it could not be written.
+    bool waitForCopy();
 
 signals:
     // The copy cannot be written; `why` is a sentence. Emitted only for the first failure after a
@@ -56,13 +65,15 @@ signals:
 
 private:
     void scheduleCopy();
-    void write();
-    QString file(const char* extension) const;
+    void lockCopy();
+    void writeCopy(const Project& project, const QByteArray& description,
+                   const CancelToken& cancelToken);
 
     Document& document_;
-    QString folder_, name_;
-    std::unique_ptr<FileLock> lock_;
+    QString copy_;
+    FileLock lock_; // of the copy; used by the writer's thread
     QTimer timer_;
+    CancelToken writing_;             // cancels the last write
     std::atomic<bool> isKept_ = true; // also true before the first write
     QThreadPool writer_;
 };

@@ -13,11 +13,14 @@
 #include "workbench/project/NewProjectDialog.h"
 
 #include <QDir>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTimer>
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace dipwright {
@@ -39,6 +42,8 @@ DocumentController::DocumentController(const WindowActions& actions, DocumentSes
     on(actions.newProject, [this] { askNew(); });
     on(actions.open, &DocumentController::askOpen);
     connect(&session, &DocumentSession::runAsked, actions.run, &QAction::trigger);
+    connect(&session, &DocumentSession::fileWasChanged, this,
+            &DocumentController::askToReplaceChanged);
     on(actions.save, &DocumentController::save);
     on(actions.saveAs, &DocumentController::saveAs);
     connect(&session, &DocumentSession::saved, this, [this] {
@@ -101,23 +106,15 @@ bool DocumentController::askToOpenLocked(const Document& document, const LockSta
     return question.clickedButton() == anyway;
 }
 
-bool DocumentController::save() {
-    const QString path = session_.document()->path();
-    if (path.isEmpty()) {
-        return saveAs();
-    }
-    try {
+void DocumentController::save() {
+    if (session_.document()->path().isEmpty()) {
+        saveAs();
+    } else {
         session_.save();
-    } catch (const ChangedFile&) {
-        return askToReplaceChanged(path);
-    } catch (const Error&) {
-        messages_.fail(tr("Save"), std::current_exception());
-        return false;
     }
-    return true;
 }
 
-bool DocumentController::askToReplaceChanged(const QString& path) {
+void DocumentController::askToReplaceChanged(const QString& path) {
     QMessageBox question(
         QMessageBox::Warning, tr("Project changed by another program"),
         tr("Another program has saved “%1” since you opened it.").arg(session_.document()->title()),
@@ -131,29 +128,22 @@ bool DocumentController::askToReplaceChanged(const QString& path) {
     question.setDefaultButton(another);
     question.exec();
     if (question.clickedButton() == another) {
-        return saveAs();
+        saveAs();
+    } else if (question.clickedButton() == overwrite) {
+        session_.saveAs(path);
     }
-    return question.clickedButton() == overwrite && saveTo(path);
 }
 
-bool DocumentController::saveAs() {
+void DocumentController::saveAs() {
     const Document& document = *session_.document();
     QFileDialog dialog(&window_, tr("Save project"), {}, projectFileFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QStringLiteral("dipw"));
     dialog.selectFile(document.path().isEmpty() ? document.project().name + QStringLiteral(".dipw")
                                                 : document.path());
-    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().first());
-}
-
-bool DocumentController::saveTo(const QString& path) {
-    try {
-        session_.saveAs(path);
-    } catch (const Error&) {
-        messages_.fail(tr("Save"), std::current_exception());
-        return false;
+    if (dialog.exec() == QDialog::Accepted) {
+        session_.saveAs(dialog.selectedFiles().first());
     }
-    return true;
 }
 
 void DocumentController::checkFile() {
@@ -171,7 +161,37 @@ void DocumentController::checkFile() {
     }
 }
 
+void DocumentController::waitBrieflyForSave() {
+    constexpr std::chrono::milliseconds brief{300}; // a message shown for less only flashes
+    QEventLoop loop;
+    connect(&session_.saves(), &JobRunner::idle, &loop, &QEventLoop::quit);
+    QTimer::singleShot(brief, &loop, &QEventLoop::quit);
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+}
+
+bool DocumentController::waitForSave() {
+    if (!session_.isSaving()) {
+        return true;
+    }
+    waitBrieflyForSave();
+    QMessageBox waiting(QMessageBox::Information, tr("Saving"),
+                        tr("“%1” is being saved. The window closes when the project is saved.")
+                            .arg(session_.document()->title()),
+                        QMessageBox::Cancel, &window_);
+    waiting.setInformativeText(
+        tr("If you cancel, the window stays open. The project is saved in any case."));
+    waiting.setObjectName(QStringLiteral("savingMessage"));
+    connect(&session_.saves(), &JobRunner::idle, &waiting, &QDialog::accept);
+    while (session_.isSaving() && !waiting.clickedButton()) {
+        waiting.exec();
+    }
+    return !waiting.clickedButton();
+}
+
 bool DocumentController::mayClose() {
+    if (!waitForSave()) {
+        return false;
+    }
     checkFile();
     const Document* document = session_.document();
     if (!document || !document->isModified()) {
@@ -187,7 +207,8 @@ bool DocumentController::mayClose() {
     question.setDefaultButton(QMessageBox::Save);
     switch (question.exec()) {
     case QMessageBox::Save:
-        return save();
+        save();
+        return waitForSave() && !document->isModified();
     case QMessageBox::Discard:
         session_.discardChanges();
         return true;

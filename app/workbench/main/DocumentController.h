@@ -24,12 +24,11 @@ public:
     void askOpen();
     // Asks whether to open `document` although `holder` already has it open.
     bool askToOpenLocked(const Document& document, const LockState& holder);
-    bool save();   // false: the document was not saved
-    bool saveAs(); // false: the document was not saved
+    void save();
+    void saveAs();
+    // Waits for the end of a save, and asks whether to save unsaved changes.
     bool mayClose();
     void checkFile(); // tells the user if another program has deleted the document's file
-    // Another program has changed the file. Returns whether the document was saved anyway.
-    bool askToReplaceChanged(const QString& path);
     void fillRecentMenu(QMenu& menu);
     void showSnapshots();
     void packJobs();
@@ -40,7 +39,10 @@ signals:
     void textureDropped(const QString& path); // on the open document
 
 private:
-    bool saveTo(const QString& path);
+    void askToReplaceChanged(const QString& path); // another program has changed the file
+    void waitBrieflyForSave();
+    // Waits until no save runs. Returns false if the user no longer wants to close the window.
+    bool waitForSave();
     void takeFile(const QUrl& file);
 
     DocumentSession& session_;

@@ -46,7 +46,7 @@ MainWindow::MainWindow(Workbench& workbench)
       toleranceCheck_(jobs_, workbench.registry(), messages_),
       deeperFilm_(jobs_, workbench.registry(), messages_), layout_(*this, workbench.registry()),
       parts_(layout_.parts()), actions_(*this), shownMessages_(messages_, parts_, *this),
-      status_(new StatusLine(*statusBar(), jobs_, *actions_.cancel)),
+      status_(new StatusLine(*statusBar(), jobs_, *actions_.cancel, documents_.saves())),
       placeWarning_(session_, *status_), scene_(*parts_.view),
       playback_(session_, *parts_.view, scene_, *parts_.timeline),
       reader_(session_, *parts_.view, scene_, *parts_.results),
@@ -206,6 +206,7 @@ void MainWindow::connectSession() {
         parts_.tree->select({ProjectPart::Immersion, immersion});
         updateActions();
     });
+    connect(status_, &StatusLine::saveCancelled, &documents_, &DocumentSession::cancelSave);
     connect(status_, &StatusLine::warningClicked, this, [this] {
         parts_.tree->select({ProjectPart::Immersion, session_.immersion()});
     });

@@ -1,12 +1,11 @@
 #include "workbench/main/StatusLine.h"
 
 #include "workbench/jobs/JobRunner.h"
-#include "workbench/jobs/TimeLeft.h"
+#include "workbench/main/JobIndicator.h"
 #include "workbench/widgets/Icons.h"
 
 #include <QAction>
 #include <QLabel>
-#include <QProgressBar>
 #include <QStatusBar>
 #include <QToolButton>
 
@@ -14,14 +13,29 @@ namespace dipwright {
 
 namespace {
 
-constexpr int progressSteps = 1000;
+constexpr int jobWidth = 200, saveWidth = 100; // of the progress bars, in pixels
 constexpr std::chrono::seconds answerTime{15}; // time for a cancelled job to end
 
 } // namespace
 
-StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
-    : QObject(&bar), reading_(new QLabel), warning_(new QToolButton), job_(new QLabel),
-      progress_(new QProgressBar), timeLeft_(new QLabel), cancel_(new QToolButton) {
+StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel,
+                       const JobRunner& saves)
+    : QObject(&bar), reading_(new QLabel), warning_(new QToolButton) {
+    addReading(bar);
+    addSaves(bar, saves);
+    job_ = new JobIndicator(bar, jobs, cancel, QStringLiteral("progress"), jobWidth);
+    unanswered_.setSingleShot(true);
+    unanswered_.setInterval(answerTime);
+    connect(&cancel, &QAction::triggered, &unanswered_, qOverload<>(&QTimer::start));
+    connect(&jobs, &JobRunner::started, &unanswered_, &QTimer::stop);
+    connect(&jobs, &JobRunner::idle, &unanswered_, &QTimer::stop);
+    connect(&unanswered_, &QTimer::timeout, this, [this] {
+        job_->setText(
+            tr("The job does not respond. Save your work, then close the window to end the job."));
+    });
+}
+
+void StatusLine::addReading(QStatusBar& bar) {
     reading_->setObjectName(QStringLiteral("reading"));
     reading_->setAccessibleName(tr("Value under the cursor"));
     reading_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -32,42 +46,16 @@ StatusLine::StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel)
     warning_->setAutoRaise(true);
     connect(warning_, &QToolButton::clicked, this, &StatusLine::warningClicked);
     warning_->hide();
-    progress_->setObjectName(QStringLiteral("progress"));
-    progress_->setAccessibleName(tr("Progress"));
-    progress_->setRange(0, progressSteps);
-    progress_->setFixedWidth(200);
-    progress_->setTextVisible(false);
-    timeLeft_->setObjectName(QStringLiteral("timeLeft"));
-    timeLeft_->setToolTip(tr("Estimated from the progress of the job."));
-    cancel_->setDefaultAction(&cancel);
-    cancel_->setAutoRaise(true);
     bar.addWidget(reading_, 1);
     bar.addPermanentWidget(warning_);
-    bar.addPermanentWidget(job_);
-    bar.addPermanentWidget(progress_);
-    bar.addPermanentWidget(timeLeft_);
-    bar.addPermanentWidget(cancel_);
-    showJob(false);
-    unanswered_.setSingleShot(true);
-    unanswered_.setInterval(answerTime);
-    connect(&cancel, &QAction::triggered, &unanswered_, qOverload<>(&QTimer::start));
-    connect(&jobs, &JobRunner::started, &unanswered_, &QTimer::stop);
-    connect(&jobs, &JobRunner::idle, &unanswered_, &QTimer::stop);
-    connect(&unanswered_, &QTimer::timeout, this, [this] {
-        job_->setText(
-            tr("The job does not respond. Save your work, then close the window to end the job."));
-    });
-    connect(new TimeLeft(jobs, this), &TimeLeft::told, timeLeft_, &QLabel::setText);
-    connect(&jobs, &JobRunner::busy, this, [this] { showJob(true); });
-    connect(&jobs, &JobRunner::idle, this, [this] { showJob(false); });
-    connect(&jobs, &JobRunner::started, this, [this](const QString& title) {
-        job_->setText(title);
-        progress_->setValue(0);
-    });
-    connect(&jobs, &JobRunner::progressed, this, [this](double share, const QString& text) {
-        progress_->setValue(int(share * progressSteps));
-        job_->setText(text);
-    });
+}
+
+void StatusLine::addSaves(QStatusBar& bar, const JobRunner& saves) {
+    auto* cancel = new QAction(icon(QStringLiteral("cancel")), tr("Cancel saving"), this);
+    cancel->setObjectName(QStringLiteral("cancelSave"));
+    cancel->setToolTip(tr("Cancel saving. The file stays as it was."));
+    connect(cancel, &QAction::triggered, this, &StatusLine::saveCancelled);
+    new JobIndicator(bar, saves, *cancel, QStringLiteral("saveProgress"), saveWidth);
 }
 
 void StatusLine::setReading(const QString& text) {
@@ -83,13 +71,6 @@ void StatusLine::setWarning(const QString& text) {
 
 void StatusLine::setJob(const QString& text) {
     job_->setText(text);
-}
-
-void StatusLine::showJob(bool shown) {
-    for (QWidget* widget : {static_cast<QWidget*>(job_), static_cast<QWidget*>(progress_),
-                            static_cast<QWidget*>(timeLeft_), static_cast<QWidget*>(cancel_)}) {
-        widget->setVisible(shown);
-    }
 }
 
 } // namespace dipwright

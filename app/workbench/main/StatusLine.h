@@ -1,5 +1,5 @@
-// The line at the bottom of a window: the value under the cursor, the progress of the job, and the
-// time it will still take.
+// The line at the bottom of a window: the value under the cursor, and the progress of the running
+// job and of a save.
 #pragma once
 
 #include <QObject>
@@ -7,19 +7,20 @@
 
 class QAction;
 class QLabel;
-class QProgressBar;
 class QStatusBar;
 class QToolButton;
 
 namespace dipwright {
 
+class JobIndicator;
 class JobRunner;
 
 class StatusLine : public QObject {
     Q_OBJECT
 
 public:
-    StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel); // becomes the bar's child
+    // Becomes the bar's child. `cancel`: cancels the jobs.
+    StatusLine(QStatusBar& bar, const JobRunner& jobs, QAction& cancel, const JobRunner& saves);
 
     void setReading(const QString& text);
     // Shows a warning about the body's place until the next call. Empty: shows none.
@@ -28,16 +29,15 @@ public:
 
 signals:
     void warningClicked();
+    void saveCancelled();
 
 private:
-    void showJob(bool shown);
+    void addReading(QStatusBar& bar);
+    void addSaves(QStatusBar& bar, const JobRunner& saves);
 
     QLabel* reading_;
     QToolButton* warning_;
-    QLabel* job_;
-    QProgressBar* progress_;
-    QLabel* timeLeft_;
-    QToolButton* cancel_;
+    JobIndicator* job_ = nullptr;
     QTimer unanswered_; // starts when a job is cancelled
 };
 

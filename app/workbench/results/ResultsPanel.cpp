@@ -3,6 +3,7 @@
 #include "results/Results.h"
 #include "workbench/accuracy/VerdictPanel.h"
 #include "workbench/results/ReportPanel.h"
+#include "workbench/results/ResultTabs.h"
 #include "workbench/results/StretchPanel.h"
 #include "workbench/widgets/PicturePanel.h"
 
@@ -45,7 +46,8 @@ QString sharesLegend(const JobResult& result) {
 } // namespace
 
 ResultsPanel::ResultsPanel(QWidget* parent)
-    : QTabWidget(parent), numericalError_(new VerdictPanel), stretch_(new StretchPanel),
+    : QTabWidget(parent), tabs_(new ResultTabs), numericalError_(new VerdictPanel),
+      stretch_(new StretchPanel),
       texture_(new PicturePanel(tr("Reverse texture"),
                                 tr("Run the dip to see the image for the film."))),
       proof_(new PicturePanel(tr("Proof"), tr("Run the dip to see the finished part."))),
@@ -53,6 +55,7 @@ ResultsPanel::ResultsPanel(QWidget* parent)
           new PicturePanel(tr("Sheet"), tr("Run the dip to see the page as it will be printed."))),
       report_(new ReportPanel) {
     setObjectName(QStringLiteral("results"));
+    setTabBar(tabs_);
     setDocumentMode(true);
     setUsesScrollButtons(true);
     setMinimumWidth(leastWidth);
@@ -171,15 +174,11 @@ void ResultsPanel::setLengthUnit(LengthUnit unit) {
 }
 
 void ResultsPanel::setFreshness(const Freshness& freshness, bool isJobFresh) {
-    const QString mark = QStringLiteral(" •");
     const std::pair<QWidget*, bool> tabs[] = {
         {numericalError_, isJobFresh}, {stretch_, freshness.dip}, {texture_, freshness.texture},
         {proof_, freshness.texture},   {sheet_, freshness.sheet}, {report_, isJobFresh}};
     for (const auto& [panel, isFresh] : tabs) {
-        const int tab = indexOf(panel);
-        QString text = tabText(tab);
-        text.remove(mark);
-        setTabText(tab, isFresh ? text : text + mark);
+        tabs_->setOutdated(indexOf(panel), !isFresh);
     }
     numericalError_->setFresh(isJobFresh);
 }

@@ -15,6 +15,7 @@ namespace dipwright {
 class VerdictPanel;
 class PicturePanel;
 class ReportPanel;
+class ResultTabs;
 class StretchPanel;
 enum class DraftEnd;
 
@@ -55,6 +56,7 @@ private:
 
     DipOutcome outcome_;
     std::size_t immersion_ = 0;
+    ResultTabs* tabs_;
     LengthUnit unit_ = LengthUnit::Millimetre;
     VerdictPanel* numericalError_;
     StretchPanel* stretch_;

@@ -144,7 +144,7 @@ private slots:
 
         // Save, close, reopen: the same sheets, bit for bit.
         const QString path = folder_.filePath(QStringLiteral("turtle.dipw"));
-        window->documents().saveAs(path);
+        QVERIFY(driver.saveAs(path));
         QVERIFY(!window->isWindowModified());
         QVERIFY(window->close());
         window.reset();
@@ -235,6 +235,30 @@ private slots:
         answerWhenAsked("closeQuestion", QMessageBox::Save);
         QVERIFY(window.close());
         QCOMPARE(loadProject(window.document()->path()).name, QStringLiteral("turtle!"));
+    }
+
+    void close_whileSaving_fileIsComplete() {
+        const QString path = folder_.filePath(QStringLiteral("turtle.dipw"));
+        const auto rename = [](Document& document, const QString& name) {
+            document.edit({}, {}, [&](Project& project) { project.name = name; });
+        };
+        MainWindow window(*workbench_);
+        window.show();
+        WindowDriver driver(window);
+        QVERIFY(driver.open(path));
+        rename(*window.document(), QStringLiteral("First"));
+        driver.trigger("save");
+        QVERIFY(window.documents().isSaving());
+        QVERIFY(window.close()); // no question: nothing was changed since
+        QCOMPARE(loadProject(path).name, QStringLiteral("First"));
+
+        window.show();
+        rename(*window.document(), QStringLiteral("Second"));
+        driver.trigger("save");
+        rename(*window.document(), QStringLiteral("Third"));
+        answerWhenAsked("closeQuestion", QMessageBox::Discard);
+        QVERIFY(window.close());
+        QCOMPARE(loadProject(path).name, QStringLiteral("Second"));
     }
 
     void openProject_damagedFile_namesFile_data() {

@@ -1,6 +1,7 @@
 // Tests the document without a window: undo, freshness, file, lock and recovery.
 #include "workbench/document/Document.h"
 #include "BoxProject.h"
+#include "SaveNow.h"
 #include "disk/FileLock.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
@@ -58,9 +59,9 @@ QByteArray contentsOf(const QString& path) {
 // Saves the document and overwrites changes by others, like the window after "Overwrite".
 void saveAnyway(Document& document, const QString& path) {
     try {
-        document.save();
+        saveNow(document);
     } catch (const ChangedFile&) {
-        document.saveAs(path);
+        saveNow(document, path);
     }
 }
 
@@ -144,7 +145,7 @@ private slots:
     void drag_backToStart_keepsUndoAndRedo() {
         const QTemporaryDir folder;
         Document document(boxProject());
-        document.saveAs(folder.filePath(QStringLiteral("box.dipw")));
+        saveNow(document, folder.filePath(QStringLiteral("box.dipw")));
         setWidth(document, "", 100);
         document.undoStack().undo();
         dragWidth(document, 120);
@@ -324,7 +325,7 @@ private slots:
         const QTemporaryDir folder;
         Document document(boxProject());
         QVERIFY(document.isModified()); // it has no file
-        document.saveAs(folder.filePath(QStringLiteral("box.dipw")));
+        saveNow(document, folder.filePath(QStringLiteral("box.dipw")));
         QVERIFY(!document.isModified());
         QCOMPARE(document.title(), QStringLiteral("box"));
         setWidth(document, "", 100);
@@ -339,24 +340,43 @@ private slots:
         Document document(boxProject());
         document.checkFile();
         QVERIFY(!document.isFileMissing()); // it has none yet
-        document.saveAs(file);
+        saveNow(document, file);
         QVERIFY(QFile::remove(file));
         QSignalSpy changed(&document, &Document::fileChanged);
         document.checkFile();
         document.checkFile();
         QCOMPARE(changed.count(), 1);
         QVERIFY(document.isFileMissing() && document.isModified());
-        document.save();
+        saveNow(document);
         QVERIFY(QFile::exists(file));
         QVERIFY(!document.isFileMissing() && !document.isModified());
     }
 
     void saveAs_folderMissing_documentStaysModified() {
         Document document(boxProject());
-        QVERIFY_EXCEPTION_THROWN(document.saveAs(QStringLiteral("/no/such/folder/box.dipw")),
+        QVERIFY_EXCEPTION_THROWN(saveNow(document, QStringLiteral("/no/such/folder/box.dipw")),
                                  std::exception);
         QVERIFY(document.isModified());
         QVERIFY(document.path().isEmpty());
+    }
+
+    void dropSave_cancelledWhilePacking_keepsFileAndChanges() {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("box.dipw"));
+        Document document(boxProject());
+        saveNow(document, file);
+        const QByteArray saved = contentsOf(file);
+        setWidth(document, "", 123);
+        const DocumentSnapshot snapshot = document.beginSave();
+        Progress progress;
+        progress.report = [&](double, const QString&) { progress.cancelToken.cancel(); };
+        QVERIFY_EXCEPTION_THROWN(snapshot.write(progress), Cancelled);
+        document.dropSave(snapshot);
+        QCOMPARE(contentsOf(file), saved);
+        QVERIFY(document.isModified());
+        saveNow(document);
+        QVERIFY(!document.isModified());
+        QCOMPARE(loadProject(file).film.width.value(), 123);
     }
 
     // A network folder vanishes and comes back, unchanged or empty.
@@ -367,19 +387,20 @@ private slots:
         const QString file = place + QStringLiteral("/job.dipw");
         QVERIFY(QDir().mkpath(place));
         Document document(boxProject());
-        document.saveAs(file);
+        saveNow(document, file);
         AutoSaver saver(document, folder.filePath(QStringLiteral("recovery")));
         setWidth(document, "", 123);
         QVERIFY(QDir().rename(place, away));
-        QVERIFY_EXCEPTION_THROWN(document.save(), Error);
+        QVERIFY_EXCEPTION_THROWN(saveNow(document), Error);
         QVERIFY(document.isModified());
         saver.keepNow();
+        QVERIFY(saver.waitForCopy());
         QCOMPARE(
             QDir(folder.filePath(QStringLiteral("recovery")), QStringLiteral("*.dipw")).count(),
             1u);
         QVERIFY(QDir().rename(away, place));
         QCOMPARE(loadProject(file).film.width.value(), 210);
-        document.save();
+        saveNow(document);
         QVERIFY(!document.isModified());
         QCOMPARE(loadProject(file).film.width.value(), 123);
 
@@ -403,11 +424,12 @@ private slots:
         const QString file = folder.filePath(QStringLiteral("job.dipw"));
         const QString kept = folder.filePath(QStringLiteral("recovery"));
         Document document(boxProject());
-        document.saveAs(file);
+        saveNow(document, file);
         const QByteArray saved = contentsOf(file);
         auto saver = std::make_unique<AutoSaver>(document, kept);
         setWidth(document, "", 123);
         saver->keepNow();
+        QVERIFY(saver->waitForCopy());
         // A crash leaves the recovery files without their lock. Imitates this by copying them.
         const QString left = folder.filePath(QStringLiteral("left"));
         QVERIFY(QDir().mkpath(left));
@@ -440,22 +462,22 @@ private slots:
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("box.dipw"));
         Document document(boxProject());
-        document.saveAs(path);
+        saveNow(document, path);
         setWidth(document, "", 123);
-        document.save(); // may overwrite the file, because only this document has changed it
+        saveNow(document); // may overwrite the file, because only this document has changed it
         Project theirs = boxProject();
         theirs.name = QStringLiteral("Theirs");
         saveProject(theirs, path);
         setWidth(document, "", 124);
-        QVERIFY_EXCEPTION_THROWN(document.save(), ChangedFile);
+        QVERIFY_EXCEPTION_THROWN(saveNow(document), ChangedFile);
         QVERIFY(document.isModified());
         QCOMPARE(loadProject(path).name, QStringLiteral("Theirs"));
-        document.saveAs(path); // the user chose to overwrite
+        saveNow(document, path); // the user chose to overwrite
         QCOMPARE(loadProject(path).film.width.value(), 124.0);
         setWidth(document, "", 125);
-        document.save();
+        saveNow(document);
         Document other(boxProject());
-        QVERIFY_EXCEPTION_THROWN(other.saveAs(path), Error); // the other document has it open
+        QVERIFY_EXCEPTION_THROWN(saveNow(other, path), Error); // the other document has it open
     }
 
     void fileLock_leftByCrash_isTakenOver() {
@@ -476,6 +498,7 @@ private slots:
             AutoSaver saver(document, folder.path());
             setWidth(document, "", 123);
             saver.keepNow();
+            QVERIFY(saver.waitForCopy());
             QVERIFY(
                 findRecoveredDocuments(folder.path()).empty()); // this process still has it open
         }
@@ -494,7 +517,8 @@ private slots:
         {
             AutoSaver saver(document, folder.filePath(QStringLiteral("recovery")));
             saver.keepNow();
-            document.saveAs(folder.filePath(QStringLiteral("box.dipw")));
+            QVERIFY(saver.waitForCopy());
+            saveNow(document, folder.filePath(QStringLiteral("box.dipw")));
         }
         QVERIFY(findRecoveredDocuments(folder.filePath(QStringLiteral("recovery"))).empty());
     }

@@ -397,10 +397,9 @@ private slots:
     }
 
     void printHistory_openProject_opensProjectOfSheet() {
-        const WindowDriver driver(*window_);
         QVERIFY(makeProject());
         const QString path = folder_.filePath(QStringLiteral("shelf.dipw"));
-        window_->documents().saveAs(path);
+        QVERIFY(WindowDriver(*window_).saveAs(path));
         PrintRecord record;
         record.job = QStringLiteral("0123456789ab");
         record.source = printSource(window_->document()->project(), path);

@@ -205,11 +205,13 @@ private slots:
     }
 
     void tryPose_errorTooLarge_isRefinedOnlyWhenRunAgain() {
-        WindowDriver(*window_).action("live")->setChecked(false);
+        const WindowDriver driver(*window_);
+        driver.action("live")->setChecked(false);
         limitError();
         session().run(1000, DipReach::Unrefined);
         QTRY_VERIFY_WITH_TIMEOUT(document().isFresh() && !session().isRunning(), patience());
-        QTest::qWait(100);
+        QTRY_VERIFY_WITH_TIMEOUT(!driver.action("cancel")->isEnabled(), patience()); // idle
+        QCoreApplication::processEvents(); // a refinement would begin now
         QVERIFY(!session().isRunning() && session().canRefine());
         session().run(1000, DipReach::Unrefined);
         QVERIFY(!session().isRunning());

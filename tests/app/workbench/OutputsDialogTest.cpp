@@ -2,6 +2,7 @@
 #include "workbench/outputs/OutputsDialog.h"
 #include "CliProcess.h"
 #include "Patience.h"
+#include "SaveNow.h"
 #include "TestFolders.h"
 #include "pipeline/Pipeline.h"
 #include "project/ProjectStore.h"
@@ -131,7 +132,7 @@ private slots:
             dialog.findChild<QPushButton*>("saveOutputSet")->click();
         }
         QVERIFY(document_->undoStack().canUndo());
-        document_->saveAs(job_);
+        saveNow(*document_, job_);
         QVERIFY(document_->isFresh()); // a set changes no result
         const test::Outcome run = test::cli({"run", job_, "--out", target("ana"), "--outputs",
                                              "for ana", "--no-certainty", "--quiet"});

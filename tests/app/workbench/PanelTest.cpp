@@ -30,6 +30,7 @@
 #include <QSet>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTabBar>
 #include <QTest>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -578,21 +579,25 @@ private slots:
 
     void resultsPanel_jobOutdated_marksVerdictAndReport() {
         ResultsPanel panel;
-        const auto marked = [&panel] {
+        const QTabBar& bar = *panel.tabBar();
+        const QString help = bar.tabToolTip(0);
+        const auto marked = [&] {
             QStringList tabs;
             for (int tab = 0; tab < panel.count(); ++tab) {
-                if (panel.tabText(tab).contains(u'•')) {
-                    tabs << panel.tabText(tab).chopped(2);
+                if (bar.accessibleTabName(tab).contains(QStringLiteral("out of date"))) {
+                    tabs << panel.tabText(tab);
                 }
             }
             return tabs;
         };
         panel.setFreshness({false, false, false}, false);
         QCOMPARE(marked().size(), panel.count());
+        QVERIFY(bar.tabToolTip(0) != help);
         panel.setFreshness({}, false); // another dip is outdated
         QCOMPARE(marked(), QStringList({QStringLiteral("Verdict"), QStringLiteral("Report")}));
         panel.setFreshness({}, true);
         QVERIFY(marked().isEmpty());
+        QCOMPARE(bar.tabToolTip(0), help);
     }
 
     void verdictPanel_narrow_scrollsOnlyVertically() {

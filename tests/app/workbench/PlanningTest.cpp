@@ -115,7 +115,7 @@ private slots:
         window_->document()->edit(QStringLiteral("turn"), {}, [](Project& project) {
             project.immersions[0].rotation[1] = Degrees(20);
         });
-        window_->documents().save();
+        QVERIFY(WindowDriver(*window_).save());
         openWindow();
         QVERIFY(WindowDriver(*window_).open(path));
         QTRY_VERIFY(window_->isEmpty() == false && !window_->session().isRunning());
@@ -386,7 +386,7 @@ private slots:
         QCOMPARE(weight->value(), PoseAims().weights[Measure::Coverage]);
         document->undoStack().redo();
         document->undoStack().redo();
-        window_->documents().save();
+        QVERIFY(WindowDriver(*window_).save());
         openWindow();
         QVERIFY(WindowDriver(*window_).open(path));
         QVERIFY(window_->document()->project().poseAims == wanted);
@@ -648,8 +648,9 @@ private:
             openWindow();
         }
         const QString path = folder_.filePath(QStringLiteral("%1.dipw").arg(QLatin1String(name)));
-        if (WindowDriver(*window_).create(model, texture, 60, makeCoarse)) {
-            window_->documents().saveAs(path);
+        WindowDriver driver(*window_);
+        if (driver.create(model, texture, 60, makeCoarse)) {
+            driver.saveAs(path);
         }
         return path;
     }

@@ -39,7 +39,8 @@ struct SessionHost {
                    [this] { gaveUp = true; }}) {}
 
     bool waitUntilIdle() {
-        return QTest::qWaitFor([this] { return !jobs.isBusy(); }, patience());
+        return QTest::qWaitFor([this] { return !jobs.isBusy() && !session.isSaving(); },
+                               patience());
     }
 
     Messages messages;
@@ -213,25 +214,24 @@ private slots:
         host.session.restore(left.front());
         QVERIFY(host.waitUntilIdle());
         QVERIFY(host.session.document()->isModified());
-        QVERIFY(!QFile::exists(copy));
+        QVERIFY(findRecoveredDocuments(recovery()).empty()); // the copy is in use
+        host.session.setAutosaveInterval(0);
+        setWidth(*host.session.document(), 123);
+        QTRY_COMPARE_WITH_TIMEOUT(loadProject(copy).film.width.value(), 123, patience());
         QCOMPARE(QDir(recovery()).entryList({QStringLiteral("*.dipw")}).size(), 1);
         host.session.discardChanges();
-        QVERIFY(QDir(recovery()).entryList({QStringLiteral("*.dipw")}).isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(copy), patience());
     }
 
-    void restore_newCopyNotWritable_keepsOldCopy() {
-        QDir().mkpath(recovery());
-        const QString copy = recovery() + QStringLiteral("/left.dipw");
-        saveProject(boxProject(), copy);
-        SessionHost host(copy + QStringLiteral("/full")); // not writable
+    void setAutosaveInterval_copyNotWritable_isReportedOnce() {
+        SessionHost host(project_ + QStringLiteral("/full")); // not writable
         QSignalSpy noticed(&host.messages, &Messages::noticed);
-        host.session.restore(findRecoveredDocuments(recovery()).front());
+        host.session.openProject(project_);
         QVERIFY(host.waitUntilIdle());
-        QVERIFY(host.session.document()->isModified());
-        QVERIFY(QFile::exists(copy));
-        QTRY_COMPARE(noticed.count(), 1);
+        host.session.setAutosaveInterval(0);
+        setWidth(*host.session.document(), 123);
+        QTRY_COMPARE_WITH_TIMEOUT(noticed.count(), 1, patience());
         QVERIFY(noticed[0][0].toString().contains(QStringLiteral("Save often")));
-        host.session.discardChanges();
     }
 
     void restore_fileChangedSinceCrash_isNotReplaced() {
@@ -240,7 +240,8 @@ private slots:
             AutoSaver saver(document, recovery());
             document.edit(QStringLiteral("Name"), {},
                           [](Project& project) { project.name = QStringLiteral("Mine"); });
-            QVERIFY(saver.keepNow());
+            saver.keepNow();
+            QVERIFY(saver.waitForCopy());
         }
         Project theirs = loadProject(project_);
         theirs.name = QStringLiteral("Theirs");
@@ -249,7 +250,10 @@ private slots:
         host.session.restore(findRecoveredDocuments(recovery()).front());
         QVERIFY(host.waitUntilIdle());
         QCOMPARE(host.session.document()->project().name, QStringLiteral("Mine"));
-        QVERIFY_EXCEPTION_THROWN(host.session.save(), ChangedFile);
+        QSignalSpy changed(&host.session, &DocumentSession::fileWasChanged);
+        host.session.save();
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(changed.count(), 1);
         QCOMPARE(loadProject(project_).name, QStringLiteral("Theirs"));
         host.session.discardChanges();
     }
@@ -261,12 +265,70 @@ private slots:
         QSignalSpy saved(&host.session, &DocumentSession::saved);
         const QString path = folder_->filePath(QStringLiteral("saved.dipw"));
         host.session.saveAs(path);
+        QVERIFY(host.waitUntilIdle());
         QCOMPARE(saved.count(), 1);
         QCOMPARE(saved[0][0].toString(), path);
         QVERIFY(!host.session.document()->isModified());
-        QVERIFY_EXCEPTION_THROWN(host.session.saveAs(QStringLiteral("/no/such/folder/a.dipw")),
-                                 Error);
+        QSignalSpy failed(&host.messages, &Messages::failed);
+        host.session.saveAs(QStringLiteral("/no/such/folder/a.dipw"));
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(failed.count(), 1);
         QCOMPARE(host.session.document()->path(), path);
+        QVERIFY(!host.session.document()->isModified());
+    }
+
+    // A save works on its own thread, so that these edits are made while it runs.
+    void save_editedMeanwhile_fileHasSnapshot() {
+        SessionHost host(recovery());
+        host.session.openProject(project_);
+        QVERIFY(host.waitUntilIdle());
+        Document& document = *host.session.document();
+        setWidth(document, 111);
+        host.session.save();
+        QVERIFY(host.session.isSaving() && document.isModified());
+        setWidth(document, 122);
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(loadProject(project_).film.width.value(), 111);
+        QCOMPARE(document.project().film.width.value(), 122);
+        QVERIFY(document.isModified());
+        document.undoStack().undo();
+        QVERIFY(!document.isModified());
+    }
+
+    void save_twice_secondStateIsSavedLast() {
+        SessionHost host(recovery());
+        host.session.openProject(project_);
+        QVERIFY(host.waitUntilIdle());
+        const QString path = folder_->filePath(QStringLiteral("second.dipw"));
+        setWidth(*host.session.document(), 111);
+        host.session.saveAs(path);
+        setWidth(*host.session.document(), 122);
+        host.session.save();
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(host.session.document()->path(), path);
+        QCOMPARE(loadProject(path).film.width.value(), 122);
+        QCOMPARE(loadProject(project_).film.width.value(), 210);
+        QVERIFY(!host.session.document()->isModified());
+    }
+
+    void cancelSave_beforeItsEnd_keepsOldFile() {
+        SessionHost host(recovery());
+        host.session.openProject(project_);
+        QVERIFY(host.waitUntilIdle());
+        Document& document = *host.session.document();
+        QSignalSpy failed(&host.messages, &Messages::failed);
+        setWidth(document, 111);
+        host.session.save();
+        host.session.cancelSave();
+        QVERIFY(host.waitUntilIdle());
+        const double saved = loadProject(project_).film.width.value();
+        QVERIFY(saved == 210 || saved == 111); // the save may have ended before
+        QCOMPARE(document.isModified(), saved == 210);
+        QVERIFY(failed.isEmpty());
+        setWidth(document, 122);
+        host.session.save();
+        QVERIFY(host.waitUntilIdle());
+        QCOMPARE(loadProject(project_).film.width.value(), 122);
     }
 
     void importModel_implausibleSize_isReported_data() {

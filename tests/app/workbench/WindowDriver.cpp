@@ -47,6 +47,21 @@ bool WindowDriver::run() {
     return QTest::qWaitFor(ended, patience()) && !finished.isEmpty();
 }
 
+bool WindowDriver::save() {
+    window_.documents().save();
+    return waitForSave();
+}
+
+bool WindowDriver::saveAs(const QString& path) {
+    window_.documents().saveAs(path);
+    return waitForSave();
+}
+
+bool WindowDriver::waitForSave() {
+    return QTest::qWaitFor([this] { return !window_.documents().isSaving(); }, patience()) &&
+           !window_.document()->isModified();
+}
+
 void WindowDriver::drop(const QString& path) const {
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(path)});

@@ -47,6 +47,8 @@ public:
     bool create(const QString& model, const QString& texture, double longestEdge,
                 const std::function<void(Project&)>& complete);
     bool run();
+    bool save();
+    bool saveAs(const QString& path);
 
     void drop(const QString& path) const; // drops a file on the window
     // Drags with the left button between two places of the widget, as fractions (0 to 1) of its
@@ -61,6 +63,8 @@ public:
     }
 
 private:
+    bool waitForSave();
+
     MainWindow& window_;
 };
 
