@@ -89,13 +89,6 @@ double paintedTwice(const JobResult& result) {
            result.coverageTotal;
 }
 
-bool takesInk(const ImmersionResult& dip) {
-    const double ink =
-        std::accumulate(dip.inks.begin(), dip.inks.end(), 0.0,
-                        [](double sum, const InkArea& one) { return sum + one.area; });
-    return dip.inks.empty() || ink >= leastInk; // drafts do not measure their ink
-}
-
 // Adds a reason if little of the picture can be seen on the part's own colour.
 void addContrastReason(ReasonList& found, const JobResult& result) {
     if (result.project.baseColour.isEmpty()) {
@@ -143,6 +136,16 @@ bool isPlain(const Project& project) {
            std::all_of(materials.begin(), materials.end(), [&](const Material& material) {
                return material.colour == materials.front().colour;
            });
+}
+
+// Tells whether a sheet that should show a picture takes ink. A plain model may be white;
+// Kind::NoPicture judges it.
+bool takesInk(const ImmersionResult& dip, const Project& project) {
+    const double ink =
+        std::accumulate(dip.inks.begin(), dip.inks.end(), 0.0,
+                        [](double sum, const InkArea& one) { return sum + one.area; });
+    return ink >= leastInk || dip.inks.empty() || // drafts do not measure their ink
+           (dip.inputs.texture.isReversed() && isPlain(project));
 }
 
 // Adds reasons about where the job comes from: no picture, a changed model, a film that was never
@@ -203,7 +206,7 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
                     tankFaults(project.profiles.tank, project.process, dip.immersion,
                                dip.body->mesh, dip.body->path)
                         .join(QStringLiteral(". ")),
-                    mask, project.immersions.size() == 1, takesInk(dip),
+                    mask, project.immersions.size() == 1, takesInk(dip, project),
                     dip.lostPlates.join(QStringLiteral(". "))},
                    project.tolerance, project.verdict);
 }
