@@ -38,7 +38,7 @@ FitPairs pairsOf(const std::vector<PartPhoto>& photos, const QCommandLineParser&
     pairs.body = partPairs(parser, pairs.photos);
     pairs.where = parser.value(pairsOption);
     requireInPhotos(pairs.body, pairs.picture, pairs.where);
-    pairs.printed = placesOnPart(photos, pairs.body, parser, lens, progress);
+    pairs.printed = onJobsSheet(placesOnPart(photos, pairs.body, parser, lens, progress), parser);
     return pairs;
 }
 

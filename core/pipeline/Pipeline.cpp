@@ -810,6 +810,11 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     for (std::size_t number = 0; number < project.immersions.size(); ++number) {
         inputs.push_back(sheetInputs(project, options, number, result.chosenSolver));
     }
+    if (std::any_of(inputs.begin(), inputs.end(),
+                    [](const SheetInputs& dip) { return dip.correction.has_value(); })) {
+        requirePossibleErrors(project.asBuilt, project.film.width, project.film.height,
+                              project.name);
+    }
     result.fieldInputs = fieldInputs(project);
     result.paintInputs = paintInputs(project);
     result.painted = paintedOf(run, result.paintInputs, progress.part(0, fieldDone / 2));
