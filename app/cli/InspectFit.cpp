@@ -76,7 +76,8 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
         checkWritable(path); // fails now instead of after the fit
         part.job = std::make_unique<ProjectFile>(path);
     }
-    const Project project = loadProject(path);
+    part.project = loadProject(path);
+    const Project& project = part.project;
     const Progress progress = console.progress();
     std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));
     part.pairs = pairsOf(photos, parser, lens, progress.part(0.1, 0.3));
