@@ -104,6 +104,10 @@ void add(Project& project, Words& words, const QCommandLineParser& parser, QText
         layer.name = QFileInfo(file).completeBaseName().left(longestLayerName);
     } else if (layer.kind == LayerKind::Text) {
         layer.text = words.take(QStringLiteral("TEXT")).left(longestLayerText);
+        if (layer.text.trimmed().isEmpty()) {
+            throw UsageError(QStringLiteral("The text is blank; give the words to print"),
+                             QStringLiteral("text"));
+        }
         layer.name = layer.text.simplified().left(longestLayerName);
     }
     words.finish();

@@ -19,7 +19,8 @@ const QString correctOption = QStringLiteral("correct");
 const QString projectOption =
     QStringLiteral("project"); // declared by InspectPart.cpp, as is `pairsOption`
 const QString pairsOption = QStringLiteral("pairs");
-const QString updateOption = QStringLiteral("update-job"); // declared by InspectFit.cpp
+const QString placesOption = QStringLiteral("places"); // declared by InspectFit.cpp, as is the next
+const QString updateOption = QStringLiteral("update-job");
 
 QString number(double value, int decimals) {
     return QString::number(value, 'f', decimals);
@@ -53,6 +54,20 @@ void writePictures(const Project& project, const QString& folder) {
     files.commit();
 }
 
+// Throws Error if a place belongs to a dip that the job does not have.
+void requireDips(const std::vector<PrintedPlace>& places, const Project& project,
+                 const QString& where) {
+    for (const PrintedPlace& place : places) {
+        if (place.dip >= int(project.immersions.size())) {
+            throw Error(
+                QStringLiteral("The table names a place of dip %1, but the job has only %2 dips")
+                    .arg(place.dip + 1)
+                    .arg(project.immersions.size()),
+                where);
+        }
+    }
+}
+
 // Adds the part in the photos to the job's finished parts.
 void addPart(Project& project, const QStringList& files, const QCommandLineParser& parser,
              const std::optional<Lens>& lens,
@@ -63,27 +78,22 @@ void addPart(Project& project, const QStringList& files, const QCommandLineParse
     const std::vector<PlacePair> pairs = partPairs(parser, photos);
     const PartView camera =
         fitPartCamera(pairs, int(photos.size()), picture, parser.value(pairsOption), lens);
-    const auto seen = placesOnPart(photos, pairs, parser, lens, progress.part(0.1, 0.5));
-    for (const PrintedPlace& place : seen) {
-        if (place.dip >= int(project.immersions.size())) {
-            throw Error(
-                QStringLiteral("The table names a place of dip %1, but the job has only %2 dips")
-                    .arg(place.dip + 1)
-                    .arg(project.immersions.size()),
-                parser.value(pairsOption));
-        }
-    }
-    const std::vector<BuiltPlace> places =
-        builtPlaces(seen, camera, picture, dippedFilms(project, progress.part(0.5, 1)),
-                    {project.film.width.value(), project.film.height.value()},
+    const auto places = placesOnPart(photos, pairs, parser, lens, progress.part(0.1, 0.5));
+    requireDips(places, project, parser.value(pairsOption));
+    const QSizeF sheet(project.film.width.value(), project.film.height.value());
+    const auto films = dippedFilms(project, progress.part(0.5, 1));
+    requireOnTargets(places, films, sheet,
+                     parser.value(parser.isSet(placesOption) ? placesOption : projectOption));
+    const std::vector<BuiltPlace> built =
+        builtPlaces(onJobsSheet(places, parser), camera, picture, films, sheet,
                     int(project.asBuilt.parts.size()) + 1);
     QStringList hashes;
     for (const PartPhoto& photo : photos) {
         hashes << photo.sha256;
     }
     project.asBuilt = withBuiltPart(
-        std::move(project.asBuilt), places,
-        {dateOf(photos.front().taken), parser.value(acceptedOption), hashes.join(u' '), 0},
+        std::move(project.asBuilt), built,
+        {dateOf(photos.front().taken), parser.value(acceptedOption), hashes.join(u' '), 0}, sheet,
         parser.value(projectOption));
 }
 

@@ -326,7 +326,12 @@ private:
         const FittedPart part = fitPart(files, parser, lensOf(parser), console);
         const WatchNotes notes = notesOf(parser, part.taken);
         const bool hasProfile = !target.profile.name.isEmpty();
+        QString otherFilm;
         if (hasProfile) { // fails before anything is written
+            if (!target.known) {
+                target.profile = newProfileFor(part.project, target.profile.name);
+            }
+            otherFilm = otherFilmNote(target.profile, part.project, part.fit);
             target.profile = withFit(target.profile, part.fit, part.photos, notes);
         }
         writeFilmFit(part.fit, part.pairs, part.photos, notes, parser.value(outOption));
@@ -335,6 +340,9 @@ private:
         }
         updateJob(part, parser, console);
         save(target, console);
+        if (!otherFilm.isEmpty()) {
+            console.out() << otherFilm << '\n';
+        }
     }
 
     static void save(const Target& target, Console& console) {

@@ -37,7 +37,7 @@ FitPairs pairsOf(const std::vector<PartPhoto>& photos, const QCommandLineParser&
     pairs.picture = photos.front().picture.size();
     pairs.body = partPairs(parser, photos);
     pairs.where = parser.value(pairsOption);
-    pairs.printed = placesOnPart(photos, pairs.body, parser, lens, progress);
+    pairs.printed = onJobsSheet(placesOnPart(photos, pairs.body, parser, lens, progress), parser);
     return pairs;
 }
 
@@ -75,7 +75,8 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
         checkWritable(path); // fails now instead of after the fit
         part.job = std::make_unique<ProjectFile>(path);
     }
-    const Project project = loadProject(path);
+    part.project = loadProject(path);
+    const Project& project = part.project;
     const Progress progress = console.progress();
     std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));
     part.pairs = pairsOf(photos, parser, lens, progress.part(0.1, 0.3));

@@ -3,6 +3,7 @@
 
 #include "cli/Command.h"
 #include "inspection/FilmFitFiles.h"
+#include "project/Project.h"
 #include "project/ProjectFile.h"
 
 #include <QDateTime>
@@ -11,6 +12,7 @@
 namespace dipwright::cli {
 
 struct FittedPart {
+    Project project; // the job, before the fit
     FitPairs pairs;
     FilmFit fit;
     std::vector<FittedPhoto> photos;

@@ -146,9 +146,13 @@ std::vector<PrintedPlace> placesOnPart(const std::vector<PartPhoto>& photos,
                                        const QCommandLineParser& parser,
                                        const std::optional<Lens>& lens, const Progress& progress) {
     const QString path = parser.value(placesOption);
-    std::vector<PrintedPlace> places =
-        path.isEmpty() ? searchPrint(photos, clicked, parser, lens, progress).places
-                       : readPlaces(readSmallFile(path, mostTableBytes), int(photos.size()), path);
+    return path.isEmpty()
+               ? searchPrint(photos, clicked, parser, lens, progress).places
+               : readPlaces(readSmallFile(path, mostTableBytes), int(photos.size()), path);
+}
+
+std::vector<PrintedPlace> onJobsSheet(std::vector<PrintedPlace> places,
+                                      const QCommandLineParser& parser) {
     JobOptions options;
     applyFilmImage(options, parser);
     return options.chessboard ? places

@@ -8,6 +8,9 @@
 
 #include <QCoreApplication>
 #include <QFontDatabase>
+#include <QGlyphRun>
+#include <QTextBoundaryFinder>
+#include <QTextLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +21,32 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Artwork)
 };
+
+// Tells whether no installed font has a glyph for a character and its combining marks.
+bool isMissing(const QString& character, const QFont& font) {
+    QTextLayout layout(character, font);
+    layout.beginLayout();
+    layout.createLine();
+    layout.endLayout();
+    const QList<QGlyphRun> runs = layout.glyphRuns();
+    return std::any_of(runs.begin(), runs.end(), [](const QGlyphRun& run) {
+        return run.glyphIndexes().contains(0); // fonts draw a box for glyph 0
+    });
+}
+
+// Returns the characters of a text that no installed font has, each once.
+QString missingCharacters(const QString& text, const QFont& font) {
+    QString missing;
+    QTextBoundaryFinder finder(QTextBoundaryFinder::Grapheme, text);
+    for (qsizetype begin = 0, end = 0; (end = finder.toNextBoundary()) >= 0; begin = end) {
+        const QString character = text.mid(begin, end - begin);
+        if (!missing.contains(character) && !character.trimmed().isEmpty() &&
+            isMissing(character, font)) {
+            missing += character;
+        }
+    }
+    return missing;
+}
 
 } // namespace
 
@@ -111,11 +140,20 @@ std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer) {
 QStringList fontWarnings(const Artwork& artwork) {
     QStringList warnings;
     for (const ArtworkLayer& layer : artwork.layers) {
-        if (layer.kind == LayerKind::Text && !QFontDatabase::hasFamily(layer.font)) {
+        if (layer.kind != LayerKind::Text || !layer.visible) {
+            continue;
+        }
+        if (!QFontDatabase::hasFamily(layer.font)) {
             warnings.append(
                 Text::tr("The font %2 of the text “%1” is not installed on this computer, so "
                          "another font replaces it; install it, or choose an installed font")
                     .arg(layer.name, layer.font));
+        }
+        if (const QString missing = missingCharacters(layer.text, QFont(layer.font));
+            !missing.isEmpty()) {
+            warnings.append(Text::tr("No installed font has the characters %2 of the text “%1”, so "
+                                     "boxes are printed; install a font that has them")
+                                .arg(layer.name, missing));
         }
     }
     return warnings;

@@ -32,8 +32,9 @@ void addLayer(Artwork& artwork, const ArtworkLayer& layer, const TexturedMesh& m
 // shown once keeps its proportions. Text needs a QGuiApplication.
 std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer);
 
-// Returns a sentence for each layer whose font is not installed and is replaced by another. Needs a
-// QGuiApplication.
+// Returns a sentence for each visible layer whose font is not installed and is replaced by another,
+// and for each whose text has characters that no installed font has. Those are printed as boxes.
+// Text needs a QGuiApplication.
 QStringList fontWarnings(const Artwork& artwork);
 // Returns a sentence for each picture that has a note on how its colours were read
 // (base/ColourNote.h).

@@ -9,6 +9,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -29,22 +30,37 @@ constexpr double farthest = 20; // mm on the sheet: largest offset that is searc
 constexpr double leastFromFront = 0.2;
 constexpr double samePlace = 0.01; // mm on the model: nearer places count as one place
 
+// Tells where the places of a sheet lie on the model in the simulation.
+class SheetOnModel {
+public:
+    SheetOnModel(const LaidFilm& laid, QSizeF sheet)
+        : laid_(laid),
+          swell_(laid.film().grid.width / sheet.width(), laid.film().grid.depth / sheet.height()),
+          toModel_(laid.body().modelToPose.inverse()) {}
+
+    std::optional<Eigen::Vector3d> at(const Eigen::Vector2d& sheet) const {
+        const Eigen::Vector2d rest = sheet.array() * swell_;
+        const auto place = laid_.flat(rest.cast<float>());
+        const auto lies = place ? laid_.onBody(*place) : std::nullopt;
+        return lies ? std::optional<Eigen::Vector3d>(toModel_ * lies->cast<double>())
+                    : std::nullopt;
+    }
+
+private:
+    const LaidFilm& laid_;
+    Eigen::Array2d swell_;
+    Eigen::Isometry3d toModel_;
+};
+
 // Tells where places of one film's sheet appear in the photos.
 class SeenFilm {
 public:
     SeenFilm(const LaidFilm& laid, const PartView& camera, QSize picture, QSizeF sheet)
-        : laid_(laid), camera_(camera), picture_(picture),
-          swell_(laid.film().grid.width / sheet.width(), laid.film().grid.depth / sheet.height()),
-          toModel_(laid.body().modelToPose.inverse()) {}
+        : onModel_(laid, sheet), camera_(camera), picture_(picture) {}
 
     std::optional<Eigen::Vector2d> at(const Eigen::Vector2d& sheet, int photo) const {
-        const Eigen::Vector2d rest = sheet.array() * swell_;
-        const auto place = laid_.flat(rest.cast<float>());
-        const auto lies = place ? laid_.onBody(*place) : std::nullopt;
-        if (!lies) {
-            return std::nullopt;
-        }
-        return seenAt(camera_, photo, picture_, toModel_ * lies->cast<double>());
+        const auto lies = onModel_.at(sheet);
+        return lies ? std::optional(seenAt(camera_, photo, picture_, *lies)) : std::nullopt;
     }
 
     // Returns pixels per mm of the sheet, one column per axis.
@@ -62,11 +78,9 @@ public:
     }
 
 private:
-    const LaidFilm& laid_;
+    SheetOnModel onModel_;
     const PartView& camera_;
     QSize picture_;
-    Eigen::Array2d swell_;
-    Eigen::Isometry3d toModel_;
 };
 
 struct Found {
@@ -100,7 +114,88 @@ std::optional<Found> sheetOffset(const PrintedPlace& place, const SeenFilm& film
     return std::nullopt;
 }
 
+// A mistake in the coordinates of the sheet, and how to undo it: axes * sheet + shift.
+struct Mistake {
+    Eigen::Matrix2d axes;
+    Eigen::Vector2d shift;
+    QString advice;
+};
+
+std::vector<Mistake> usualMistakes(QSizeF sheet) {
+    const auto axes = [](double a, double b, double c, double d) {
+        Eigen::Matrix2d matrix;
+        matrix << a, b, c, d;
+        return matrix;
+    };
+    const Eigen::Vector2d none(0, 0), half(sheet.width() / 2, sheet.height() / 2);
+    return {
+        {axes(1, 0, 0, -1), none,
+         Text::tr("they fit if sheet_y_mm has the other sign: it increases downwards on the "
+                  "floating sheet, ink side up")},
+        {axes(-1, 0, 0, 1), none,
+         Text::tr("they fit if sheet_x_mm has the other sign: it increases rightwards on the "
+                  "floating sheet, ink side up")},
+        {axes(-1, 0, 0, -1), none,
+         Text::tr("they fit if sheet_x_mm and sheet_y_mm have the other sign")},
+        {axes(0, 1, 1, 0), none, Text::tr("they fit if sheet_x_mm and sheet_y_mm are swapped")},
+        {axes(1, 0, 0, 1), -half,
+         Text::tr("they fit if they are counted from the sheet's top left corner; count them from "
+                  "its middle")},
+        {axes(1, 0, 0, -1),
+         {-half.x(), half.y()},
+         Text::tr("they fit if they are counted from the sheet's bottom left corner; count them "
+                  "from its middle, downwards")}};
+}
+
+// Returns the median distance of the simulated places from their targets, in mm; infinite if half
+// of the places do not lie on the part.
+double medianOffTarget(const std::vector<PrintedPlace>& places,
+                       const std::vector<SheetOnModel>& films, const Eigen::Matrix2d& axes,
+                       const Eigen::Vector2d& shift) {
+    std::vector<double> off;
+    for (const PrintedPlace& place : places) {
+        const auto lies = films[std::size_t(place.dip)].at(axes * place.sheet + shift);
+        off.push_back(lies ? (*lies - place.model.cast<double>()).norm()
+                           : std::numeric_limits<double>::infinity());
+    }
+    const auto middle = off.begin() + std::ptrdiff_t(off.size() / 2);
+    std::nth_element(off.begin(), middle, off.end());
+    return *middle;
+}
+
+// Returns what to do about places that are off their targets.
+QString adviceOnPlaces(const std::vector<PrintedPlace>& places,
+                       const std::vector<SheetOnModel>& films, QSizeF sheet) {
+    double least = mostOffTarget;
+    QString advice = Text::tr("check that they belong to this job and its present settings");
+    for (const Mistake& mistake : usualMistakes(sheet)) {
+        const double off = medianOffTarget(places, films, mistake.axes, mistake.shift);
+        if (off < least) {
+            least = off;
+            advice = mistake.advice;
+        }
+    }
+    return advice;
+}
+
 } // namespace
+
+void requireOnTargets(const std::vector<PrintedPlace>& places,
+                      const std::vector<std::shared_ptr<const LaidFilm>>& films, QSizeF sheet,
+                      const QString& where) {
+    std::vector<SheetOnModel> onModel;
+    for (const auto& film : films) {
+        onModel.emplace_back(*film, sheet);
+    }
+    if (!places.empty() &&
+        medianOffTarget(places, onModel, Eigen::Matrix2d::Identity(), {0, 0}) > mostOffTarget) {
+        throw Error(Text::tr("The simulation carries half of the printed places more than %1 mm "
+                             "away from their targets x_mm, y_mm, z_mm; %2")
+                        .arg(mostOffTarget)
+                        .arg(adviceOnPlaces(places, onModel, sheet)),
+                    where);
+    }
+}
 
 std::vector<BuiltPlace> builtPlaces(const std::vector<PrintedPlace>& seen, const PartView& camera,
                                     QSize picture,
@@ -157,7 +252,7 @@ double residualOf(const std::vector<BuiltPlace>& places) {
 }
 
 AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, BuiltPart part,
-                      const QString& where) {
+                      QSizeF sheet, const QString& where) {
     if (places.empty()) {
         throw Error(Text::tr("None of the measured places lies on film that adheres to the part; "
                              "check that the photos show a part of this job"),
@@ -179,9 +274,14 @@ AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, Buil
                 "The job already contains the part in these photos; a part may be added only once"),
             where);
     }
+    const Millimetres width(sheet.width()), height(sheet.height());
+    AsBuilt alone; // many correct parts would hide the errors of a wrong one
+    alone.places = places;
+    requirePossibleErrors(alone, width, height, where);
     part.residual = residualOf(places);
     built.parts.push_back(std::move(part));
     built.places.insert(built.places.end(), places.begin(), places.end());
+    requirePossibleErrors(built, width, height, where);
     return built;
 }
 

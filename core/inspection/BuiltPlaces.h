@@ -24,6 +24,17 @@ std::vector<BuiltPlace> builtPlaces(const std::vector<PrintedPlace>& seen, const
                                     const std::vector<std::shared_ptr<const LaidFilm>>& films,
                                     QSizeF sheet, int part);
 
+// Throws Error, naming `where`, if the simulated films carry half of the places more than
+// mostOffTarget away from their intended places on the model. The message names the likely mistake,
+// such as a coordinate of the sheet with the wrong sign. `places` are on the uncorrected sheet.
+// `films` and `sheet` are as for builtPlaces().
+void requireOnTargets(const std::vector<PrintedPlace>& places,
+                      const std::vector<std::shared_ptr<const LaidFilm>>& films, QSizeF sheet,
+                      const QString& where);
+// mm on the model. Places that are read from a sheet by hand, or simulated with other cells, are a
+// millimetre or two off. Mirrored or swapped coordinates move places by tens of millimetres.
+inline constexpr double mostOffTarget = 5;
+
 // Converts places on the uncorrected sheet to the same places on the sheet that `built` corrects.
 // Returns the places unchanged if `built` corrects nothing.
 std::vector<PrintedPlace> onPrintedSheet(std::vector<PrintedPlace> places, const AsBuilt& built);
@@ -32,9 +43,11 @@ std::vector<PrintedPlace> onPrintedSheet(std::vector<PrintedPlace> places, const
 double residualOf(const std::vector<BuiltPlace>& places);
 
 // Adds a part with these places to the parts of `built`. The places already carry the part's future
-// number. Fills in the residual of `part`. Throws Error, naming `where`, if there are no places, if
-// the job already has the part's photos, or if its limits are exceeded.
+// number. Fills in the residual of `part`. `sheet` is the size of the sheets. Throws Error, naming
+// `where`, if there are no places, if the job already has the part's photos, if its limits are
+// exceeded, or if the errors of this part or of all parts are impossible (requirePossibleErrors()
+// in SheetCorrection.h).
 AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, BuiltPart part,
-                      const QString& where);
+                      QSizeF sheet, const QString& where);
 
 } // namespace dipwright

@@ -27,6 +27,13 @@ constexpr double worse = 1.02; // factor of residual growth above which a step i
 // widestKnownInterval.
 constexpr double clearlyUnknown = 6;
 
+// A fit whose places stay farther than this from the simulation (root mean square, mm) is refused.
+// Measured places are some tenths of a millimetre off, wrong ones several millimetres.
+constexpr double mostResidual = 2;
+// A fit is also refused if its places stay farther than smallResidual (mm) and less than leastFall
+// of their distance was explained.
+constexpr double smallResidual = 0.5, leastFall = 0.1;
+
 std::vector<FitUnknown> unknownsOf(const Project& project, const FittedDips& dips,
                                    const std::vector<PrintedPlace>& printed, const FitRequest& wish,
                                    const QString& where) {
@@ -278,6 +285,18 @@ void fillDistances(FilmFit& fit, const Search& search, const FitPairs& pairs) {
     fit.afterMillimetres = rootMeanSquare(afterMm);
 }
 
+void requireExplained(const FilmFit& fit, const QString& where) {
+    const double before = fit.beforeMillimetres, after = fit.afterMillimetres;
+    if (after > mostResidual || (after > smallResidual && after > (1 - leastFall) * before)) {
+        throw Error(Text::tr("The fit does not explain the places: their root mean square distance "
+                             "is %1 mm before the fit and %2 mm after it; check the coordinates "
+                             "of the sheet, and for places that were mistaken for others")
+                        .arg(before, 0, 'f', 2)
+                        .arg(after, 0, 'f', 2),
+                    where);
+    }
+}
+
 void apply(FilmFit& fit, const FittedQuantity& found, const FittedDips& dips,
            const std::vector<FitUnknown>& unknowns, const std::vector<double>& values) {
     const auto dip = std::size_t(found.unknown.dip);
@@ -325,6 +344,7 @@ FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPai
     fit.immersions = project.immersions;
     fit.depth = project.process.depth;
     fillDistances(fit, search, pairs);
+    requireExplained(fit, pairs.where);
     const FittedDips& dips = search.places().dips();
     std::vector<FitUnknown> unknowns; // the fitted unknowns
     std::vector<double> values;

@@ -76,6 +76,7 @@ struct FilmFit {
 // pairs, and repeats. Ends when no quantity moves by more than 5 % of its 95 % interval. Uses all
 // cores; deterministic. Throws Cancelled. Throws Error if the pairs do not determine a named
 // quantity; the message says which quantities the pairs cannot separate and what to photograph.
+// Also throws Error if the places stay millimetres off, or nearly as far off as they were.
 FilmFit fitFilm(const Project& project, const DistanceField& field, const FitPairs& pairs,
                 const FitRequest& wish, const solver::SolverModule& module,
                 const Progress& progress);

@@ -244,6 +244,32 @@ FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<F
     return film;
 }
 
+FilmProfile newProfileFor(const Project& project, const QString& name) {
+    FilmProfile profile = filmProfileOf(project);
+    profile.name = name;
+    return profile;
+}
+
+QString otherFilmNote(const FilmProfile& profile, const Project& project, const FilmFit& fit) {
+    FilmBehaviour own = profile, jobs = project.film;
+    const auto ignore = [&](FitQuantity quantity, auto member) {
+        if (found(fit, quantity)) {
+            own.*member = jobs.*member;
+        }
+    };
+    ignore(FitQuantity::SwellX, &FilmBehaviour::swellX);
+    ignore(FitQuantity::SwellY, &FilmBehaviour::swellY);
+    ignore(FitQuantity::Relaxation, &FilmBehaviour::relaxationTime);
+    ignore(FitQuantity::Growth, &FilmBehaviour::growthRate);
+    ignore(FitQuantity::ContactDistance, &FilmBehaviour::contactDistance);
+    const bool isSame =
+        own == jobs && profile.width == project.film.width && profile.height == project.film.height;
+    return isSame ? QString()
+                  : Text::tr("The film profile %1 has other values than the project's film, under "
+                             "which the values were fitted; compare the two before you use it")
+                        .arg(profile.name);
+}
+
 Project withFit(const Project& project, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                 const WatchNotes& notes, const QString& newProfile) {
     FilmProfile film = filmProfileOf(project);

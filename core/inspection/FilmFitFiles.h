@@ -29,6 +29,14 @@ QStringList fitSentences(const FilmFit& fit);
 FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                     const WatchNotes& notes);
 
+// Returns a profile with this name and the film of the fitted project, for a fit that is saved to a
+// new profile.
+FilmProfile newProfileFor(const Project& project, const QString& name);
+
+// Returns a sentence if values of the profile that were not fitted differ from the film of the
+// fitted project; otherwise empty. The fitted values hold only together with those of the project.
+QString otherFilmNote(const FilmProfile& profile, const Project& project, const FilmFit& fit);
+
 // Returns the project with the fitted placement, depth and film. The fitted film is stored as a
 // measured film profile of the project: in the project's own film profile or, if there is none, in
 // a new one named `newProfile`. Throws Error as withFit() and withPlacement() do.

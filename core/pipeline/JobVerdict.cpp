@@ -1,6 +1,7 @@
 #include "pipeline/JobVerdict.h"
 
 #include "accuracy/verdict/BareZones.h"
+#include "artwork/EditArtwork.h"
 #include "base/WeightedSpread.h"
 #include "dip/TankFit.h"
 #include "geometry/SurfaceSamples.h"
@@ -174,6 +175,9 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
         found.add({Kind::ExpiredFilm, project.verdict.expiredFilm, 0, 0, expiry});
     }
     for (const QString& note : missingMaterialNotes(project)) {
+        found.add({Kind::UnknownName, Advice::CheckFirst, 0, 0, note});
+    }
+    for (const QString& note : fontWarnings(project.artwork)) {
         found.add({Kind::UnknownName, Advice::CheckFirst, 0, 0, note});
     }
 }

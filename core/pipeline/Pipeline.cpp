@@ -749,7 +749,6 @@ QStringList notesOf(const JobResult& result) {
     if (result.coverageTotal < negligibleShare && isInsideOut(*result.project.model)) {
         notes.append(insideOutNote());
     }
-    notes += fontWarnings(result.project.artwork);
     notes += colourNotes(*result.project.model) + colourNotes(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {
         notes += immersion.solverNotes;
@@ -806,6 +805,11 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     std::vector<SheetInputs> inputs;
     for (std::size_t number = 0; number < project.immersions.size(); ++number) {
         inputs.push_back(sheetInputs(project, options, number, result.chosenSolver));
+    }
+    if (std::any_of(inputs.begin(), inputs.end(),
+                    [](const SheetInputs& dip) { return dip.correction.has_value(); })) {
+        requirePossibleErrors(project.asBuilt, project.film.width, project.film.height,
+                              project.name);
     }
     result.fieldInputs = fieldInputs(project);
     result.paintInputs = paintInputs(project);

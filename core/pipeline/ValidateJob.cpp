@@ -1,5 +1,6 @@
 #include "pipeline/ValidateJob.h"
 
+#include "accuracy/correction/SheetCorrection.h"
 #include "artwork/EditArtwork.h"
 #include "base/Error.h"
 #include "dip/FilmFit.h"
@@ -125,6 +126,10 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
     checkSpots(project);
     checkMemory(project, Printed::Texture);
+    if (isCorrected(project.asBuilt, 1) || isCorrected(project.asBuilt, 2)) {
+        requirePossibleErrors(project.asBuilt, project.film.width, project.film.height,
+                              project.name);
+    }
     QStringList warnings;
     if (const QString note = memoryNote(project, Printed::Texture); !note.isEmpty()) {
         warnings.append(note);

@@ -78,14 +78,14 @@ void BuiltController::keep(const QString& acceptedBy) {
                 hashes << photo.sha256;
             }
             const FilmSettings& film = measured->project.film;
-            const std::vector<BuiltPlace> places =
-                builtPlaces(printedOnSheet(*measured), measured->view,
-                            measured->photos.front().picture.size(), measured->dips,
-                            {film.width.value(), film.height.value()}, int(built.parts.size()) + 1);
+            const QSizeF sheet(film.width.value(), film.height.value());
+            const std::vector<BuiltPlace> places = builtPlaces(
+                printedOnSheet(*measured), measured->view, measured->photos.front().picture.size(),
+                measured->dips, sheet, int(built.parts.size()) + 1);
             return withBuiltPart(
                 built, places,
                 {QDate::currentDate().toString(Qt::ISODate), acceptedBy, hashes.join(u' '), 0},
-                measured->project.name);
+                sheet, measured->project.name);
         },
         [this, built](const AsBuilt& more) {
             Document* document = session_.document();

@@ -189,7 +189,7 @@ void FilmWatchController::askProfile() {
 
 void FilmWatchController::save(const QString& name) {
     if (measured_ && session_.document()) {
-        saveToProfile(messages_, name, [this](const FilmProfile& profile) {
+        saveToProfile(messages_, name, {}, [this](const FilmProfile& profile) {
             return withMeasurement(profile, measured_->watch, notes());
         });
     }

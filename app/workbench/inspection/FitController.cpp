@@ -16,6 +16,7 @@ FittedPart fitted(const MeasuredPart& measured, const SolverRegistry& registry,
                   const Progress& progress) {
     const Project& project = measured.project;
     FittedPart part;
+    part.project = project;
     part.pairs.photos = int(measured.photos.size());
     part.pairs.picture = measured.photos.front().picture.size();
     part.pairs.printed = printedOnSheet(measured);
@@ -111,7 +112,12 @@ void FitController::use() {
 
 void FitController::save(const QString& name) {
     if (fitted_) {
-        saveToProfile(messages_, name, [this](const FilmProfile& profile) {
+        const FilmProfile fresh = newProfileFor(fitted_->project, name);
+        saveToProfile(messages_, name, fresh, [this](const FilmProfile& profile) {
+            const QString note = otherFilmNote(profile, fitted_->project, fitted_->fit);
+            if (!note.isEmpty()) {
+                messages_.log(note);
+            }
             return withFit(profile, fitted_->fit, fitted_->photos, notesOfToday());
         });
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "inspection/FilmFitFiles.h"
+#include "project/Project.h"
 
 #include <QWidget>
 #include <memory>
@@ -14,6 +15,7 @@ namespace dipwright {
 
 // A fit and its inputs.
 struct FittedPart {
+    Project project; // before the fit
     FitPairs pairs;
     std::vector<FittedPhoto> photos;
     FilmFit fit;

@@ -38,11 +38,11 @@ void askProfileName(QWidget& window, const std::function<void(const QString& nam
     dialog->open();
 }
 
-void saveToProfile(Messages& messages, const QString& name,
+void saveToProfile(Messages& messages, const QString& name, const FilmProfile& fresh,
                    const std::function<FilmProfile(const FilmProfile&)>& change) {
     try {
         const auto known = ProfileLibrary().found(ProfileKind::Film, name);
-        FilmProfile profile = known ? std::get<FilmProfile>(*known) : FilmProfile();
+        FilmProfile profile = known ? std::get<FilmProfile>(*known) : fresh;
         profile.name = name;
         ProfileLibrary().save(change(profile), known);
         messages.logAndSay(Text::tr("Saved the measurement in the film profile %1").arg(name));

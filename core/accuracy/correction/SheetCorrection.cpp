@@ -1,8 +1,11 @@
 #include "accuracy/correction/SheetCorrection.h"
 
+#include "base/Error.h"
 #include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 #include "texture/LinearLight.h"
+
+#include <Eigen/SVD>
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -26,6 +29,7 @@ class DenseError {
 public:
     DenseError(const RepeatingError& error, double width, double height)
         : columns_(stepsOver(width, error.reach())), rows_(stepsOver(height, error.reach())),
+          cell_(width / columns_, height / rows_),
           values_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {
         parallelFor(std::size_t(0), values_.size(), [&](std::size_t number) {
             const int column = int(number) % (columns_ + 1), row = int(number) / (columns_ + 1);
@@ -44,6 +48,20 @@ public:
                v * ((1 - u) * value(column, row + 1) + u * value(column + 1, row + 1));
     }
 
+    // Returns the largest change between neighbours on the grid, per mm.
+    double steepest() const {
+        double most = 0;
+        for (int row = 0; row < rows_; ++row) {
+            for (int column = 0; column < columns_; ++column) {
+                Eigen::Matrix2d slope;
+                slope << (value(column + 1, row) - value(column, row)) / cell_.x(),
+                    (value(column, row + 1) - value(column, row)) / cell_.y();
+                most = std::max(most, Eigen::JacobiSVD<Eigen::Matrix2d>(slope).singularValues()[0]);
+            }
+        }
+        return most;
+    }
+
 private:
     static int stepsOver(double length, double reach) {
         return std::clamp(int(std::ceil(length / (reach / stepsInReach))), 1, 500);
@@ -53,6 +71,7 @@ private:
     }
 
     int columns_, rows_;
+    Eigen::Vector2d cell_; // mm
     std::vector<Eigen::Vector2d> values_;
 };
 
@@ -127,6 +146,25 @@ bool isCorrected(const AsBuilt& built, int dip) {
     return built.corrects && built.strength > 0 &&
            std::any_of(built.places.begin(), built.places.end(),
                        [dip](const BuiltPlace& place) { return place.dip == dip; });
+}
+
+double errorGradient(const RepeatingError& error, Millimetres width, Millimetres height) {
+    return DenseError(error, width.value(), height.value()).steepest();
+}
+
+void requirePossibleErrors(const AsBuilt& built, Millimetres width, Millimetres height,
+                           const QString& where) {
+    for (const int dip : {1, 2}) {
+        const RepeatingError error(built, dip);
+        if (!error.isNothing() && errorGradient(error, width, height) > mostErrorGradient) {
+            throw Error(
+                Text::tr("The measured errors of dip %1 contradict each other, so a correction "
+                         "would fold or mirror the sheet; check the measured places, or remove "
+                         "the part from the job or turn the correction off")
+                    .arg(dip),
+                where);
+        }
+    }
 }
 
 QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres height,

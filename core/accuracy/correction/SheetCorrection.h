@@ -13,6 +13,20 @@ namespace dipwright {
 // Tells whether the sheet of a dip, counted from 1, is corrected.
 bool isCorrected(const AsBuilt& built, int dip);
 
+// The largest change of the error, per mm of the sheet, that counts as possible. Film that swells
+// unevenly or flows changes it by a few per cent. If sheet and part were measured in different
+// directions, it is about 2: s + error(s) then folds, turns or mirrors the sheet.
+inline constexpr double mostErrorGradient = 0.5;
+
+// Returns the largest change of the error between neighbouring places of a sheet of `width` ×
+// `height`, per mm of their distance. Uses all cores.
+double errorGradient(const RepeatingError& error, Millimetres width, Millimetres height);
+
+// Throws Error, naming `where`, if errorGradient() of a dip exceeds mostErrorGradient. Such errors
+// must not be corrected, whatever the strength. `width` × `height` is the size of the sheets.
+void requirePossibleErrors(const AsBuilt& built, Millimetres width, Millimetres height,
+                           const QString& where);
+
 enum class Resampling { Linear, Nearest };
 
 // Returns the corrected film image of a sheet of `width` × `height`. Each pixel takes its colour

@@ -30,6 +30,7 @@ private slots:
         QVERIFY(artwork({"add", job_, "carbon", "--set", "repeat_mm=6"}));
         QVERIFY(artwork({"add", job_, "picture", logo_, "--set", "size_mm=20;10"}));
         QVERIFY(artwork({"add", job_, "text", "Nr. 7", "--set", "colour=#ff0000"}));
+        QVERIFY(!artwork({"add", job_, "text", " "})); // a blank layer prints nothing
         QVERIFY(artwork({"base", job_, "#102030"}));
         QCOMPARE(names(), QStringList({"carbon", "logo", "Nr. 7"}));
         QCOMPARE(layer(0)["repeat_mm"].toDouble(), 6.0);

@@ -85,6 +85,49 @@ private slots:
         QVERIFY(!QFileInfo::exists(path("out")));
     }
 
+    void inspectFit_placesMistakenForOthers_isRefusedAndNotSaved() {
+        const QByteArray job = bytesOf(path("job.dipw"));
+        QByteArray mistaken;
+        int row = 0;
+        for (const QByteArray& line : bytesOf(path("places.csv")).trimmed().split('\n')) {
+            QList<QByteArray> cells = line.split(',');
+            if (row++ > 0) {
+                cells[4] = QByteArray::number(cells[4].toDouble() + 8 * (row % 3 - 1));
+                cells[5] = QByteArray::number(cells[5].toDouble() + 8 * (row % 2));
+            }
+            mistaken += cells.join(',') + '\n';
+        }
+        writeFile(path("mistaken.csv"), mistaken);
+        QStringList with = words("fit", {"--fit", "shift_x,shift_z", "--update-job"});
+        with.replaceInStrings(path("places.csv"), path("mistaken.csv"));
+        const Outcome outcome = cli(with);
+        QCOMPARE(outcome.exitCode, 1);
+        QCOMPARE(outcome.errorLines().size(), 1);
+        QVERIFY2(outcome.err.contains("does not explain"), outcome.err.constData());
+        QCOMPARE(bytesOf(path("job.dipw")), job);
+    }
+
+    void inspectBuilt_sheetReadUpwards_isRefusedAndNotSaved() {
+        const QByteArray job = bytesOf(path("job.dipw"));
+        QByteArray mirrored;
+        for (const QByteArray& line : bytesOf(path("places.csv")).trimmed().split('\n')) {
+            QList<QByteArray> cells = line.split(',');
+            if (!mirrored.isEmpty()) {
+                cells[5] = QByteArray::number(-cells[5].toDouble());
+            }
+            mirrored += cells.join(',') + '\n';
+        }
+        writeFile(path("mirrored.csv"), mirrored);
+        QStringList with =
+            words("built", {"--accepted-by", "Ada", "--correct", "1", "--update-job"});
+        with.replaceInStrings(path("places.csv"), path("mirrored.csv"));
+        const Outcome outcome = cli(with);
+        QCOMPARE(outcome.exitCode, 1);
+        QCOMPARE(outcome.errorLines().size(), 1);
+        QVERIFY2(outcome.err.contains("sheet_y_mm has the other sign"), outcome.err.constData());
+        QCOMPARE(bytesOf(path("job.dipw")), job);
+    }
+
     void inspectBuilt_acceptedPart_correctsNextSheet() {
         const Outcome outcome = cli(words("built", {"--accepted-by", "Ada", "--correct", "1",
                                                     "--date", "2026-11-22", "--update-job"}));

@@ -121,6 +121,7 @@ private Q_SLOTS:
     void boxLayer_betweenItsSides_showsNoLine();
     void textLayer_readsCorrectlyFromOutside();
     void fontWarnings_missingFont_nameIt();
+    void fontWarnings_charactersThatNoFontHas_nameThem();
     void paintArtwork_wideColour_staysWide();
     void paintArtwork_twice_givesTheSameBits();
 };
@@ -460,6 +461,20 @@ void ArtworkTest::fontWarnings_missingFont_nameIt() {
     artwork.layers.front().font = QStringLiteral("No Such Letters");
     QCOMPARE(fontWarnings(artwork).size(), 1);
     QVERIFY(fontWarnings(artwork).front().contains(QLatin1String("No Such Letters")));
+}
+
+void ArtworkTest::fontWarnings_charactersThatNoFontHas_nameThem() {
+    const QString unassigned(QChar(0x0378)); // a code point that Unicode never gave a character
+    Artwork artwork;
+    artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("Title"))};
+    ArtworkLayer& layer = artwork.layers.front();
+    layer.text = QStringLiteral("Äé 7\nüa\u0301 \u200d");
+    QVERIFY(fontWarnings(artwork).isEmpty());
+    layer.text += unassigned + u'x' + unassigned;
+    QCOMPARE(fontWarnings(artwork).size(), 1);
+    QVERIFY(fontWarnings(artwork).front().contains(u' ' + unassigned + u' ')); // named once
+    layer.visible = false;
+    QVERIFY(fontWarnings(artwork).isEmpty());
 }
 
 void ArtworkTest::paintArtwork_wideColour_staysWide() {

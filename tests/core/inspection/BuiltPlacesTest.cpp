@@ -3,6 +3,7 @@
 #include "PhotographedPart.h"
 #include "TestFolders.h"
 #include "accuracy/correction/SheetCorrection.h"
+#include "base/Error.h"
 #include "solver/SolverRegistry.h"
 
 #include <QStandardPaths>
@@ -63,6 +64,51 @@ private slots:
         }
         built.corrects = false;
         QCOMPARE(onPrintedSheet(pairs.printed, built).front().sheet, pairs.printed.front().sheet);
+    }
+
+    void requireOnTargets_wrongCoordinatesOfTheSheet_areNamed_data() {
+        QTest::addColumn<double>("xx");
+        QTest::addColumn<double>("xy");
+        QTest::addColumn<double>("yx");
+        QTest::addColumn<double>("yy");
+        QTest::addColumn<bool>("fromCorner");
+        QTest::addColumn<QString>("advice");
+        QTest::newRow("correct") << 1.0 << 0.0 << 0.0 << 1.0 << false << QString();
+        QTest::newRow("y upwards") << 1.0 << 0.0 << 0.0 << -1.0 << false << "sheet_y_mm has";
+        QTest::newRow("x leftwards") << -1.0 << 0.0 << 0.0 << 1.0 << false << "sheet_x_mm has";
+        QTest::newRow("swapped") << 0.0 << 1.0 << 1.0 << 0.0 << false << "are swapped";
+        QTest::newRow("from the corner") << 1.0 << 0.0 << 0.0 << 1.0 << true << "top left corner";
+    }
+
+    void requireOnTargets_wrongCoordinatesOfTheSheet_areNamed() {
+        QFETCH(double, xx);
+        QFETCH(double, xy);
+        QFETCH(double, yx);
+        QFETCH(double, yy);
+        QFETCH(bool, fromCorner);
+        QFETCH(QString, advice);
+        Eigen::Matrix2d axes;
+        axes << xx, xy, yx, yy;
+        static const Project believed = test::eggToFit(1, 2.4);
+        static const test::PhotographedPart part(believed, {1.03, 1.03, 4, 1.1, -0.7, 0}, 2.4,
+                                                 solverModule());
+        const QSizeF sheet(believed.film.width.value(), believed.film.height.value());
+        std::vector<PrintedPlace> places =
+            part.pairs(test::camerasAround({{20, -35}}, 280, 3.4, 1000), 24, 20, 0.3, 1).printed;
+        for (PrintedPlace& place : places) {
+            place.sheet = axes * place.sheet;
+            if (fromCorner) {
+                place.sheet += Eigen::Vector2d(sheet.width(), sheet.height()) / 2;
+            }
+        }
+        QString refusal;
+        try {
+            requireOnTargets(places, {part.believedFilm()}, sheet, QStringLiteral("places.csv"));
+        } catch (const Error& error) {
+            refusal = error.message();
+        }
+        QCOMPARE(refusal.isEmpty(), advice.isEmpty());
+        QVERIFY2(refusal.contains(advice), qPrintable(refusal));
     }
 
     // Another solver stands for the tank. It has hidden errors of film and body, which move the

@@ -72,6 +72,27 @@ private slots:
         used.profiles = project.profiles;
         QCOMPARE(toJson(used), toJson(project));
     }
+
+    void newProfileFor_project_keepsItsFilm() {
+        const Project project = editedProject();
+        const FilmProfile saved =
+            withFit(newProfileFor(project, QStringLiteral("New")), fitOfSwell(project), {}, notes);
+        QCOMPARE(saved.name, QStringLiteral("New"));
+        QCOMPARE(saved.swellX, 1.06);
+        QCOMPARE(saved.relaxationTime.value(), 4.0);
+        QCOMPARE(saved.growthRate, 0.004);
+        QCOMPARE(saved.contactDistance.value(), 0.25);
+        QVERIFY(saved.edges.leftPinned);
+    }
+
+    void otherFilmNote_valuesThatWereNotFitted_areCompared() {
+        const Project project = editedProject();
+        FilmProfile profile = newProfileFor(project, QStringLiteral("New"));
+        profile.swellX = 1.5; // was fitted
+        QVERIFY(otherFilmNote(profile, project, fitOfSwell(project)).isEmpty());
+        profile.relaxationTime = Seconds(9);
+        QVERIFY(otherFilmNote(profile, project, fitOfSwell(project)).contains("New"));
+    }
 };
 
 QTEST_GUILESS_MAIN(UseFitTest)

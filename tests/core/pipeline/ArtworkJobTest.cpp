@@ -305,6 +305,12 @@ private slots:
         project.artwork.layers.push_back(newLayer(LayerKind::Text, QStringLiteral("Title")));
         project.artwork.layers.back().font = QStringLiteral("No Such Letters");
         QVERIFY(says(project, "No Such Letters"));
+        JobOptions options;
+        options.estimatesNumericalError = false;
+        const Verdict verdict = runJob(project, *registry_, options, nullptr, {}).verdict;
+        QVERIFY(std::any_of(verdict.reasons.begin(), verdict.reasons.end(), [](const auto& reason) {
+            return reason.advice == Advice::CheckFirst && reason.text.contains("No Such Letters");
+        }));
     }
 
 private:

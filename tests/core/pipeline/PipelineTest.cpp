@@ -183,6 +183,26 @@ private slots:
         QVERIFY(faint.advice == Advice::CheckFirst && lost.advice == Advice::DoNotPrint);
     }
 
+    // Sheets that were read upwards: the correction would print a mirrored sheet.
+    void runJob_mirroringCorrection_isRefused() {
+        Project job = ballJob();
+        job.asBuilt.parts.resize(1);
+        for (int i = 0; i < 25; ++i) {
+            const double x = 8.0 * (i % 5 - 2), y = 8.0 * (i / 5 - 2);
+            job.asBuilt.places.push_back({1,
+                                          1,
+                                          {Millimetres(x), Millimetres(y)},
+                                          {Millimetres(x), Millimetres(0), Millimetres(y)},
+                                          {Millimetres(0), Millimetres(-2 * y)}});
+        }
+        JobOptions options;
+        options.estimatesNumericalError = false;
+        runJob(job, *registry_, options, nullptr, {}); // does not correct
+        job.asBuilt.corrects = true;
+        QVERIFY_EXCEPTION_THROWN(runJob(job, *registry_, options, nullptr, {}), Error);
+        QVERIFY_EXCEPTION_THROWN(validateJob(job, *registry_), Error);
+    }
+
     void runJob_maskOnUnknownFace_isToBeChecked() {
         Project job = ballJob();
         job.masks.emplace_back().material = QStringLiteral("Thread");

@@ -2,6 +2,8 @@
 // on the next sheet.
 #include "accuracy/correction/SheetCorrection.h"
 
+#include "base/Error.h"
+
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
@@ -65,6 +67,21 @@ double nextResidual(const AsBuilt& built) {
         sum += (printed + tank(printed) - between).squaredNorm();
     }
     return std::sqrt(sum / double(places().size()));
+}
+
+// Returns a part whose sheet was measured in other directions: s was seen at axes * s.
+AsBuilt measuredIn(const Eigen::Matrix2d& axes) {
+    AsBuilt built;
+    built.parts.resize(1);
+    for (const Eigen::Vector2d& place : places()) {
+        const Eigen::Vector2d off = axes * place + tank(place) - place;
+        BuiltPlace seen;
+        seen.sheet = {Millimetres(place.x()), Millimetres(place.y())};
+        seen.model = {Millimetres(place.x()), Millimetres(0), Millimetres(place.y())};
+        seen.off = {Millimetres(off.x()), Millimetres(off.y())};
+        built.places.push_back(seen);
+    }
+    return built;
 }
 
 double fallen(int parts, double scatter, double whole, int seed) {
@@ -149,6 +166,28 @@ private slots:
         QVERIFY(!isCorrected(built, 2));
         built.strength = 0;
         QVERIFY(!isCorrected(built, 1));
+    }
+
+    void requirePossibleErrors_ordinaryPart_isAccepted() {
+        std::mt19937 random{8};
+        AsBuilt built;
+        dip(built, 0.3, 0.2, random);
+        QVERIFY(errorGradient(RepeatingError(built, 1), width, height) < 0.1);
+        requirePossibleErrors(built, width, height, QStringLiteral("job"));
+        requirePossibleErrors({}, width, height, QStringLiteral("job"));
+    }
+
+    void requirePossibleErrors_mirroredSwappedOrTurnedSheet_isRefused() {
+        Eigen::Matrix2d mirrored, swapped;
+        mirrored << 1, 0, 0, -1;
+        swapped << 0, 1, 1, 0;
+        for (const Eigen::Matrix2d& axes :
+             {mirrored, swapped, Eigen::Matrix2d(-Eigen::Matrix2d::Identity())}) {
+            AsBuilt built = measuredIn(axes);
+            built.strength = 0.1; // an impossible error is not corrected in part either
+            QVERIFY_EXCEPTION_THROWN(
+                requirePossibleErrors(built, width, height, QStringLiteral("job")), Error);
+        }
     }
 
     void correctedImage_knownError_movesAgainstIt() {
