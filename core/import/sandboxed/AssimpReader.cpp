@@ -241,7 +241,9 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
         warnings += files->warnings();
     }
     const SceneMeaning meaning{format.startsWith(QStringLiteral("gl")), files->placements()};
-    return convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
+    TexturedMesh model = convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
+    warnings.removeDuplicates(); // several materials may lack the same picture
+    return model;
 }
 
 } // namespace dipwright

@@ -28,6 +28,23 @@ QString warningsOf(const ImportedModel& imported) {
     return imported.report.warnings.join(u'|');
 }
 
+// Returns a row of red pixels with different alpha.
+QImage fourAlphas() {
+    QImage row(4, 1, QImage::Format_RGBA8888);
+    for (int x = 0; x < row.width(); ++x) {
+        row.setPixelColor(x, 0, QColor(255, 0, 0, QList<int>{0, 127, 128, 255}[x]));
+    }
+    return row;
+}
+
+QList<int> alphasOf(const QImage& row) {
+    QList<int> alphas;
+    for (int x = 0; x < row.width(); ++x) {
+        alphas.push_back(row.pixelColor(x, 0).alpha());
+    }
+    return alphas;
+}
+
 } // namespace
 
 // The material's colour in squareGltf().
@@ -47,6 +64,9 @@ private Q_SLOTS:
     void gltf_scaledTexture_isAWarning();
     void gltf_mirroredTexture_isALossWhereItRepeats();
     void gltf_tintedTexture_isALoss();
+    void gltf_alphaMode_decidesWhatIsTransparent_data();
+    void gltf_alphaMode_decidesWhatIsTransparent();
+    void gltf_alphaModesOfOnePicture_areIndependent();
     void obj_someCoordinatesMissing_isALoss();
     void gltf_byteOrderMark_isRead();
     void obj_byteOrderMark_isRead();
@@ -208,6 +228,53 @@ void OddModelsTest::gltf_tintedTexture_isALoss() {
     const QStringList tinted = losses(squareGltf(png(quarters())));
     QCOMPARE(tinted.size(), 1);
     QVERIFY2(tinted[0].contains(QStringLiteral("tints a texture")), qPrintable(tinted[0]));
+}
+
+void OddModelsTest::gltf_alphaMode_decidesWhatIsTransparent_data() {
+    QTest::addColumn<QByteArray>("mode");
+    QTest::addColumn<QList<int>>("alphas"); // of pixels with alpha 0, 127, 128 and 255
+    QTest::newRow("none") << QByteArray() << QList<int>{255, 255, 255, 255};
+    const auto row = [](const char* mode, const QList<int>& alphas) {
+        QTest::newRow(mode) << QByteArray(mode) + "," << alphas;
+    };
+    row(R"("alphaMode":"OPAQUE")", {255, 255, 255, 255});
+    row(R"("alphaMode":"BLEND")", {0, 127, 128, 255});
+    row(R"("alphaMode":"MASK")", {0, 0, 255, 255});
+    row(R"("alphaMode":"MASK","alphaCutoff":0.25)", {0, 255, 255, 255});
+    row(R"("alphaMode":"MASK","alphaCutoff":0)", {255, 255, 255, 255});
+    row(R"("alphaMode":"MASK","alphaCutoff":2)", {0, 0, 0, 0});
+}
+
+void OddModelsTest::gltf_alphaMode_decidesWhatIsTransparent() {
+    QFETCH(QByteArray, mode);
+    QFETCH(QList<int>, alphas);
+    const QByteArray text = squareGltf(png(fourAlphas()))
+                                .replace(tint, "")
+                                .replace(R"("name":"paint")", mode + R"("name":"paint")");
+    const ImportedModel imported = importModel(write(QStringLiteral("alpha.gltf"), text), {}, {});
+    QCOMPARE(alphasOf(imported.model.textures.at(0)), alphas);
+    QCOMPARE(imported.model.textures.at(0).pixelColor(0, 0).red(), 255);
+}
+
+void OddModelsTest::gltf_alphaModesOfOnePicture_areIndependent() {
+    QByteArray text = squareGltf(png(fourAlphas())).replace(tint, "");
+    const QByteArray primitive =
+        R"({"attributes":{"POSITION":0,"TEXCOORD_0":1},"indices":2,"material":1})";
+    text.replace(R"("meshes":[{"primitives":[)", R"("meshes":[{"primitives":[)" + primitive + ",");
+    text.replace(R"("materials":[)",
+                 R"("materials":[{"name":"glass","alphaMode":"BLEND",)"
+                 R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},)");
+    const TexturedMesh model = importModel(write(QStringLiteral("two.gltf"), text), {}, {}).model;
+    const auto alphas = [&](const char* name) {
+        for (const Material& material : model.materials) {
+            if (material.name == QLatin1String(name)) {
+                return alphasOf(model.textures.at(std::size_t(material.texture)));
+            }
+        }
+        return QList<int>();
+    };
+    QCOMPARE(alphas("glass"), (QList<int>{0, 127, 128, 255}));
+    QCOMPARE(alphas("paint"), (QList<int>{255, 255, 255, 255}));
 }
 
 // Two sides of a tetrahedron name texture coordinates, and two do not.
