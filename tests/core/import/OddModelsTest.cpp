@@ -67,6 +67,10 @@ private Q_SLOTS:
     void gltf_alphaMode_decidesWhatIsTransparent_data();
     void gltf_alphaMode_decidesWhatIsTransparent();
     void gltf_alphaModesOfOnePicture_areIndependent();
+    void collada_transformedTexture_isALoss_data();
+    void collada_transformedTexture_isALoss();
+    void fbx_swappedTexture_isALoss_data();
+    void fbx_swappedTexture_isALoss();
     void obj_someCoordinatesMissing_isALoss();
     void gltf_byteOrderMark_isRead();
     void obj_byteOrderMark_isRead();
@@ -275,6 +279,48 @@ void OddModelsTest::gltf_alphaModesOfOnePicture_areIndependent() {
     };
     QCOMPARE(alphas("glass"), (QList<int>{0, 127, 128, 255}));
     QCOMPARE(alphas("paint"), (QList<int>{255, 255, 255, 255}));
+}
+
+void OddModelsTest::collada_transformedTexture_isALoss_data() {
+    QTest::addColumn<QByteArray>("transform");
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("none") << QByteArray() << false;
+    const auto row = [](const char* element, bool isLoss) {
+        QTest::newRow(element) << QByteArray(element) << isLoss;
+    };
+    row("<offsetU>0.5</offsetU>", false);
+    row("<repeatU>1</repeatU>", false);
+    row("<repeatU>2</repeatU>", true);
+    row("<repeatV>0.5</repeatV>", true);
+    row("<rotateUV>90</rotateUV>", true);
+}
+
+void OddModelsTest::collada_transformedTexture_isALoss() {
+    QFETCH(QByteArray, transform);
+    QFETCH(bool, isLoss);
+    const QByteArray file =
+        squareCollada().replace("</texture>", "<extra><technique profile=\"MAYA\">" + transform +
+                                                  "</technique></extra></texture>");
+    const ImportedModel imported = importModel(write(QStringLiteral("a.dae"), file), {}, {});
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+    QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
+    QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("scales or rotates")));
+}
+
+void OddModelsTest::fbx_swappedTexture_isALoss_data() {
+    QTest::addColumn<QByteArray>("swap");
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("off") << QByteArray(R"(P: "UVSwap", "bool", "", "",0)") << false;
+    QTest::newRow("on") << QByteArray(R"(P: "UVSwap", "bool", "", "",1)") << true;
+}
+
+void OddModelsTest::fbx_swappedTexture_isALoss() {
+    QFETCH(QByteArray, swap);
+    QFETCH(bool, isLoss);
+    const QString path = write(QStringLiteral("a.fbx"), texturedFbx(swap));
+    const ImportedModel imported = importModel(path, {}, {});
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+    QCOMPARE(warningsOf(imported).contains(QStringLiteral("scales or rotates")), isLoss);
 }
 
 // Two sides of a tetrahedron name texture coordinates, and two do not.
