@@ -1,6 +1,7 @@
 #include "import/sandboxed/AssimpReader.h"
 
 #include "base/Budgets.h"
+#include "import/sandboxed/ColladaTextureSets.h"
 #include "import/sandboxed/GltfCheck.h"
 #include "import/sandboxed/MaterialFileCheck.h"
 #include "import/sandboxed/SceneConversion.h"
@@ -143,6 +144,9 @@ QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStr
     }
     if (format == QStringLiteral("gltf") || format == QStringLiteral("glb")) {
         return gltfForAssimp(source, warnings);
+    }
+    if (format == QStringLiteral("dae")) {
+        return withTextureSets(source, warnings);
     }
     return format == QStringLiteral("obj") ? withoutByteOrderMark(source.bytes) : source.bytes;
 }

@@ -272,8 +272,10 @@ private:
             const aiVector3D position = transform * mesh.mVertices[v];
             model_.mesh.positions.emplace_back(position.x, position.y, position.z);
         }
-        const auto [material, channel, placement, isNotRepeated] =
+        const auto [material, namedChannel, placement, isNotRepeated] =
             materials_.find(mesh.mMaterialIndex);
+        // Collada names a set by any number, even if it is the only one.
+        const unsigned channel = mesh.GetNumUVChannels() == 1 ? 0 : namedChannel;
         const bool hasPicture = model_.materials[material].texture >= 0;
         const bool isMirrored = transform.Determinant() < 0;
         const bool hasCoordinates =

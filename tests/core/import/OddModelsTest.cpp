@@ -28,6 +28,22 @@ QString warningsOf(const ImportedModel& imported) {
     return imported.report.warnings.join(u'|');
 }
 
+// Returns squareCollada() with another symbol and number of its set of texture coordinates.
+QByteArray renamedSetCollada(const QByteArray& symbol, int set) {
+    const QByteArray number = "set=\"" + QByteArray::number(set) + "\"";
+    return squareCollada()
+        .replace("UVMap", symbol)
+        .replace(" set=\"0\"", " " + number)
+        .replace("input_set=\"0\"", "input_" + number);
+}
+
+// Returns it with a second set, which its texture does not use.
+QByteArray twoSetsCollada(const QByteArray& symbol, int set, int otherSet) {
+    const QByteArray other = "<input semantic=\"TEXCOORD\" source=\"#other\" offset=\"0\" set=\"" +
+                             QByteArray::number(otherSet) + "\"/>";
+    return renamedSetCollada(symbol, set).replace("<p>", other + "<p>");
+}
+
 // Returns a row of red pixels with different alpha.
 QImage fourAlphas() {
     QImage row(4, 1, QImage::Format_RGBA8888);
@@ -69,6 +85,10 @@ private Q_SLOTS:
     void gltf_alphaModesOfOnePicture_areIndependent();
     void collada_transformedTexture_isALoss_data();
     void collada_transformedTexture_isALoss();
+    void collada_textureSet_isTheBoundOne_data();
+    void collada_textureSet_isTheBoundOne();
+    void collada_unclearTextureSet_isALoss();
+    void collada_onlyTextureSet_isUsed();
     void fbx_swappedTexture_isALoss_data();
     void fbx_swappedTexture_isALoss();
     void obj_someCoordinatesMissing_isALoss();
@@ -305,6 +325,48 @@ void OddModelsTest::collada_transformedTexture_isALoss() {
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
     QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
     QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("scales or rotates")));
+}
+
+void OddModelsTest::collada_textureSet_isTheBoundOne_data() {
+    QTest::addColumn<QByteArray>("symbol");
+    QTest::addColumn<int>("set");      // of the coordinates that the texture uses
+    QTest::addColumn<int>("otherSet"); // of the coordinates that it does not use
+    for (const char* symbol : {"UVMap", "map1", "CHANNEL2", "UVMap.001", "0"}) {
+        QTest::addRow("%s first", symbol) << QByteArray(symbol) << 0 << 1;
+        QTest::addRow("%s second", symbol) << QByteArray(symbol) << 1 << 0;
+        QTest::addRow("%s, high numbers", symbol) << QByteArray(symbol) << 5 << 3;
+    }
+}
+
+void OddModelsTest::collada_textureSet_isTheBoundOne() {
+    QFETCH(QByteArray, symbol);
+    QFETCH(int, set);
+    QFETCH(int, otherSet);
+    const ImportedModel imported = importModel(
+        write(QStringLiteral("two.dae"), twoSetsCollada(symbol, set, otherSet)), {}, {});
+    QCOMPARE(imported.model.textureCoordinates.at(0)[2], Eigen::Vector2f(1, 1));
+    QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+}
+
+void OddModelsTest::collada_unclearTextureSet_isALoss() {
+    const QByteArray file = twoSetsCollada("UVMap", 1, 0);
+    for (const QByteArray& unclear :
+         {QByteArray(file).replace("input_set=", "no_set="),
+          QByteArray(file).replace("bind_vertex_input", "bind"),
+          QByteArray(file).replace("input_set=\"1\"", "input_set=\"7\"")}) {
+        const ImportedModel imported =
+            importModel(write(QStringLiteral("unclear.dae"), unclear), {}, {});
+        QVERIFY2(warningsOf(imported).contains(QStringLiteral("several sets")),
+                 qPrintable(warningsOf(imported)));
+    }
+}
+
+// 3ds Max writes such files.
+void OddModelsTest::collada_onlyTextureSet_isUsed() {
+    const QByteArray file = renamedSetCollada("CHANNEL1", 1);
+    const ImportedModel imported = importModel(write(QStringLiteral("one.dae"), file), {}, {});
+    QCOMPARE(imported.model.textureCoordinates.at(0)[2], Eigen::Vector2f(1, 1));
+    QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
 }
 
 void OddModelsTest::fbx_swappedTexture_isALoss_data() {
