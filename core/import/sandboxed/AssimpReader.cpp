@@ -271,7 +271,9 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     if (source.withTextures) {
         warnings += files->warnings();
     }
-    const SceneMeaning meaning{isGltf, files->placements()};
+    // assimp converts Collada, whose files state their unit, to metres.
+    const double unitMillimetres = format == QStringLiteral("dae") ? 1000 : 1;
+    const SceneMeaning meaning{isGltf, files->placements(), unitMillimetres};
     TexturedMesh model = convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
     if (isMisplaced && !model.textures.empty()) {
         warnings.push_back(

@@ -213,7 +213,8 @@ class TriangleReader {
 public:
     TriangleReader(const aiScene& scene, const ModelSource& source, const SceneMeaning& meaning,
                    TexturedMesh& model, QStringList& warnings, const Progress& progress)
-        : scene_(scene), source_(source), model_(model), warnings_(warnings), progress_(progress),
+        : scene_(scene), source_(source), unit_(float(meaning.unitMillimetres)), model_(model),
+          warnings_(warnings), progress_(progress),
           materials_(scene, source, meaning, model, warnings) {}
 
     void readAll() {
@@ -224,7 +225,9 @@ public:
         model_.mesh.triangles.reserve(total_);
         model_.textureCoordinates.reserve(total_);
         model_.material.reserve(total_);
-        readNode(*scene_.mRootNode, aiMatrix4x4());
+        aiMatrix4x4 toMillimetres;
+        aiMatrix4x4::Scaling(aiVector3D(unit_), toMillimetres);
+        readNode(*scene_.mRootNode, toMillimetres);
         if (hasColours_) {
             warnings_.push_back(Text::tr(
                 "The model's vertex colours are not used; bake them into a texture to print them"));
@@ -323,6 +326,7 @@ private:
 
     const aiScene& scene_;
     const ModelSource& source_;
+    const float unit_; // mm
     TexturedMesh& model_;
     QStringList& warnings_;
     const Progress& progress_;

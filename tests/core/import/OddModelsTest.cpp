@@ -3,6 +3,7 @@
 
 #include "base/Error.h"
 #include "import/trusted/ImportModel.h"
+#include "model/ModelFormats.h"
 
 #include <QtEndian>
 #include <QtTest>
@@ -85,6 +86,8 @@ private Q_SLOTS:
     void gltf_alphaModesOfOnePicture_areIndependent();
     void collada_transformedTexture_isALoss_data();
     void collada_transformedTexture_isALoss();
+    void collada_unit_givesTheTrueSize_data();
+    void collada_unit_givesTheTrueSize();
     void collada_textureSet_isTheBoundOne_data();
     void collada_textureSet_isTheBoundOne();
     void collada_unclearTextureSet_isALoss();
@@ -325,6 +328,25 @@ void OddModelsTest::collada_transformedTexture_isALoss() {
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
     QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
     QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("scales or rotates")));
+}
+
+void OddModelsTest::collada_unit_givesTheTrueSize_data() {
+    QTest::addColumn<QByteArray>("unit");
+    QTest::addColumn<float>("edge"); // mm
+    QTest::newRow("metre") << QByteArray(R"(<unit name="metre" meter="1"/>)") << 1000.0F;
+    QTest::newRow("inch") << QByteArray(R"(<unit name="inch" meter="0.0254"/>)") << 25.4F;
+    QTest::newRow("millimetre") << QByteArray(R"(<unit name="mm" meter="0.001"/>)") << 1.0F;
+    QTest::newRow("none, so metre") << QByteArray() << 1000.0F;
+}
+
+void OddModelsTest::collada_unit_givesTheTrueSize() {
+    QFETCH(QByteArray, unit);
+    QFETCH(float, edge);
+    const QByteArray file = squareCollada().replace(R"(<unit name="metre" meter="1"/>)", unit);
+    const ImportedModel imported = importModel(write(QStringLiteral("unit.dae"), file), {}, {});
+    const Eigen::Vector3f sizes = imported.report.box.sizes();
+    QVERIFY(sizes.isApprox(Eigen::Vector3f(edge, edge, 0), 1e-4F));
+    QVERIFY(namesUnit(QStringLiteral("unit.DAE")));
 }
 
 void OddModelsTest::collada_textureSet_isTheBoundOne_data() {
