@@ -219,7 +219,8 @@ public:
                                            "refused.")});
         syntax.addOption({sizeOption,
                           QStringLiteral("Scales the longest edge of the bounding box to N mm. "
-                                         "Without it one unit of the file is 1 mm."),
+                                         "Without it one unit of the file is 1 mm, unless the "
+                                         "file states its unit."),
                           QStringLiteral("N")});
         syntax.addOption(
             {presetOption,

@@ -49,6 +49,11 @@ bool isCadFile(const QString& path) {
     return false;
 }
 
+bool namesUnit(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    return isCadFile(path) || suffix == QLatin1String("dae") || suffix == QLatin1String("3mf");
+}
+
 QStringList modelFilePatterns() {
     QStringList patterns;
     for (const ModelFormat& format : modelFormats()) {

@@ -18,8 +18,7 @@ void importInto(Document& document, const QString& path, const QString& texture,
                 const QString& undoText, JobRunner& jobs, Messages& messages) {
     ImportOptions options;
     options.texture = texture;
-    options.unitMillimetres =
-        isCadFile(path) ? 1 : document.project().modelOrigin.unitMillimetres; // it names its unit
+    options.unitMillimetres = namesUnit(path) ? 1 : document.project().modelOrigin.unitMillimetres;
     if (pose == Pose::Kept) {
         options.tessellation = document.project().modelOrigin.tessellation;
         options.longestEdge = Millimetres(longestEdgeOf(document.project().model->mesh));

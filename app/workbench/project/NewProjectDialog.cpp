@@ -235,8 +235,8 @@ void NewProjectDialog::readSizes() {
     jobs_.start(std::make_unique<ValueJob<ImportedModel>>(
         tr("Reading the model"),
         [path, options](const Progress& progress) { return importModel(path, options, progress); },
-        [this](const ImportedModel& imported) {
-            namesUnit_ = imported.report.cad.has_value();
+        [this, path](const ImportedModel& imported) {
+            namesUnit_ = namesUnit(path);
             takeSizes(imported.report.box);
             if (!proposeTexture(imported)) {
                 endReading({});

@@ -1,6 +1,7 @@
 #include "import/sandboxed/AssimpReader.h"
 
 #include "base/Budgets.h"
+#include "import/sandboxed/ColladaTextureSets.h"
 #include "import/sandboxed/GltfCheck.h"
 #include "import/sandboxed/MaterialFileCheck.h"
 #include "import/sandboxed/SceneConversion.h"
@@ -144,6 +145,9 @@ QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStr
     if (format == QStringLiteral("gltf") || format == QStringLiteral("glb")) {
         return gltfForAssimp(source, warnings);
     }
+    if (format == QStringLiteral("dae")) {
+        return withTextureSets(source, warnings);
+    }
     return format == QStringLiteral("obj") ? withoutByteOrderMark(source.bytes) : source.bytes;
 }
 
@@ -201,6 +205,29 @@ void checkScene(const aiScene& scene, const ModelSource& source) {
     }
 }
 
+// Whether a material in use scales or rotates its texture. assimp 5.2.5 does this about the wrong
+// point, and forgets the transform.
+bool scalesTexture(const aiScene& scene) {
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const unsigned index = scene.mMeshes[m]->mMaterialIndex;
+        aiUVTransform transform;
+        if (index < scene.mNumMaterials &&
+            scene.mMaterials[index]->Get(AI_MATKEY_UVTRANSFORM_DIFFUSE(0), transform) ==
+                aiReturn_SUCCESS &&
+            (transform.mScaling != aiVector2D(1, 1) || transform.mRotation != 0)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+// Whether a texture of an FBX file exchanges u and v, which assimp 5.2.5 ignores. Looks for the
+// property as the FBX SDK writes it, in text and in binary files.
+bool swapsTexture(const QByteArray& fbx) {
+    return fbx.contains(R"("UVSwap", "bool", "", "",1)") ||
+           fbx.contains(QByteArray("UVSwapS\4\0\0\0boolS\0\0\0\0S\0\0\0\0I\1\0\0\0", 30));
+}
+
 } // namespace
 
 TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStringList& warnings,
@@ -209,6 +236,7 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     if (!loader) {
         source.throwDamaged(Text::tr("its format is not supported"));
     }
+    const bool isGltf = format.startsWith(QStringLiteral("gl"));
     const Progress readingPart = progress.part(0, 0.8);
     Assimp::Importer importer;
     keepOnly(loader, importer);
@@ -220,8 +248,11 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     importer.SetIOHandler(files);                                  // takes ownership
     importer.SetProgressHandler(new ReadingProgress(readingPart)); // takes ownership, too
     const aiScene* scene = importer.ReadFile(name, 0);
+    bool isMisplaced = false; // GltfCheck.h reports this for glTF
     if (scene) {
         checkScene(*scene, source);
+        isMisplaced = (!isGltf && scalesTexture(*scene)) ||
+                      (format == QStringLiteral("fbx") && swapsTexture(source.bytes));
         scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
     }
     progress.cancelToken.throwIfCancelled();
@@ -240,8 +271,17 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     if (source.withTextures) {
         warnings += files->warnings();
     }
-    const SceneMeaning meaning{format.startsWith(QStringLiteral("gl")), files->placements()};
-    return convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
+    // assimp converts Collada, whose files state their unit, to metres.
+    const double unitMillimetres = format == QStringLiteral("dae") ? 1000 : 1;
+    const SceneMeaning meaning{isGltf, files->placements(), unitMillimetres};
+    TexturedMesh model = convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
+    if (isMisplaced && !model.textures.empty()) {
+        warnings.push_back(
+            Text::tr("The model scales or rotates a texture, which is not shown correctly; apply "
+                     "the transform to the texture coordinates in a modelling program"));
+    }
+    warnings.removeDuplicates(); // several materials may have the same fault
+    return model;
 }
 
 } // namespace dipwright

@@ -10,7 +10,8 @@
 
 namespace dipwright {
 
-// A reader fills a TexturedMesh with all triangles in the file's units and with the materials in
+// A reader fills a TexturedMesh with all triangles in the file's units, or in mm if the format
+// states its unit (namesUnit()), and with the materials in
 // use. The mesh is not welded or checked, but its indices are valid. Readers do not fill the
 // charts.
 struct ModelSource {

@@ -1,17 +1,21 @@
 #include "import/sandboxed/SceneConversion.h"
 
 #include "base/Budgets.h"
+#include "base/WideGamut.h"
 #include "settings/SurfaceMark.h"
 
 #include <QCoreApplication>
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 
 namespace dipwright {
 
@@ -27,6 +31,51 @@ int colourByte(float value, bool linear) {
                          : light <= 0.0031308F ? 12.92F * light
                                                : 1.055F * std::pow(light, 1 / 2.4F) - 0.055F;
     return int(std::lround(255 * toShow));
+}
+
+// The alpha from which a picture's pixels are opaque, 0 … 1; the others are transparent. Nothing:
+// their alpha is kept.
+using OpaqueFrom = std::optional<float>;
+
+// glTF 2.0, "Alpha Coverage". Other formats keep alpha.
+OpaqueFrom opaqueFrom(const aiMaterial& material) {
+    aiString mode;
+    if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != aiReturn_SUCCESS ||
+        mode == aiString("BLEND")) {
+        return std::nullopt;
+    }
+    if (mode != aiString("MASK")) {
+        return 0.0F;
+    }
+    float cutoff = 0.5F;
+    aiColor4D factor(1, 1, 1, 1); // its alpha multiplies that of the picture
+    material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
+    material.Get(AI_MATKEY_BASE_COLOR, factor);
+    return cutoff / std::max(factor.a, 1e-6F);
+}
+
+// Makes each pixel opaque or transparent. Does not touch a picture that stays the same, because
+// PictureReader::inksOf() must recognise it.
+template <typename Number>
+void setAlpha(QImage& picture, float opaqueFrom) {
+    constexpr Number opaque = std::numeric_limits<Number>::max();
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int at = 3; at < 4 * picture.width(); at += 4) {
+            const Number before = reinterpret_cast<const Number*>(picture.constScanLine(y))[at];
+            const Number after = float(before) >= opaqueFrom * float(opaque) ? opaque : Number(0);
+            if (after != before) {
+                reinterpret_cast<Number*>(picture.scanLine(y))[at] = after;
+            }
+        }
+    }
+}
+
+QImage withAlpha(QImage picture, const OpaqueFrom& opaqueFrom) {
+    if (opaqueFrom && picture.hasAlphaChannel()) {
+        isWide(picture) ? setAlpha<quint16>(picture, *opaqueFrom)
+                        : setAlpha<quint8>(picture, *opaqueFrom);
+    }
+    return picture;
 }
 
 // Converts the scene's materials and pictures on demand, so that only those in use are kept.
@@ -80,7 +129,8 @@ private:
             std::array<aiTextureMapMode, 3> modes{}; // U, V, and one that pictures do not have
             if (source.GetTexture(type, 0, &name, nullptr, &found.channel, nullptr, nullptr,
                                   modes.data()) == aiReturn_SUCCESS) {
-                material.texture = source_.withTextures ? textureIndex(name) : -1;
+                material.texture =
+                    source_.withTextures ? textureIndex(name, opaqueFrom(source)) : -1;
                 found.isNotRepeated = material.texture >= 0 && (modes[0] != aiTextureMapMode_Wrap ||
                                                                 modes[1] != aiTextureMapMode_Wrap);
                 noteTint(material);
@@ -100,8 +150,8 @@ private:
         }
     }
 
-    int textureIndex(const aiString& name) {
-        const std::string key = name.C_Str();
+    int textureIndex(const aiString& name, const OpaqueFrom& opaqueFrom) {
+        const auto key = std::pair(std::string(name.C_Str()), opaqueFrom);
         const auto known = textures_.find(key);
         if (known != textures_.end()) {
             return known->second;
@@ -109,7 +159,7 @@ private:
         int index = -1;
         if (QImage image = readPicture(name); !image.isNull()) {
             index = int(model_.textures.size());
-            model_.textures.push_back(std::move(image));
+            model_.textures.push_back(withAlpha(std::move(image), opaqueFrom));
         }
         return textures_.emplace(key, index).first->second;
     }
@@ -148,7 +198,7 @@ private:
     TexturedMesh& model_;
     QStringList& warnings_;
     std::map<unsigned, Found> found_;
-    std::map<std::string, int> textures_;
+    std::map<std::pair<std::string, OpaqueFrom>, int> textures_;
     bool isTintNoted_ = false;
 };
 
@@ -163,7 +213,8 @@ class TriangleReader {
 public:
     TriangleReader(const aiScene& scene, const ModelSource& source, const SceneMeaning& meaning,
                    TexturedMesh& model, QStringList& warnings, const Progress& progress)
-        : scene_(scene), source_(source), model_(model), warnings_(warnings), progress_(progress),
+        : scene_(scene), source_(source), unit_(float(meaning.unitMillimetres)), model_(model),
+          warnings_(warnings), progress_(progress),
           materials_(scene, source, meaning, model, warnings) {}
 
     void readAll() {
@@ -174,7 +225,9 @@ public:
         model_.mesh.triangles.reserve(total_);
         model_.textureCoordinates.reserve(total_);
         model_.material.reserve(total_);
-        readNode(*scene_.mRootNode, aiMatrix4x4());
+        aiMatrix4x4 toMillimetres;
+        aiMatrix4x4::Scaling(aiVector3D(unit_), toMillimetres);
+        readNode(*scene_.mRootNode, toMillimetres);
         if (hasColours_) {
             warnings_.push_back(Text::tr(
                 "The model's vertex colours are not used; bake them into a texture to print them"));
@@ -222,8 +275,10 @@ private:
             const aiVector3D position = transform * mesh.mVertices[v];
             model_.mesh.positions.emplace_back(position.x, position.y, position.z);
         }
-        const auto [material, channel, placement, isNotRepeated] =
+        const auto [material, namedChannel, placement, isNotRepeated] =
             materials_.find(mesh.mMaterialIndex);
+        // Collada names a set by any number, even if it is the only one.
+        const unsigned channel = mesh.GetNumUVChannels() == 1 ? 0 : namedChannel;
         const bool hasPicture = model_.materials[material].texture >= 0;
         const bool isMirrored = transform.Determinant() < 0;
         const bool hasCoordinates =
@@ -271,6 +326,7 @@ private:
 
     const aiScene& scene_;
     const ModelSource& source_;
+    const float unit_; // mm
     TexturedMesh& model_;
     QStringList& warnings_;
     const Progress& progress_;

@@ -14,6 +14,7 @@ namespace dipwright {
 struct SceneMeaning {
     bool linearColours = false; // material colours are linear light (glTF), not sRGB
     PicturePlacements placements;
+    double unitMillimetres = 1; // size of the scene's unit in mm, if the file states it
 };
 
 // Returns all triangles of the scene, with the transforms of its nodes and the placements of its

@@ -16,8 +16,10 @@ namespace dipwright {
 struct ImportOptions {
     // If set, the bounding box's longest edge is scaled to this.
     std::optional<Millimetres> longestEdge;
-    double unitMillimetres = 1; // size of the file's unit in mm; used if longestEdge is not set
-    QString texture;            // path of a picture that replaces the model's own, or empty
+    // Size of the file's unit in mm; used if longestEdge is not set. For a file that names its unit
+    // (namesUnit()) it is a factor.
+    double unitMillimetres = 1;
+    QString texture; // path of a picture that replaces the model's own, or empty
     // For a CAD file: largest distance of the triangles from the surfaces, on the scaled model. 0:
     // usualTessellation(). unitMillimetres is then the scale, because CAD files name their unit.
     Millimetres tessellation{0};

@@ -309,6 +309,98 @@ QByteArray squareBinaryPly(const QByteArray& pictureFile, bool littleEndian) {
     return bytes;
 }
 
+QByteArray squareCollada() {
+    return R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit name="metre" meter="1"/><up_axis>Y_UP</up_axis></asset>
+<library_images><image id="picture"><init_from>skin.png</init_from></image></library_images>
+<library_effects><effect id="effect"><profile_COMMON>
+<newparam sid="surface"><surface type="2D"><init_from>picture</init_from></surface></newparam>
+<newparam sid="sampler"><sampler2D><source>surface</source></sampler2D></newparam>
+<technique sid="t"><lambert><diffuse><texture texture="sampler" texcoord="UVMap"></texture></diffuse>
+</lambert></technique></profile_COMMON></effect></library_effects>
+<library_materials><material id="skin" name="skin"><instance_effect url="#effect"/></material>
+</library_materials>
+<library_geometries><geometry id="square"><mesh>
+<source id="places"><float_array id="p" count="12">0 0 0 1 0 0 1 1 0 0 1 0</float_array>
+<technique_common><accessor source="#p" count="4" stride="3"><param name="X" type="float"/>
+<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<source id="map"><float_array id="m" count="8">0 0 1 0 1 1 0 1</float_array>
+<technique_common><accessor source="#m" count="4" stride="2"><param name="S" type="float"/>
+<param name="T" type="float"/></accessor></technique_common></source>
+<source id="other"><float_array id="o" count="8">.5 .5 .5 .5 .5 .5 .5 .5</float_array>
+<technique_common><accessor source="#o" count="4" stride="2"><param name="S" type="float"/>
+<param name="T" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#places"/></vertices>
+<triangles material="m" count="2"><input semantic="VERTEX" source="#v" offset="0"/>
+<input semantic="TEXCOORD" source="#map" offset="0" set="0"/>
+<p>0 1 2 0 2 3</p></triangles></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="scene"><node id="n"><instance_geometry url="#square">
+<bind_material><technique_common><instance_material symbol="m" target="#skin">
+<bind_vertex_input semantic="UVMap" input_semantic="TEXCOORD" input_set="0"/>
+</instance_material></technique_common></bind_material></instance_geometry></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#scene"/></scene></COLLADA>
+)";
+}
+
+QByteArray texturedFbx(const QByteArray& property) {
+    return R"(; FBX 7.4.0 project file
+FBXHeaderExtension: {
+ FBXHeaderVersion: 1003
+ FBXVersion: 7400
+}
+Objects: {
+ Geometry: 1000, "Geometry::g", "Mesh" {
+  Vertices: *12 { a: 0,0,0,1,0,0,1,2,0,0,2,0 }
+  PolygonVertexIndex: *4 { a: 0,1,2,-4 }
+  LayerElementUV: 0 {
+   Name: "map"
+   MappingInformationType: "ByPolygonVertex"
+   ReferenceInformationType: "IndexToDirect"
+   UV: *8 { a: 0,0,1,0,1,1,0,1 }
+   UVIndex: *4 { a: 0,1,2,3 }
+  }
+  LayerElementMaterial: 0 {
+   MappingInformationType: "AllSame"
+   ReferenceInformationType: "IndexToDirect"
+   Materials: *1 { a: 0 }
+  }
+  Layer: 0 {
+   LayerElement: {
+    Type: "LayerElementMaterial"
+    TypedIndex: 0
+   }
+   LayerElement: {
+    Type: "LayerElementUV"
+    TypedIndex: 0
+   }
+  }
+ }
+ Model: 2000, "Model::m", "Mesh" {
+  Version: 232
+ }
+ Material: 3000, "Material::skin", "" {
+  ShadingModel: "lambert"
+ }
+ Texture: 4000, "Texture::t", "" {
+  Type: "TextureVideoClip"
+  Properties70: {
+   )" + property +
+           R"(
+  }
+  FileName: "skin.png"
+  RelativeFilename: "skin.png"
+ }
+}
+Connections: {
+ C: "OO",2000,0
+ C: "OO",1000,2000
+ C: "OO",3000,2000
+ C: "OP",4000,3000, "DiffuseColor"
+}
+)";
+}
+
 QByteArray tetrahedron(const char* format) {
     const QByteArray obj = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nvt 0 0\nvt 1 0\nvt 0 1\n"
                            "f 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 2/1 3/2 4/3\nf 1/1 4/2 3/3\n";

@@ -35,6 +35,14 @@ QByteArray squarePly(const QByteArray& pictureFile);
 // Returns the same square as binary PLY: one quad with texture coordinates for each corner.
 QByteArray squareBinaryPly(const QByteArray& pictureFile, bool littleEndian);
 
+// Returns a square of 1 m × 1 m as Collada, on which the picture skin.png is upright. The set of
+// texture coordinates has the symbol "UVMap". Nothing uses the source "other", whose coordinates
+// are all 0.5.
+QByteArray squareCollada();
+// Returns a plane of 1 × 2 (x, y) as FBX, with the picture skin.png. `property` is one of the
+// texture's properties, as a line of the file.
+QByteArray texturedFbx(const QByteArray& property);
+
 // Returns a tetrahedron as assimp writes it: as "collada", "3ds", or "fbxa", which is FBX as text.
 QByteArray tetrahedron(const char* format);
 // Returns the same tetrahedron as binary FBX, as modelling programs write it.

@@ -3,6 +3,7 @@
 
 #include "base/Error.h"
 #include "import/trusted/ImportModel.h"
+#include "model/ModelFormats.h"
 
 #include <QtEndian>
 #include <QtTest>
@@ -28,6 +29,39 @@ QString warningsOf(const ImportedModel& imported) {
     return imported.report.warnings.join(u'|');
 }
 
+// Returns squareCollada() with another symbol and number of its set of texture coordinates.
+QByteArray renamedSetCollada(const QByteArray& symbol, int set) {
+    const QByteArray number = "set=\"" + QByteArray::number(set) + "\"";
+    return squareCollada()
+        .replace("UVMap", symbol)
+        .replace(" set=\"0\"", " " + number)
+        .replace("input_set=\"0\"", "input_" + number);
+}
+
+// Returns it with a second set, which its texture does not use.
+QByteArray twoSetsCollada(const QByteArray& symbol, int set, int otherSet) {
+    const QByteArray other = "<input semantic=\"TEXCOORD\" source=\"#other\" offset=\"0\" set=\"" +
+                             QByteArray::number(otherSet) + "\"/>";
+    return renamedSetCollada(symbol, set).replace("<p>", other + "<p>");
+}
+
+// Returns a row of red pixels with different alpha.
+QImage fourAlphas() {
+    QImage row(4, 1, QImage::Format_RGBA8888);
+    for (int x = 0; x < row.width(); ++x) {
+        row.setPixelColor(x, 0, QColor(255, 0, 0, QList<int>{0, 127, 128, 255}[x]));
+    }
+    return row;
+}
+
+QList<int> alphasOf(const QImage& row) {
+    QList<int> alphas;
+    for (int x = 0; x < row.width(); ++x) {
+        alphas.push_back(row.pixelColor(x, 0).alpha());
+    }
+    return alphas;
+}
+
 } // namespace
 
 // The material's colour in squareGltf().
@@ -47,6 +81,19 @@ private Q_SLOTS:
     void gltf_scaledTexture_isAWarning();
     void gltf_mirroredTexture_isALossWhereItRepeats();
     void gltf_tintedTexture_isALoss();
+    void gltf_alphaMode_decidesWhatIsTransparent_data();
+    void gltf_alphaMode_decidesWhatIsTransparent();
+    void gltf_alphaModesOfOnePicture_areIndependent();
+    void collada_transformedTexture_isALoss_data();
+    void collada_transformedTexture_isALoss();
+    void collada_unit_givesTheTrueSize_data();
+    void collada_unit_givesTheTrueSize();
+    void collada_textureSet_isTheBoundOne_data();
+    void collada_textureSet_isTheBoundOne();
+    void collada_unclearTextureSet_isALoss();
+    void collada_onlyTextureSet_isUsed();
+    void fbx_swappedTexture_isALoss_data();
+    void fbx_swappedTexture_isALoss();
     void obj_someCoordinatesMissing_isALoss();
     void gltf_byteOrderMark_isRead();
     void obj_byteOrderMark_isRead();
@@ -208,6 +255,156 @@ void OddModelsTest::gltf_tintedTexture_isALoss() {
     const QStringList tinted = losses(squareGltf(png(quarters())));
     QCOMPARE(tinted.size(), 1);
     QVERIFY2(tinted[0].contains(QStringLiteral("tints a texture")), qPrintable(tinted[0]));
+}
+
+void OddModelsTest::gltf_alphaMode_decidesWhatIsTransparent_data() {
+    QTest::addColumn<QByteArray>("mode");
+    QTest::addColumn<QList<int>>("alphas"); // of pixels with alpha 0, 127, 128 and 255
+    QTest::newRow("none") << QByteArray() << QList<int>{255, 255, 255, 255};
+    const auto row = [](const char* mode, const QList<int>& alphas) {
+        QTest::newRow(mode) << QByteArray(mode) + "," << alphas;
+    };
+    row(R"("alphaMode":"OPAQUE")", {255, 255, 255, 255});
+    row(R"("alphaMode":"BLEND")", {0, 127, 128, 255});
+    row(R"("alphaMode":"MASK")", {0, 0, 255, 255});
+    row(R"("alphaMode":"MASK","alphaCutoff":0.25)", {0, 255, 255, 255});
+    row(R"("alphaMode":"MASK","alphaCutoff":0)", {255, 255, 255, 255});
+    row(R"("alphaMode":"MASK","alphaCutoff":2)", {0, 0, 0, 0});
+}
+
+void OddModelsTest::gltf_alphaMode_decidesWhatIsTransparent() {
+    QFETCH(QByteArray, mode);
+    QFETCH(QList<int>, alphas);
+    const QByteArray text = squareGltf(png(fourAlphas()))
+                                .replace(tint, "")
+                                .replace(R"("name":"paint")", mode + R"("name":"paint")");
+    const ImportedModel imported = importModel(write(QStringLiteral("alpha.gltf"), text), {}, {});
+    QCOMPARE(alphasOf(imported.model.textures.at(0)), alphas);
+    QCOMPARE(imported.model.textures.at(0).pixelColor(0, 0).red(), 255);
+}
+
+void OddModelsTest::gltf_alphaModesOfOnePicture_areIndependent() {
+    QByteArray text = squareGltf(png(fourAlphas())).replace(tint, "");
+    const QByteArray primitive =
+        R"({"attributes":{"POSITION":0,"TEXCOORD_0":1},"indices":2,"material":1})";
+    text.replace(R"("meshes":[{"primitives":[)", R"("meshes":[{"primitives":[)" + primitive + ",");
+    text.replace(R"("materials":[)",
+                 R"("materials":[{"name":"glass","alphaMode":"BLEND",)"
+                 R"("pbrMetallicRoughness":{"baseColorTexture":{"index":0}}},)");
+    const TexturedMesh model = importModel(write(QStringLiteral("two.gltf"), text), {}, {}).model;
+    const auto alphas = [&](const char* name) {
+        for (const Material& material : model.materials) {
+            if (material.name == QLatin1String(name)) {
+                return alphasOf(model.textures.at(std::size_t(material.texture)));
+            }
+        }
+        return QList<int>();
+    };
+    QCOMPARE(alphas("glass"), (QList<int>{0, 127, 128, 255}));
+    QCOMPARE(alphas("paint"), (QList<int>{255, 255, 255, 255}));
+}
+
+void OddModelsTest::collada_transformedTexture_isALoss_data() {
+    QTest::addColumn<QByteArray>("transform");
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("none") << QByteArray() << false;
+    const auto row = [](const char* element, bool isLoss) {
+        QTest::newRow(element) << QByteArray(element) << isLoss;
+    };
+    row("<offsetU>0.5</offsetU>", false);
+    row("<repeatU>1</repeatU>", false);
+    row("<repeatU>2</repeatU>", true);
+    row("<repeatV>0.5</repeatV>", true);
+    row("<rotateUV>90</rotateUV>", true);
+}
+
+void OddModelsTest::collada_transformedTexture_isALoss() {
+    QFETCH(QByteArray, transform);
+    QFETCH(bool, isLoss);
+    const QByteArray file =
+        squareCollada().replace("</texture>", "<extra><technique profile=\"MAYA\">" + transform +
+                                                  "</technique></extra></texture>");
+    const ImportedModel imported = importModel(write(QStringLiteral("a.dae"), file), {}, {});
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+    QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
+    QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("scales or rotates")));
+}
+
+void OddModelsTest::collada_unit_givesTheTrueSize_data() {
+    QTest::addColumn<QByteArray>("unit");
+    QTest::addColumn<float>("edge"); // mm
+    QTest::newRow("metre") << QByteArray(R"(<unit name="metre" meter="1"/>)") << 1000.0F;
+    QTest::newRow("inch") << QByteArray(R"(<unit name="inch" meter="0.0254"/>)") << 25.4F;
+    QTest::newRow("millimetre") << QByteArray(R"(<unit name="mm" meter="0.001"/>)") << 1.0F;
+    QTest::newRow("none, so metre") << QByteArray() << 1000.0F;
+}
+
+void OddModelsTest::collada_unit_givesTheTrueSize() {
+    QFETCH(QByteArray, unit);
+    QFETCH(float, edge);
+    const QByteArray file = squareCollada().replace(R"(<unit name="metre" meter="1"/>)", unit);
+    const ImportedModel imported = importModel(write(QStringLiteral("unit.dae"), file), {}, {});
+    const Eigen::Vector3f sizes = imported.report.box.sizes();
+    QVERIFY(sizes.isApprox(Eigen::Vector3f(edge, edge, 0), 1e-4F));
+    QVERIFY(namesUnit(QStringLiteral("unit.DAE")));
+}
+
+void OddModelsTest::collada_textureSet_isTheBoundOne_data() {
+    QTest::addColumn<QByteArray>("symbol");
+    QTest::addColumn<int>("set");      // of the coordinates that the texture uses
+    QTest::addColumn<int>("otherSet"); // of the coordinates that it does not use
+    for (const char* symbol : {"UVMap", "map1", "CHANNEL2", "UVMap.001", "0"}) {
+        QTest::addRow("%s first", symbol) << QByteArray(symbol) << 0 << 1;
+        QTest::addRow("%s second", symbol) << QByteArray(symbol) << 1 << 0;
+        QTest::addRow("%s, high numbers", symbol) << QByteArray(symbol) << 5 << 3;
+    }
+}
+
+void OddModelsTest::collada_textureSet_isTheBoundOne() {
+    QFETCH(QByteArray, symbol);
+    QFETCH(int, set);
+    QFETCH(int, otherSet);
+    const ImportedModel imported = importModel(
+        write(QStringLiteral("two.dae"), twoSetsCollada(symbol, set, otherSet)), {}, {});
+    QCOMPARE(imported.model.textureCoordinates.at(0)[2], Eigen::Vector2f(1, 1));
+    QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+}
+
+void OddModelsTest::collada_unclearTextureSet_isALoss() {
+    const QByteArray file = twoSetsCollada("UVMap", 1, 0);
+    for (const QByteArray& unclear :
+         {QByteArray(file).replace("input_set=", "no_set="),
+          QByteArray(file).replace("bind_vertex_input", "bind"),
+          QByteArray(file).replace("input_set=\"1\"", "input_set=\"7\"")}) {
+        const ImportedModel imported =
+            importModel(write(QStringLiteral("unclear.dae"), unclear), {}, {});
+        QVERIFY2(warningsOf(imported).contains(QStringLiteral("several sets")),
+                 qPrintable(warningsOf(imported)));
+    }
+}
+
+// 3ds Max writes such files.
+void OddModelsTest::collada_onlyTextureSet_isUsed() {
+    const QByteArray file = renamedSetCollada("CHANNEL1", 1);
+    const ImportedModel imported = importModel(write(QStringLiteral("one.dae"), file), {}, {});
+    QCOMPARE(imported.model.textureCoordinates.at(0)[2], Eigen::Vector2f(1, 1));
+    QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+}
+
+void OddModelsTest::fbx_swappedTexture_isALoss_data() {
+    QTest::addColumn<QByteArray>("swap");
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("off") << QByteArray(R"(P: "UVSwap", "bool", "", "",0)") << false;
+    QTest::newRow("on") << QByteArray(R"(P: "UVSwap", "bool", "", "",1)") << true;
+}
+
+void OddModelsTest::fbx_swappedTexture_isALoss() {
+    QFETCH(QByteArray, swap);
+    QFETCH(bool, isLoss);
+    const QString path = write(QStringLiteral("a.fbx"), texturedFbx(swap));
+    const ImportedModel imported = importModel(path, {}, {});
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+    QCOMPARE(warningsOf(imported).contains(QStringLiteral("scales or rotates")), isLoss);
 }
 
 // Two sides of a tetrahedron name texture coordinates, and two do not.
