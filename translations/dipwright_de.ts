@@ -1729,6 +1729,10 @@
         <source>%1: the sheet can be printed, but its numerical error is above the wanted error. Cells of %2 mm might reach it, with about %3 million points × steps; the project allows %4 million (Film &gt; Work limit).</source>
         <translation>%1: Das Blatt kann gedruckt werden, aber sein numerischer Fehler ist größer als gewünscht. Zellen von %2 mm könnten den gewünschten Fehler erreichen, mit etwa %3 Millionen Punkten × Schritten; das Projekt erlaubt %4 Millionen (Film &gt; Grenze für den Aufwand).</translation>
     </message>
+    <message>
+        <source>Fins or pins of the model, %1 mm² in all, are at most %2 mm thick. The film may miss them, because the cells of the distance field are %3 mm. Increase the resolution of the distance field, or make these places thicker.</source>
+        <translation>Finnen oder Stifte des Modells, zusammen %1 mm², sind höchstens %2 mm dick. Der Film kann sie verfehlen, weil die Zellen des Abstandsfelds %3 mm groß sind. Erhöhen Sie die Auflösung des Abstandsfelds, oder machen Sie diese Stellen dicker.</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -2851,6 +2855,10 @@
     <message>
         <source>The project lists %1 textures, but its model needs %2</source>
         <translation>Das Projekt nennt %1 Texturen, aber sein Modell braucht %2</translation>
+    </message>
+    <message>
+        <source>Saving the project</source>
+        <translation>Das Projekt wird gespeichert</translation>
     </message>
 </context>
 <context>
@@ -4316,6 +4324,17 @@
     </message>
 </context>
 <context>
+    <name>Separation</name>
+    <message>
+        <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
+        <translation>Die weiße Schicht wird weggelassen: Sie braucht ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
+    </message>
+    <message>
+        <source>The spot colours are left out: they need a printer profile with an ICC profile in CMYK</source>
+        <translation>Die Sonderfarben werden weggelassen: Sie brauchen ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
+    </message>
+</context>
+<context>
     <name>Serving</name>
     <message>
         <source>Write the path of a socket, such as /run/user/1000/dipwright.sock, or a port of this computer, such as 127.0.0.1:8137</source>
@@ -5265,6 +5284,14 @@
         <source>Both dips print %1 % of the part at full strength, so these places become too dark. Split the part between the dips (share.enabled).</source>
         <translation>Beide Tauchvorgänge drucken %1 % des Teils mit voller Stärke, sodass diese Stellen zu dunkel werden. Teilen Sie das Teil zwischen den Tauchvorgängen auf (share.enabled).</translation>
     </message>
+    <message>
+        <source>The sheet has no ink: its picture is white or transparent. Check the texture and the artwork.</source>
+        <translation>Das Blatt enthält keine Farbe: Sein Bild ist weiß oder durchsichtig. Prüfen Sie die Textur und die Gestaltung.</translation>
+    </message>
+    <message>
+        <source>On the part&apos;s own colour, the picture keeps only %1 % of its contrast; at least %2 % are required. Coat the part, print a white layer under the colours, or correct the part colour.</source>
+        <translation>Auf der Eigenfarbe des Teils behält das Bild nur %1 % seines Kontrasts; mindestens %2 % sind nötig. Grundieren Sie das Teil, drucken Sie eine weiße Schicht unter die Farben, oder berichtigen Sie die Farbe des Teils.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -5317,6 +5344,10 @@
     <message>
         <source>The model has no face or material of this name; its names are %1</source>
         <translation>Das Modell hat keine Fläche und kein Material dieses Namens; seine Namen sind %1</translation>
+    </message>
+    <message>
+        <source>No installed font has the characters %2 of the text “%1”, so boxes are printed; install a font that has them</source>
+        <translation>Keine installierte Schrift hat die Zeichen %2 des Textes „%1“, daher werden Kästchen gedruckt; installieren Sie eine passende Schrift</translation>
     </message>
 </context>
 <context>
@@ -5944,6 +5975,38 @@
         <source>The job already contains the part in these photos; a part may be added only once</source>
         <translation>Der Auftrag enthält das Teil auf diesen Fotos schon; ein Teil darf nur einmal hinzugefügt werden</translation>
     </message>
+    <message>
+        <source>they fit if sheet_y_mm has the other sign: it increases downwards on the floating sheet, ink side up</source>
+        <translation>sie passen mit umgekehrtem Vorzeichen von sheet_y_mm: es wächst auf dem schwimmenden Blatt, Farbseite oben, nach unten</translation>
+    </message>
+    <message>
+        <source>they fit if sheet_x_mm has the other sign: it increases rightwards on the floating sheet, ink side up</source>
+        <translation>sie passen mit umgekehrtem Vorzeichen von sheet_x_mm: es wächst auf dem schwimmenden Blatt, Farbseite oben, nach rechts</translation>
+    </message>
+    <message>
+        <source>they fit if sheet_x_mm and sheet_y_mm have the other sign</source>
+        <translation>sie passen mit umgekehrten Vorzeichen von sheet_x_mm und sheet_y_mm</translation>
+    </message>
+    <message>
+        <source>they fit if sheet_x_mm and sheet_y_mm are swapped</source>
+        <translation>sie passen, wenn sheet_x_mm und sheet_y_mm vertauscht werden</translation>
+    </message>
+    <message>
+        <source>they fit if they are counted from the sheet&apos;s top left corner; count them from its middle</source>
+        <translation>sie passen, wenn sie von der linken oberen Ecke des Blatts gezählt sind; zählen Sie von seiner Mitte</translation>
+    </message>
+    <message>
+        <source>they fit if they are counted from the sheet&apos;s bottom left corner; count them from its middle, downwards</source>
+        <translation>sie passen, wenn sie von der linken unteren Ecke des Blatts gezählt sind; zählen Sie von seiner Mitte nach unten</translation>
+    </message>
+    <message>
+        <source>check that they belong to this job and its present settings</source>
+        <translation>prüfen Sie, ob sie zu diesem Auftrag und seinen jetzigen Einstellungen gehören</translation>
+    </message>
+    <message>
+        <source>The simulation carries half of the printed places more than %1 mm away from their targets x_mm, y_mm, z_mm; %2</source>
+        <translation>In der Simulation liegt die Hälfte der gedruckten Stellen mehr als %1 mm von ihren Zielen x_mm, y_mm, z_mm entfernt; %2</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::CadModel</name>
@@ -6420,10 +6483,6 @@
         <translation>einem unbekannten Rechner</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
         <source>&amp;Overwrite</source>
         <translation>Ü&amp;berschreiben</translation>
     </message>
@@ -6495,6 +6554,18 @@
         <source>The file of “%1” no longer exists. Save the project before closing it?</source>
         <translation>Die Datei von „%1“ gibt es nicht mehr. Das Projekt vor dem Schließen speichern?</translation>
     </message>
+    <message>
+        <source>Saving</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>“%1” is being saved. The window closes when the project is saved.</source>
+        <translation>„%1“ wird gespeichert. Das Fenster schließt sich, wenn das Projekt gespeichert ist.</translation>
+    </message>
+    <message>
+        <source>If you cancel, the window stays open. The project is saved in any case.</source>
+        <translation>Wenn Sie abbrechen, bleibt das Fenster offen. Das Projekt wird in jedem Fall gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::DocumentSession</name>
@@ -6533,6 +6604,14 @@
     <message>
         <source>Unsaved changes would be lost in a crash, because the recovery copy cannot be written. Save often. %1</source>
         <translation>Ungespeicherte Änderungen gingen bei einem Absturz verloren, weil die Sicherungskopie nicht geschrieben werden kann. Speichern Sie oft. %1</translation>
+    </message>
+    <message>
+        <source>Saving the project</source>
+        <translation>Das Projekt wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
     </message>
 </context>
 <context>
@@ -6765,6 +6844,14 @@
     <message>
         <source>Swell along Z</source>
         <translation>Quellung längs Z</translation>
+    </message>
+    <message>
+        <source>The fit does not explain the places: their root mean square distance is %1 mm before the fit and %2 mm after it; check the coordinates of the sheet, and for places that were mistaken for others</source>
+        <translation>Die Anpassung erklärt die Stellen nicht: Ihr mittlerer quadratischer Abstand ist vorher %1 mm und nachher %2 mm; prüfen Sie die Koordinaten des Blatts und ob Stellen verwechselt wurden</translation>
+    </message>
+    <message>
+        <source>The film profile %1 has other values than the project&apos;s film, under which the values were fitted; compare the two before you use it</source>
+        <translation>Das Filmprofil %1 hat andere Werte als der Film des Projekts, mit dem angepasst wurde; vergleichen Sie beide, bevor Sie es verwenden</translation>
     </message>
 </context>
 <context>
@@ -7738,6 +7825,14 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <source>Triangles of closed cavities that were removed: %1</source>
         <translation>Entfernte Dreiecke geschlossener Hohlräume: %1</translation>
     </message>
+    <message>
+        <source>The model scales or rotates a texture, which is not shown correctly; apply the transform to the texture coordinates in a modelling program</source>
+        <translation>Das Modell skaliert oder dreht eine Textur, was nicht richtig gezeigt wird; wenden Sie die Transformation in einem Modellierprogramm auf die Texturkoordinaten an</translation>
+    </message>
+    <message>
+        <source>The model has several sets of texture coordinates, and its file does not say clearly which set its texture uses; if the texture is misplaced, delete the other sets in a modelling program</source>
+        <translation>Das Modell hat mehrere Sätze von Texturkoordinaten, und seine Datei sagt nicht eindeutig, welchen Satz die Textur verwendet; wenn die Textur falsch liegt, löschen Sie die anderen Sätze in einem Modellierprogramm</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -7862,6 +7957,17 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>A jig needs at least one part, and its parts may have at most %1 materials in all</source>
         <translation>Ein Gestell braucht mindestens ein Teil, und seine Teile dürfen zusammen höchstens %1 Materialien haben</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::JobIndicator</name>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Estimated from the progress of the job.</source>
+        <translation>Aus dem Fortschritt der Aufgabe geschätzt.</translation>
     </message>
 </context>
 <context>
@@ -10071,10 +10177,6 @@ Dehnung</translation>
         <translation>Gescheitert: %1</translation>
     </message>
     <message>
-        <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
-        <translation>Die weiße Schicht wird weggelassen: Sie braucht ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
-    </message>
-    <message>
         <source>Stopped: %1</source>
         <translation>Angehalten: %1</translation>
     </message>
@@ -10089,10 +10191,6 @@ Dehnung</translation>
     <message>
         <source>The print system does not report the state of the job: %1</source>
         <translation>Das Drucksystem meldet den Zustand des Auftrags nicht: %1</translation>
-    </message>
-    <message>
-        <source>The spot colours are left out: they need a printer profile with an ICC profile in CMYK</source>
-        <translation>Die Sonderfarben werden weggelassen: Sie brauchen ein Druckerprofil mit einem ICC-Profil in CMYK</translation>
     </message>
     <message>
         <source>The cut contour is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
@@ -10881,6 +10979,17 @@ Ergebnisse: %2</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::ResultTabs</name>
+    <message>
+        <source>Changed since the last run. Run again.</source>
+        <translation>Seit dem letzten Lauf geändert. Starten Sie neu.</translation>
+    </message>
+    <message>
+        <source>%1, out of date</source>
+        <translation>%1, veraltet</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::Results</name>
     <message>
         <source>There is no colour map of this name; choose one of %1</source>
@@ -11518,6 +11627,10 @@ mm je mm</translation>
         <source>Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; places less than %5 mm apart have similar errors. Scatter: %6 mm for single places, %7 mm for whole parts.</source>
         <translation>Tauchvorgang %1: %2 Stellen auf %3 Teilen gemessen. Der wiederkehrende Fehler beträgt bis zu %4 mm; Stellen mit weniger als %5 mm Abstand haben ähnliche Fehler. Streuung: %6 mm bei einzelnen Stellen, %7 mm bei ganzen Teilen.</translation>
     </message>
+    <message>
+        <source>The measured errors of dip %1 contradict each other, so a correction would fold or mirror the sheet; check the measured places, or remove the part from the job or turn the correction off</source>
+        <translation>Die gemessenen Fehler von Tauchvorgang %1 widersprechen sich, eine Korrektur würde das Blatt falten oder spiegeln; prüfen Sie die gemessenen Stellen, entfernen Sie das Teil aus dem Auftrag oder schalten Sie die Korrektur aus</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SnapshotsDialog</name>
@@ -11701,10 +11814,6 @@ mm je mm</translation>
         <translation>Wert unter dem Zeiger</translation>
     </message>
     <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
         <source>Warning</source>
         <translation>Warnung</translation>
     </message>
@@ -11713,8 +11822,12 @@ mm je mm</translation>
         <translation>Der Auftrag reagiert nicht. Speichern Sie Ihre Arbeit und schließen Sie dann das Fenster, um ihn zu beenden.</translation>
     </message>
     <message>
-        <source>Estimated from the progress of the job.</source>
-        <translation>Aus dem Fortschritt der Aufgabe geschätzt.</translation>
+        <source>Cancel saving</source>
+        <translation>Speichern abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel saving. The file stays as it was.</source>
+        <translation>Speichern abbrechen. Die Datei bleibt, wie sie war.</translation>
     </message>
 </context>
 <context>

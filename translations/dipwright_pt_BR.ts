@@ -1729,6 +1729,10 @@
         <source>%1: the sheet can be printed, but its numerical error is above the wanted error. Cells of %2 mm might reach it, with about %3 million points × steps; the project allows %4 million (Film &gt; Work limit).</source>
         <translation>%1: a folha pode ser impressa, mas seu erro numérico é maior que o desejado. Células de %2 mm talvez atinjam o erro desejado, com cerca de %3 milhões de pontos × passos; o projeto permite %4 milhões (Película &gt; Limite de trabalho).</translation>
     </message>
+    <message>
+        <source>Fins or pins of the model, %1 mm² in all, are at most %2 mm thick. The film may miss them, because the cells of the distance field are %3 mm. Increase the resolution of the distance field, or make these places thicker.</source>
+        <translation>Aletas ou pinos do modelo, %1 mm² ao todo, têm no máximo %2 mm de espessura. O filme pode não encontrá-los, porque as células do campo de distância têm %3 mm. Aumente a resolução do campo de distância ou torne esses pontos mais espessos.</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -2851,6 +2855,10 @@
     <message>
         <source>The project lists %1 textures, but its model needs %2</source>
         <translation>O projeto lista %1 texturas, mas seu modelo precisa de %2</translation>
+    </message>
+    <message>
+        <source>Saving the project</source>
+        <translation>Salvando o projeto</translation>
     </message>
 </context>
 <context>
@@ -4316,6 +4324,17 @@
     </message>
 </context>
 <context>
+    <name>Separation</name>
+    <message>
+        <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
+        <translation>A camada branca fica de fora: ela precisa de um perfil de impressora com um perfil ICC em CMYK</translation>
+    </message>
+    <message>
+        <source>The spot colours are left out: they need a printer profile with an ICC profile in CMYK</source>
+        <translation>As cores especiais ficam de fora: elas precisam de um perfil de impressora com um perfil ICC em CMYK</translation>
+    </message>
+</context>
+<context>
     <name>Serving</name>
     <message>
         <source>Write the path of a socket, such as /run/user/1000/dipwright.sock, or a port of this computer, such as 127.0.0.1:8137</source>
@@ -5265,6 +5284,14 @@
         <source>Both dips print %1 % of the part at full strength, so these places become too dark. Split the part between the dips (share.enabled).</source>
         <translation>As duas imersões imprimem %1 % da peça com intensidade total, e esses lugares ficam escuros demais. Divida a peça entre as imersões (share.enabled).</translation>
     </message>
+    <message>
+        <source>The sheet has no ink: its picture is white or transparent. Check the texture and the artwork.</source>
+        <translation>A folha não tem tinta: a imagem é branca ou transparente. Verifique a textura e a arte.</translation>
+    </message>
+    <message>
+        <source>On the part&apos;s own colour, the picture keeps only %1 % of its contrast; at least %2 % are required. Coat the part, print a white layer under the colours, or correct the part colour.</source>
+        <translation>Na cor própria da peça, a imagem conserva apenas %1 % do contraste; são exigidos ao menos %2 %. Pinte a peça com uma base, imprima uma camada branca sob as cores ou corrija a cor da peça.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -5317,6 +5344,10 @@
     <message>
         <source>The model has no face or material of this name; its names are %1</source>
         <translation>O modelo não tem face nem material com este nome; seus nomes são %1</translation>
+    </message>
+    <message>
+        <source>No installed font has the characters %2 of the text “%1”, so boxes are printed; install a font that has them</source>
+        <translation>Nenhuma fonte instalada tem os caracteres %2 do texto “%1”, por isso são impressos retângulos; instale uma fonte que os tenha</translation>
     </message>
 </context>
 <context>
@@ -5944,6 +5975,38 @@
         <source>The job already contains the part in these photos; a part may be added only once</source>
         <translation>O trabalho já contém a peça destas fotos; uma peça só pode ser adicionada uma vez</translation>
     </message>
+    <message>
+        <source>they fit if sheet_y_mm has the other sign: it increases downwards on the floating sheet, ink side up</source>
+        <translation>eles se ajustam com o sinal de sheet_y_mm invertido: ele cresce para baixo na folha flutuante, com a tinta para cima</translation>
+    </message>
+    <message>
+        <source>they fit if sheet_x_mm has the other sign: it increases rightwards on the floating sheet, ink side up</source>
+        <translation>eles se ajustam com o sinal de sheet_x_mm invertido: ele cresce para a direita na folha flutuante, com a tinta para cima</translation>
+    </message>
+    <message>
+        <source>they fit if sheet_x_mm and sheet_y_mm have the other sign</source>
+        <translation>eles se ajustam com os sinais de sheet_x_mm e sheet_y_mm invertidos</translation>
+    </message>
+    <message>
+        <source>they fit if sheet_x_mm and sheet_y_mm are swapped</source>
+        <translation>eles se ajustam se sheet_x_mm e sheet_y_mm forem trocados</translation>
+    </message>
+    <message>
+        <source>they fit if they are counted from the sheet&apos;s top left corner; count them from its middle</source>
+        <translation>eles se ajustam se contados do canto superior esquerdo da folha; conte a partir do centro</translation>
+    </message>
+    <message>
+        <source>they fit if they are counted from the sheet&apos;s bottom left corner; count them from its middle, downwards</source>
+        <translation>eles se ajustam se contados do canto inferior esquerdo da folha; conte a partir do centro, para baixo</translation>
+    </message>
+    <message>
+        <source>check that they belong to this job and its present settings</source>
+        <translation>verifique se pertencem a este trabalho e às suas configurações atuais</translation>
+    </message>
+    <message>
+        <source>The simulation carries half of the printed places more than %1 mm away from their targets x_mm, y_mm, z_mm; %2</source>
+        <translation>Na simulação, metade dos pontos impressos fica a mais de %1 mm dos seus alvos x_mm, y_mm, z_mm; %2</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::CadModel</name>
@@ -6420,10 +6483,6 @@
         <translation>uma máquina desconhecida</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Salvar</translation>
-    </message>
-    <message>
         <source>&amp;Overwrite</source>
         <translation>&amp;Sobrescrever</translation>
     </message>
@@ -6495,6 +6554,18 @@
         <source>The file of “%1” no longer exists. Save the project before closing it?</source>
         <translation>O arquivo de “%1” não existe mais. Salvar o projeto antes de fechar?</translation>
     </message>
+    <message>
+        <source>Saving</source>
+        <translation>Salvamento</translation>
+    </message>
+    <message>
+        <source>“%1” is being saved. The window closes when the project is saved.</source>
+        <translation>“%1” está sendo salvo. A janela fecha quando o projeto estiver salvo.</translation>
+    </message>
+    <message>
+        <source>If you cancel, the window stays open. The project is saved in any case.</source>
+        <translation>Se você cancelar, a janela continua aberta. O projeto é salvo de qualquer forma.</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::DocumentSession</name>
@@ -6533,6 +6604,14 @@
     <message>
         <source>Unsaved changes would be lost in a crash, because the recovery copy cannot be written. Save often. %1</source>
         <translation>Alterações não salvas se perderiam em uma falha, pois a cópia de recuperação não pode ser gravada. Salve com frequência. %1</translation>
+    </message>
+    <message>
+        <source>Saving the project</source>
+        <translation>Salvando o projeto</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Salvar</translation>
     </message>
 </context>
 <context>
@@ -6765,6 +6844,14 @@
     <message>
         <source>Swell along Z</source>
         <translation>Inchamento ao longo de Z</translation>
+    </message>
+    <message>
+        <source>The fit does not explain the places: their root mean square distance is %1 mm before the fit and %2 mm after it; check the coordinates of the sheet, and for places that were mistaken for others</source>
+        <translation>O ajuste não explica os pontos: a distância média quadrática é de %1 mm antes e %2 mm depois; verifique as coordenadas da folha e se há pontos confundidos com outros</translation>
+    </message>
+    <message>
+        <source>The film profile %1 has other values than the project&apos;s film, under which the values were fitted; compare the two before you use it</source>
+        <translation>O perfil de filme %1 tem valores diferentes dos do filme do projeto com que foi feito o ajuste; compare os dois antes de usá-lo</translation>
     </message>
 </context>
 <context>
@@ -7738,6 +7825,14 @@ impresso em papel-cartão rígido e impermeável</translation>
         <source>Triangles of closed cavities that were removed: %1</source>
         <translation>Triângulos de cavidades fechadas que foram removidos: %1</translation>
     </message>
+    <message>
+        <source>The model scales or rotates a texture, which is not shown correctly; apply the transform to the texture coordinates in a modelling program</source>
+        <translation>O modelo redimensiona ou gira uma textura, o que não é mostrado corretamente; aplique a transformação às coordenadas de textura em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>The model has several sets of texture coordinates, and its file does not say clearly which set its texture uses; if the texture is misplaced, delete the other sets in a modelling program</source>
+        <translation>O modelo tem vários conjuntos de coordenadas de textura, e o arquivo não diz claramente qual conjunto a textura usa; se a textura estiver fora do lugar, exclua os outros conjuntos em um programa de modelagem</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -7862,6 +7957,17 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>A jig needs at least one part, and its parts may have at most %1 materials in all</source>
         <translation>Um suporte precisa de pelo menos uma peça, e suas peças podem ter no máximo %1 materiais ao todo</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::JobIndicator</name>
+    <message>
+        <source>Progress</source>
+        <translation>Progresso</translation>
+    </message>
+    <message>
+        <source>Estimated from the progress of the job.</source>
+        <translation>Estimado pelo progresso da tarefa.</translation>
     </message>
 </context>
 <context>
@@ -10071,10 +10177,6 @@ estiramento</translation>
         <translation>Falhou: %1</translation>
     </message>
     <message>
-        <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
-        <translation>A camada branca fica de fora: ela precisa de um perfil de impressora com um perfil ICC em CMYK</translation>
-    </message>
-    <message>
         <source>Stopped: %1</source>
         <translation>Parado: %1</translation>
     </message>
@@ -10089,10 +10191,6 @@ estiramento</translation>
     <message>
         <source>The print system does not report the state of the job: %1</source>
         <translation>O sistema de impressão não informa o estado do trabalho: %1</translation>
-    </message>
-    <message>
-        <source>The spot colours are left out: they need a printer profile with an ICC profile in CMYK</source>
-        <translation>As cores especiais ficam de fora: elas precisam de um perfil de impressora com um perfil ICC em CMYK</translation>
     </message>
     <message>
         <source>The cut contour is left out: it needs a PDF and a printer profile with an ICC profile in CMYK</source>
@@ -10881,6 +10979,17 @@ Resultados: %2</translation>
     </message>
 </context>
 <context>
+    <name>dipwright::ResultTabs</name>
+    <message>
+        <source>Changed since the last run. Run again.</source>
+        <translation>Mudou desde a última execução. Execute de novo.</translation>
+    </message>
+    <message>
+        <source>%1, out of date</source>
+        <translation>%1, desatualizado</translation>
+    </message>
+</context>
+<context>
     <name>dipwright::Results</name>
     <message>
         <source>There is no colour map of this name; choose one of %1</source>
@@ -11518,6 +11627,10 @@ mm por mm</translation>
         <source>Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; places less than %5 mm apart have similar errors. Scatter: %6 mm for single places, %7 mm for whole parts.</source>
         <translation>Imersão %1: %2 lugares medidos em %3 peças. O erro que se repete é de até %4 mm; lugares a menos de %5 mm um do outro têm erros semelhantes. Dispersão: %6 mm em lugares isolados, %7 mm em peças inteiras.</translation>
     </message>
+    <message>
+        <source>The measured errors of dip %1 contradict each other, so a correction would fold or mirror the sheet; check the measured places, or remove the part from the job or turn the correction off</source>
+        <translation>Os erros medidos da imersão %1 se contradizem, e uma correção dobraria ou espelharia a folha; verifique os pontos medidos, remova a peça do trabalho ou desative a correção</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SnapshotsDialog</name>
@@ -11701,10 +11814,6 @@ mm por mm</translation>
         <translation>Valor sob o cursor</translation>
     </message>
     <message>
-        <source>Progress</source>
-        <translation>Progresso</translation>
-    </message>
-    <message>
         <source>Warning</source>
         <translation>Aviso</translation>
     </message>
@@ -11713,8 +11822,12 @@ mm por mm</translation>
         <translation>O trabalho não responde. Salve seu trabalho e feche a janela para encerrá-lo.</translation>
     </message>
     <message>
-        <source>Estimated from the progress of the job.</source>
-        <translation>Estimado pelo progresso da tarefa.</translation>
+        <source>Cancel saving</source>
+        <translation>Cancelar o salvamento</translation>
+    </message>
+    <message>
+        <source>Cancel saving. The file stays as it was.</source>
+        <translation>Cancelar o salvamento. O arquivo fica como estava.</translation>
     </message>
 </context>
 <context>
