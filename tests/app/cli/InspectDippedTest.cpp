@@ -92,8 +92,8 @@ private slots:
         for (const QByteArray& line : bytesOf(path("places.csv")).trimmed().split('\n')) {
             QList<QByteArray> cells = line.split(',');
             if (row++ > 0) {
-                cells[4] = QByteArray::number(cells[4].toDouble() + 8 * (row % 3 - 1));
-                cells[5] = QByteArray::number(cells[5].toDouble() + 8 * (row % 2));
+                cells[4] = QByteArray::number(cells[4].toDouble() + 4 * (row % 3 - 1));
+                cells[5] = QByteArray::number(cells[5].toDouble() + 4 * (row % 2));
             }
             mistaken += cells.join(',') + '\n';
         }
