@@ -284,8 +284,8 @@ void bindJob(py::module_& module) {
         "Makes a project of a model, as `dipwright-cli new` does. The sandboxed reader reads\n"
         "the files.\n\n"
         "model: OBJ, PLY, STL, glTF, 3MF … size_mm: length of its longest edge; default: one\n"
-        "unit of the file is 1 mm, unless the file states its unit. texture: a picture instead of "
-        "the model's. preset:\n"
+        "unit of the file is 1 mm, unless the file states its unit. texture: a picture instead\n"
+        "of the model's. preset:\n"
         "\"production\" or \"paper-2020\". immersions: one or two dips, each as for\n"
         "Job.add_immersion(); default: one without rotation. allow_outside: also reads files\n"
         "outside the model's folder. progress: as in Job.run(). Raises Error or Cancelled.");

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace dipwright {
 
@@ -128,28 +127,30 @@ double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query) {
 
 MissedParts missedParts(const TriangleMesh& body, const SurfaceQuery& query, double spacing) {
     constexpr double manySamples = 20'000, leastShare = 0.001, leastReach = 4; // reach in cells
-    std::vector<Thickness> samples = thicknessSamples(body, query, manySamples);
-    const auto thick = std::partition(samples.begin(), samples.end(), [&](const Thickness& at) {
-        return !isThick(at, query, spacing);
-    });
-    const std::span<const Thickness> thin(samples.begin(), thick), others(thick, samples.end());
+    const std::vector<Thickness> samples = thicknessSamples(body, query, manySamples);
+    std::vector<std::uint8_t> areThick(samples.size());
+    parallelFor(std::size_t(0), samples.size(),
+                [&](std::size_t i) { areThick[i] = isThick(samples[i], query, spacing); });
+    std::vector<Thickness> thin, thick;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        (areThick[i] ? thick : thin).push_back(samples[i]);
+    }
     const auto reach = float(leastReach * spacing);
-    std::vector<std::uint8_t> sticksOut(thin.size());
+    std::vector<std::uint8_t> stickOut(thin.size());
     parallelFor(std::size_t(0), thin.size(), [&](std::size_t i) {
-        sticksOut[i] = std::none_of(others.begin(), others.end(), [&](const Thickness& other) {
+        stickOut[i] = std::none_of(thick.begin(), thick.end(), [&](const Thickness& other) {
             return (other.place - thin[i].place).squaredNorm() < reach * reach;
         });
     });
-    MissedParts missed;
+    double thickest = 0;
     for (std::size_t i = 0; i < thin.size(); ++i) {
-        if (sticksOut[i]) {
-            missed.area += surfaceArea(body) / double(samples.size());
-            if (double(thin[i].plate) < spacing) { // not beside the edge of a fin
-                missed.thickness = std::max(missed.thickness, double(thin[i].plate));
-            }
+        if (stickOut[i] && double(thin[i].plate) < spacing) { // not beside the edge of a fin
+            thickest = std::max(thickest, double(thin[i].plate));
         }
     }
-    return missed.area < leastShare * surfaceArea(body) ? MissedParts{} : missed;
+    const double share = double(std::count(stickOut.begin(), stickOut.end(), std::uint8_t(1))) /
+                         double(std::max<std::size_t>(samples.size(), 1));
+    return share < leastShare ? MissedParts{} : MissedParts{share * surfaceArea(body), thickest};
 }
 
 bool isFineEnough(const FieldGrid& grid, double thinnest) {

@@ -34,7 +34,8 @@ FilmProfile withFit(FilmProfile profile, const FilmFit& fit, const std::vector<F
 FilmProfile newProfileFor(const Project& project, const QString& name);
 
 // Returns a sentence if values of the profile that were not fitted differ from the film of the
-// fitted project; otherwise empty. The fitted values hold only together with those of the project.
+// fitted project; otherwise empty. The values were fitted with the project's film and may be wrong
+// for another.
 QString otherFilmNote(const FilmProfile& profile, const Project& project, const FilmFit& fit);
 
 // Returns the project with the fitted placement, depth and film. The fitted film is stored as a

@@ -1,11 +1,11 @@
 #include "pipeline/InkOptions.h"
 
-#include "base/WeightedSpread.h"
 #include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 #include "sheet/prepress/PlateCompensation.h"
 #include "sheet/prepress/PrinterColour.h"
 #include "sheet/prepress/Separation.h"
+#include "texture/ContrastKept.h"
 #include "texture/Ink.h"
 #include "texture/ReverseTexture.h"
 #include "texture/StretchPlane.h"
@@ -28,7 +28,6 @@ struct Text {
 constexpr double mostSamples = 1e6;     // of each film
 constexpr float visibleDensity = 0.05f; // as in texture/Ink.cpp
 constexpr double leftShort = 0.05;      // of the short area that lightening may leave
-constexpr double leastContrast = 0.5;   // standard deviation of L* that counts as contrast
 constexpr double leastDensest = 0.5;    // darker colours would hardly show
 constexpr double densestStep = 0.05;
 constexpr double poseStretchWeight = 1;
@@ -281,7 +280,7 @@ public:
         const std::vector<Shown> shown = ink.shown(samples_);
         InkReach reach;
         std::vector<float> where;
-        WeightedSpread wanted, got;
+        ContrastKept contrast;
         double shortNow = 0, error = 0;
         for (std::size_t i = 0; i < shown.size(); ++i) {
             const auto area = double(samples_.places[i].area);
@@ -291,8 +290,7 @@ public:
             reach.mostMissing = std::max(reach.mostMissing, double(shown[i].missing));
             if (isShort_[i]) {
                 where.push_back(shown[i].missing);
-                wanted.add(double(asked[0]), area);
-                got.add(double(lab[0]), area);
+                contrast.add(double(asked[0]), double(lab[0]), area);
             }
         }
         reach.shortShare = area_ > 0 ? shortNow / area_ : 0;
@@ -302,9 +300,7 @@ public:
             std::nth_element(where.begin(), rank, where.end());
             reach.missing95 = std::max(0.0, double(*rank));
         }
-        reach.contrast = wanted.deviation() > leastContrast
-                             ? got.deviation() / wanted.deviation()
-                             : std::numeric_limits<double>::quiet_NaN();
+        reach.contrast = contrast.share();
         return reach;
     }
 

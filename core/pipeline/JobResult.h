@@ -72,6 +72,7 @@ struct JobResult {
     SolverInfo solver;                           // the solver that simulated the last dip
     FieldInputs fieldInputs;                     // inputs of `field`
     std::shared_ptr<const DistanceField> field;  // null when no dip needed it
+    QString thinParts;                           // thinPartNote() of the model and `fieldInputs`
     PaintInputs paintInputs;                     // inputs of `painted`
     std::shared_ptr<const TexturedMesh> painted; // the model with texture and artwork
     std::shared_ptr<const SurfaceMask> mask;     // surface without film; null: none

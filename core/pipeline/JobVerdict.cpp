@@ -2,7 +2,6 @@
 
 #include "accuracy/verdict/BareZones.h"
 #include "artwork/EditArtwork.h"
-#include "base/WeightedSpread.h"
 #include "dip/TankFit.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
@@ -10,6 +9,7 @@
 #include "pipeline/PrintedBody.h"
 #include "project/Profiles.h"
 #include "share/UnpaintedPlaces.h"
+#include "texture/ContrastKept.h"
 #include "texture/ReverseTexture.h"
 
 #include <QCoreApplication>
@@ -33,12 +33,11 @@ constexpr double bareSamples = 20'000; // number of points on the body
 constexpr double mostPaintedTwice = 0.02;
 // A sheet with less ink than this, in mm² of full tint, has none: less than a dot of 0.4 mm.
 constexpr double leastInk = 0.1;
-// The share of its contrast that a picture should keep on the part's own colour: the deviation of
-// L*, compared with the same ink on white. Grey of #808080 leaves 60 %, #303030 31 %, #101010 15 %
-// (docs/film-validation.md, "The verdict").
+// The share of its contrast that a picture should keep on the part's own colour, compared with the
+// same ink on white (docs/film-validation.md, "The verdict"). A picture in black and white keeps
+// the lightness L* of that colour, in per cent: 54 % on the grey #808080, 20 % on #303030.
 constexpr double leastContrastKept = 0.3, contrastLost = 0.15;
 constexpr double contrastSamples = 5'000; // number of points on the body
-constexpr double leastContrast = 0.5;     // deviation of L*; pictures with less are plain
 
 // Adds reasons for marked zones that are not painted. Kind::Unreached judges the rest of the body.
 void addBareZones(ReasonList& found, const JobResult& result, const ZonedBody& zoned) {
@@ -108,21 +107,17 @@ void addContrastReason(ReasonList& found, const JobResult& result) {
     std::vector<std::optional<std::array<float, 2>>> lightness(places.size());
     parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
         if (onPart.marks(places[i])) {
-            lightness[i] = {labOf(onPart.colour(places[i]))[0],
-                            labOf(onWhite.colour(places[i]))[0]};
+            lightness[i] = {labOf(onWhite.colour(places[i]))[0],
+                            labOf(onPart.colour(places[i]))[0]};
         }
     });
-    WeightedSpread kept, wanted;
+    ContrastKept contrast;
     for (const auto& pair : lightness) {
         if (pair) {
-            kept.add(double((*pair)[0]));
-            wanted.add(double((*pair)[1]));
+            contrast.add(double((*pair)[0]), double((*pair)[1]));
         }
     }
-    if (wanted.deviation() <= leastContrast) {
-        return;
-    }
-    const double share = kept.deviation() / wanted.deviation();
+    const double share = contrast.share();
     if (share < leastContrastKept) {
         found.add({Kind::FaintPicture,
                    share < contrastLost ? Advice::DoNotPrint : Advice::CheckFirst, share,
@@ -160,9 +155,8 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
         found.add(
             {Kind::ChangedModel, project.verdict.changedModel, 0, 0, project.modelOrigin.remarks});
     }
-    const PosedBody& body = *result.immersions.front().body;
-    if (const QString note = thinPartNote(project, body.mesh, body.query); !note.isEmpty()) {
-        found.add({Kind::ThinPlaces, Advice::CheckFirst, 0, 0, note});
+    if (!result.thinParts.isEmpty()) {
+        found.add({Kind::ThinPlaces, Advice::CheckFirst, 0, 0, result.thinParts});
     }
     if (!project.modelOrigin.losses.isEmpty()) {
         found.add({Kind::IncompleteModel, project.verdict.incompleteModel, 0, 0,

@@ -743,6 +743,14 @@ void runImmersions(JobResult& result, Run& run, const std::vector<SheetInputs>& 
     result.coverageTotal = coverageTotal(immersions, run.mask.get(), progress);
 }
 
+QString thinPartsOf(const JobResult& result, const JobResult* previous) {
+    if (previous && previous->fieldInputs == result.fieldInputs) {
+        return previous->thinParts;
+    }
+    const PosedBody& body = *result.immersions.front().body;
+    return thinPartNote(result.project, body.mesh, body.query);
+}
+
 QStringList notesOf(const JobResult& result) {
     QStringList notes;
     constexpr double negligibleShare = 0.01; // share of the body
@@ -840,6 +848,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
         !note.isEmpty()) {
         result.notes += note;
     }
+    result.thinParts = thinPartsOf(result, previous);
     result.verdict = allDipsVerdict(result, run.zones.get());
     return result;
 }

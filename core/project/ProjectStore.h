@@ -22,8 +22,8 @@ QString solverOfProject(const QString& path);
 
 // Writes the project by an atomic write (disk/AtomicFile.h). Does not check whether others have
 // changed the file; ProjectFile does. Returns the version of the new contents. Throws Error (not
-// writable, disk full, or too large to be read again). Throws Cancelled before
-// it replaces the file. `beforeReplacing`: as in replaceFile().
+// writable, disk full, or too large to be read again). Throws Cancelled before it replaces the
+// file. `beforeReplacing`: as in replaceFile().
 FileVersion saveProject(const Project& project, const QString& path,
                         const std::function<void()>& beforeReplacing = {},
                         const Progress& progress = {});

@@ -172,8 +172,9 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
     case Kind::GuessedFilm:
         return Text::tr("The film's swell is guessed, not measured: the picture may be a few per "
                         "cent too large or too small. Measure the film.");
-    case Kind::ExpiredFilm:
     case Kind::ThinPlaces:
+        return reason.text;
+    case Kind::ExpiredFilm:
     case Kind::UnknownName:
         return reason.text + QLatin1Char('.');
     default:

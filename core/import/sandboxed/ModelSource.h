@@ -11,9 +11,8 @@
 namespace dipwright {
 
 // A reader fills a TexturedMesh with all triangles in the file's units, or in mm if the format
-// states its unit (namesUnit()), and with the materials in
-// use. The mesh is not welded or checked, but its indices are valid. Readers do not fill the
-// charts.
+// states its unit (namesUnit()), and with the materials in use. The mesh is not welded or checked,
+// but its indices are valid. Readers do not fill the charts.
 struct ModelSource {
     QString path;            // path of the model file as the user gave it; for messages
     QByteArray bytes;        // content of the model file

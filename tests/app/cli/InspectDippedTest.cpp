@@ -87,19 +87,11 @@ private slots:
 
     void inspectFit_placesMistakenForOthers_isRefusedAndNotSaved() {
         const QByteArray job = bytesOf(path("job.dipw"));
-        QByteArray mistaken;
-        int row = 0;
-        for (const QByteArray& line : bytesOf(path("places.csv")).trimmed().split('\n')) {
-            QList<QByteArray> cells = line.split(',');
-            if (row++ > 0) {
-                cells[4] = QByteArray::number(cells[4].toDouble() + 4 * (row % 3 - 1));
-                cells[5] = QByteArray::number(cells[5].toDouble() + 4 * (row % 2));
-            }
-            mistaken += cells.join(',') + '\n';
-        }
-        writeFile(path("mistaken.csv"), mistaken);
         QStringList with = words("fit", {"--fit", "shift_x,shift_z", "--update-job"});
-        with.replaceInStrings(path("places.csv"), path("mistaken.csv"));
+        usePlaces(with, [](QList<QByteArray>& cells, int row) {
+            cells[4] = QByteArray::number(cells[4].toDouble() + 4 * (row % 3 - 1));
+            cells[5] = QByteArray::number(cells[5].toDouble() + 4 * (row % 2));
+        });
         const Outcome outcome = cli(with);
         QCOMPARE(outcome.exitCode, 1);
         QCOMPARE(outcome.errorLines().size(), 1);
@@ -109,18 +101,11 @@ private slots:
 
     void inspectBuilt_sheetReadUpwards_isRefusedAndNotSaved() {
         const QByteArray job = bytesOf(path("job.dipw"));
-        QByteArray mirrored;
-        for (const QByteArray& line : bytesOf(path("places.csv")).trimmed().split('\n')) {
-            QList<QByteArray> cells = line.split(',');
-            if (!mirrored.isEmpty()) {
-                cells[5] = QByteArray::number(-cells[5].toDouble());
-            }
-            mirrored += cells.join(',') + '\n';
-        }
-        writeFile(path("mirrored.csv"), mirrored);
         QStringList with =
             words("built", {"--accepted-by", "Ada", "--correct", "1", "--update-job"});
-        with.replaceInStrings(path("places.csv"), path("mirrored.csv"));
+        usePlaces(with, [](QList<QByteArray>& cells, int) {
+            cells[5] = QByteArray::number(-cells[5].toDouble());
+        });
         const Outcome outcome = cli(with);
         QCOMPARE(outcome.exitCode, 1);
         QCOMPARE(outcome.errorLines().size(), 1);
@@ -180,6 +165,22 @@ private:
                            "--pairs",          path("pairs.csv"), "--places",
                            path("places.csv"), "--out",           path("out")} +
                more;
+    }
+    // Changes each row of the table of places, counted from 2 below the header, and uses the
+    // changed table in these words.
+    template <typename Change>
+    void usePlaces(QStringList& words, const Change& change) const {
+        QByteArray changed;
+        int row = 1;
+        for (const QByteArray& line : bytesOf(path("places.csv")).trimmed().split('\n')) {
+            QList<QByteArray> cells = line.split(',');
+            if (row++ > 1) {
+                change(cells, row - 1);
+            }
+            changed += cells.join(',') + '\n';
+        }
+        writeFile(path("changed.csv"), changed);
+        words.replaceInStrings(path("places.csv"), path("changed.csv"));
     }
     QByteArray sheetOf(const QString& name, const QStringList& more) const {
         const Outcome outcome =
