@@ -121,7 +121,7 @@ private:
         Eigen::Vector3f place = near;
         Eigen::Vector3f ahead = (near - before).normalized();
         for (int left = stepsOfACell; left > 0; --left) {
-            const ClosestPoint under = query_.closest(place + step * ahead);
+            const ClosestPoint under = query_.closestNear(place + step * ahead, step);
             const Eigen::Vector3f next = position(mesh_, under.point);
             if ((next - place).dot(ahead) < step / 2) {
                 return place + float(left) * step * ahead;
@@ -147,9 +147,10 @@ private:
         const Eigen::Vector3f& b = contact_.places[triangle[1]];
         const Eigen::Vector3f& c = contact_.places[triangle[2]];
         const Eigen::Vector3f turn = (b - a).cross(c - a);
-        const Eigen::Vector3f outward = normal(query_.closest(a).point) +
-                                        normal(query_.closest(b).point) +
-                                        normal(query_.closest(c).point);
+        const float likely = largestGap * cellOfPoint(film_.grid, triangle[0]);
+        const Eigen::Vector3f outward = normal(query_.closestNear(a, likely).point) +
+                                        normal(query_.closestNear(b, likely).point) +
+                                        normal(query_.closestNear(c, likely).point);
         return outward.dot(turn) < 0 &&
                !principalStretch(film_.grid, triangle, {a, b, c}).isTorn(mostStretch_);
     }

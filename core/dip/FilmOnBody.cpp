@@ -107,10 +107,7 @@ bool FilmOnBody::isBeyondBorder(const SurfacePoint& onFilm, const Eigen::Vector3
 // Finds the film on the same side of the body as `place`.
 ClosestPoint FilmOnBody::filmOver(const Eigen::Vector3f& place,
                                   const Eigen::Vector3f& outward) const {
-    ClosestPoint nearest = query_.closest(place, close * reach_);
-    if (!nearest.point.isValid()) {
-        nearest = query_.closest(place, reach_);
-    }
+    const ClosestPoint nearest = query_.closestNear(place, close * reach_, reach_);
     if (fits(nearest.point, nearest.distance, outward)) {
         return nearest;
     }
@@ -136,7 +133,7 @@ bool FilmOnBody::isNear(std::uint32_t triangle) const {
     const float radius =
         std::max({(body_.positions[a] - middle).norm(), (body_.positions[b] - middle).norm(),
                   (body_.positions[c] - middle).norm()});
-    const bool found = query_.closest(middle, 1.01f * (reach_ + radius)).point.isValid();
+    const bool found = query_.isNear(middle, 1.01f * (reach_ + radius));
     near_[triangle].store(found ? Near::Yes : Near::No, std::memory_order_relaxed);
     return found;
 }

@@ -48,7 +48,7 @@ bool isUnderAir(const Eigen::Vector3f& position, const PosedBody& body, float ce
 SurfacePoint surfacePoint(const Eigen::Vector3f& position, const Eigen::Vector3f& filmNormal,
                           const PosedBody& body, float cell) {
     const SurfaceQuery& query = body.query;
-    const ClosestPoint closest = query.closest(position);
+    const ClosestPoint closest = query.closestNear(position, touching * cell);
     if (!body.air.isEmpty() && closest.distance > touching * cell &&
         isUnderAir(position, body, cell)) {
         return {};
@@ -135,7 +135,9 @@ private:
         // The ink side faces up before the dip and lies against the body after it, so the normal
         // points into the body.
         const Eigen::Vector3f intoBody = turn.normalized();
-        const ClosestPoint under = query_.closest((a + b + c) / 3, cutEdge * longest);
+        const Eigen::Vector3f middle = (a + b + c) / 3;
+        const ClosestPoint under =
+            query_.closestNear(middle, spannedHollow * longest, cutEdge * longest);
         if (!under.point.isValid()) {
             return false;
         }
@@ -159,10 +161,11 @@ private:
     // spannedHollow · `length`.
     bool spansHollow(const Eigen::Vector3f& place, const Eigen::Vector3f& intoBody, float length,
                      float deepest) const {
+        if (query_.closest(place, std::min(spannedHollow * length, deepest)).point.isValid()) {
+            return false;
+        }
         const ClosestPoint under = query_.closest(place, length);
-        const bool outside =
-            under.point.isValid() && (position(mesh_, under.point) - place).dot(intoBody) > 0;
-        return outside && under.distance > std::min(spannedHollow * length, deepest);
+        return under.point.isValid() && (position(mesh_, under.point) - place).dot(intoBody) > 0;
     }
 
     const TriangleMesh& mesh_;

@@ -57,18 +57,17 @@ void SpaceGrid::findFreeWays() {
     forEachPoint([&](std::size_t point, const Eigen::Vector3i& cell) {
         freeWays_[point] = isOnBorder(cell) ? all : 0;
     });
+    // Border points have all ways, so it does not matter what they get from points that are no
+    // neighbours.
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t next = stride(axis);
-        const std::uint8_t along = wayAlong(axis), against = wayAgainst(axis);
-        for (std::size_t point = count(); point-- > 0;) {
-            if (freeWays_[point] != all && !isCrossed(point, axis)) {
-                freeWays_[point] |= freeWays_[point + next] & along;
-            }
+        for (std::size_t point = count() - next; point-- > 0;) {
+            freeWays_[point] |=
+                freeWays_[point + next] & (isCrossed(point, axis) ? 0 : wayAlong(axis));
         }
-        for (std::size_t point = 0; point < count(); ++point) {
-            if (freeWays_[point] != all && !isCrossed(point - next, axis)) {
-                freeWays_[point] |= freeWays_[point - next] & against;
-            }
+        for (std::size_t point = next; point < count(); ++point) {
+            freeWays_[point] |=
+                freeWays_[point - next] & (isCrossed(point - next, axis) ? 0 : wayAgainst(axis));
         }
     }
 }

@@ -61,10 +61,11 @@ public:
     template <typename Visit>
     void forEachPoint(const Visit& visit) const {
         Eigen::Vector3i cell;
+        std::size_t point = 0;
         for (cell[1] = 0; cell[1] < size_[1]; ++cell[1]) {
             for (cell[2] = 0; cell[2] < size_[2]; ++cell[2]) {
                 for (cell[0] = 0; cell[0] < size_[0]; ++cell[0]) {
-                    visit(index(cell), cell);
+                    visit(point++, cell);
                 }
             }
         }

@@ -23,11 +23,15 @@ struct ClosestSearch {
     double squaredDistance = std::numeric_limits<double>::infinity();
     std::uint32_t triangle = SurfacePoint::noTriangle;
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+    bool any = false;                          // ends at the first triangle within the limit
     std::vector<std::uint32_t>* all = nullptr; // not null: collects all triangles instead
 };
 
 bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
     auto& search = *static_cast<ClosestSearch*>(arguments->userPtr);
+    if (search.any && search.triangle != SurfacePoint::noTriangle) {
+        return false;
+    }
     if (search.all) {
         search.all->push_back(arguments->primID);
         return false;
@@ -50,7 +54,7 @@ bool visitTriangle(RTCPointQueryFunctionArguments* arguments) {
     search.squaredDistance = squaredDistance;
     search.triangle = arguments->primID;
     search.weights = weights;
-    const float radius = float(std::sqrt(squaredDistance) + search.slack);
+    const float radius = search.any ? 0.f : float(std::sqrt(squaredDistance) + search.slack);
     if (radius >= arguments->query->radius) {
         return false;
     }
@@ -132,6 +136,17 @@ struct SurfaceQuery::Data {
         rtcReleaseDevice(device);
     }
     void build();
+    // `any`: ends at the first triangle that is near enough.
+    ClosestSearch find(const Eigen::Vector3f& position, float within, bool any) const {
+        const double reach = slack + 4e-7 * position.cwiseAbs().maxCoeff();
+        ClosestSearch search{mesh, position.cast<double>(), reach, double(within) * within};
+        search.any = any;
+        RTCPointQuery query{position.x(), position.y(), position.z(), 0, float(within + reach)};
+        RTCPointQueryContext context;
+        rtcInitPointQueryContext(&context);
+        rtcPointQuery(scene, &query, &context, nullptr, &search);
+        return search;
+    }
 };
 
 void SurfaceQuery::Data::build() {
@@ -175,12 +190,7 @@ SurfaceQuery::SurfaceQuery(SurfaceQuery&&) noexcept = default;
 SurfaceQuery& SurfaceQuery::operator=(SurfaceQuery&&) noexcept = default;
 
 ClosestPoint SurfaceQuery::closest(const Eigen::Vector3f& position, float within) const {
-    const double slack = data_->slack + 4e-7 * position.cwiseAbs().maxCoeff();
-    ClosestSearch search{data_->mesh, position.cast<double>(), slack, double(within) * within};
-    RTCPointQuery query{position.x(), position.y(), position.z(), 0, float(within + slack)};
-    RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(data_->scene, &query, &context, nullptr, &search);
+    const ClosestSearch search = data_->find(position, within, false);
     ClosestPoint result;
     if (search.triangle != SurfacePoint::noTriangle) {
         result.point = {search.triangle, search.weights.cast<float>()};
@@ -189,9 +199,14 @@ ClosestPoint SurfaceQuery::closest(const Eigen::Vector3f& position, float within
     return result;
 }
 
-ClosestPoint SurfaceQuery::closestNear(const Eigen::Vector3f& position, float likely) const {
-    const ClosestPoint nearby = closest(position, likely);
-    return nearby.point.isValid() ? nearby : closest(position);
+ClosestPoint SurfaceQuery::closestNear(const Eigen::Vector3f& position, float likely,
+                                       float within) const {
+    const ClosestPoint nearby = closest(position, std::min(likely, within));
+    return nearby.point.isValid() || likely >= within ? nearby : closest(position, within);
+}
+
+bool SurfaceQuery::isNear(const Eigen::Vector3f& position, float within) const {
+    return data_->find(position, within, true).triangle != SurfacePoint::noTriangle;
 }
 
 std::vector<std::uint32_t> SurfaceQuery::trianglesNear(const Eigen::Vector3f& position,

@@ -30,9 +30,11 @@ public:
     // Returns the surface point nearest to `position`, at most `within` mm away.
     ClosestPoint closest(const Eigen::Vector3f& position,
                          float within = std::numeric_limits<float>::infinity()) const;
-    // Returns the nearest surface point at any distance. Searches within `likely` mm first, which
-    // is faster if the point is that near.
-    ClosestPoint closestNear(const Eigen::Vector3f& position, float likely) const;
+    // The same; searches within `likely` mm first, which is faster if the point is that near.
+    ClosestPoint closestNear(const Eigen::Vector3f& position, float likely,
+                             float within = std::numeric_limits<float>::infinity()) const;
+    // Whether closest() finds a point.
+    bool isNear(const Eigen::Vector3f& position, float within) const;
     // Returns the triangles near a place, in ascending order: all that come within `distance` mm of
     // it, and possibly a few others.
     std::vector<std::uint32_t> trianglesNear(const Eigen::Vector3f& position, float distance) const;

@@ -71,14 +71,14 @@ private:
         const float perArea = 1 / area;
         for (int row = firstRow; row <= lastRow; ++row) {
             const float z = float(row) + 0.5f - a.z();
+            float* const lowest = &lowest_[std::size_t(row * columns_)];
             for (int column = first; column <= last; ++column) {
                 const float x = float(column) + 0.5f - a.x();
                 const float ofB = (x * ac.z() - z * ac.x()) * perArea;
                 const float ofC = (ab.x() * z - ab.z() * x) * perArea;
-                if (ofB >= 0 && ofC >= 0 && ofB + ofC <= 1) {
-                    lower(std::size_t(row * columns_ + column),
-                          a.y() + ofB * ab.y() + ofC * ac.y());
-                }
+                const float height = a.y() + ofB * ab.y() + ofC * ac.y();
+                const bool isInside = (ofB >= 0) & (ofC >= 0) & (ofB + ofC <= 1);
+                lowest[column] = isInside & (height < lowest[column]) ? height : lowest[column];
             }
         }
     }

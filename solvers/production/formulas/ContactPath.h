@@ -181,7 +181,11 @@ acrossToLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real co
             break;
         }
         const Real step = (contactDistance - sample.distance) / slope;
+        const Real before = across;
         across += std::fmin(std::fmax(step, -cell), cell);
+        if (across == before) {
+            break;
+        }
     }
     return across;
 }
