@@ -41,9 +41,10 @@ private:
     QByteArray bytes_; // shares its data with the constructor's argument
 };
 
-// Returns the file names in a line "mtllib a.mtl b.mtl" of an OBJ file. Names may contain spaces.
+// Returns the file names in a line "mtllib a.mtl b.mtl" of an OBJ file. Names may contain spaces
+// or be in quotes.
 QStringList materialFileNames(const QString& line) {
-    static const QRegularExpression between(QStringLiteral("(?<=\\.mtl)\\s+"),
+    static const QRegularExpression between(QStringLiteral("(?<=\\.mtl|\\.mtl\")\\s+"),
                                             QRegularExpression::CaseInsensitiveOption);
     return line.split(between, Qt::SkipEmptyParts);
 }

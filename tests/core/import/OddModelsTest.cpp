@@ -130,7 +130,9 @@ private:
 };
 
 void OddModelsTest::initTestCase() {
-    write(QStringLiteral("skin.png"), png(quarters()));
+    for (const char* name : {"skin.png", "my own skin.png", "two  spaces.png"}) {
+        write(QString::fromLatin1(name), png(quarters()));
+    }
 }
 
 void OddModelsTest::gltf_integerCoordinates_areRefused_data() {
@@ -559,6 +561,14 @@ void OddModelsTest::mtl_unusualButClear_isRead_data() {
         QStringEncoder::Utf16LE, QStringEncoder::Flag::WriteBom)(QString::fromLatin1(plain)));
     QTest::newRow("capitals") << QByteArray("NEWMTL skin\nKD 1 0 0\n\tMAP_KD skin.png\n");
     QTest::newRow("spaces first") << "  " + plain;
+    const auto named = [&](const char* name) {
+        return QByteArray(plain).replace("skin.png", name);
+    };
+    QTest::newRow("a quoted name") << named("\"skin.png\"");
+    QTest::newRow("a name with spaces") << named("my own skin.png");
+    QTest::newRow("a name with two spaces, then blanks") << named("two  spaces.png \t\r");
+    QTest::newRow("a quoted name with spaces") << named("-s 1 1 \"my own skin.png\" ");
+    QTest::newRow("a quoted name in a folder") << named("\"my folder\\two  spaces.png\"");
     for (const char* heading : {"Produced by X", "Ps export", "author me", "Normal maps: none",
                                 "# nothing", "aniso 0.5"}) {
         QTest::newRow(heading) << heading + QByteArray("\n") + plain;
@@ -594,6 +604,9 @@ void OddModelsTest::obj_severalMaterialFilesInOneLine_areRead() {
     const ImportedModel both = imported("my own.mtl b.mtl");
     QVERIFY2(warningsOf(both).isEmpty(), qPrintable(warningsOf(both)));
     QCOMPARE(both.model.textures.size(), std::size_t(1));
+    const ImportedModel quoted = imported("\"my own.mtl\" \"b.mtl\"");
+    QVERIFY2(warningsOf(quoted).isEmpty(), qPrintable(warningsOf(quoted)));
+    QCOMPARE(quoted.model.textures.size(), std::size_t(1));
     const ImportedModel one = imported("lost.mtl b.mtl");
     QVERIFY2(warningsOf(one).contains(QStringLiteral("The file lost.mtl,")),
              qPrintable(warningsOf(one)));
