@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "import/sandboxed/ColladaTextureSets.h"
+#include "import/sandboxed/FbxFrame.h"
 #include "import/sandboxed/GltfCheck.h"
 #include "import/sandboxed/MaterialFileCheck.h"
 #include "import/sandboxed/SceneConversion.h"
@@ -229,6 +230,15 @@ bool swapsTexture(const QByteArray& fbx) {
            fbx.contains(QByteArray("UVSwapS\4\0\0\0boolS\0\0\0\0S\0\0\0\0I\1\0\0\0", 30));
 }
 
+// Returns SceneMeaning::frame.
+Eigen::Matrix3f frameOf(const QString& format, const aiScene& scene, const ModelSource& source) {
+    if (format == QStringLiteral("fbx")) {
+        return fbxFrame(scene, source);
+    }
+    // assimp converts Collada, whose files state their unit, to metres.
+    return (format == QStringLiteral("dae") ? 1000 : 1) * Eigen::Matrix3f::Identity();
+}
+
 } // namespace
 
 TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStringList& warnings,
@@ -272,9 +282,7 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     if (source.withTextures) {
         warnings += files->warnings();
     }
-    // assimp converts Collada, whose files state their unit, to metres.
-    const double unitMillimetres = format == QStringLiteral("dae") ? 1000 : 1;
-    const SceneMeaning meaning{isGltf, files->placements(), unitMillimetres};
+    const SceneMeaning meaning{isGltf, files->placements(), frameOf(format, *scene, source)};
     TexturedMesh model = convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
     if (isMisplaced && !model.textures.empty()) {
         warnings.push_back(

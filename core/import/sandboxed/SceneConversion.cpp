@@ -209,11 +209,21 @@ bool isTinted(const aiMesh& mesh) {
                        [&](const aiColor4D& colour) { return colour != white; });
 }
 
+aiMatrix4x4 matrixOf(const Eigen::Matrix3f& from) {
+    aiMatrix4x4 matrix;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            matrix[unsigned(row)][column] = from(row, column);
+        }
+    }
+    return matrix;
+}
+
 class TriangleReader {
 public:
     TriangleReader(const aiScene& scene, const ModelSource& source, const SceneMeaning& meaning,
                    TexturedMesh& model, QStringList& warnings, const Progress& progress)
-        : scene_(scene), source_(source), unit_(float(meaning.unitMillimetres)), model_(model),
+        : scene_(scene), source_(source), frame_(matrixOf(meaning.frame)), model_(model),
           warnings_(warnings), progress_(progress),
           materials_(scene, source, meaning, model, warnings) {}
 
@@ -225,9 +235,7 @@ public:
         model_.mesh.triangles.reserve(total_);
         model_.textureCoordinates.reserve(total_);
         model_.material.reserve(total_);
-        aiMatrix4x4 toMillimetres;
-        aiMatrix4x4::Scaling(aiVector3D(unit_), toMillimetres);
-        readNode(*scene_.mRootNode, toMillimetres);
+        readNode(*scene_.mRootNode, frame_);
         if (hasColours_) {
             warnings_.push_back(Text::tr(
                 "The model's vertex colours are not used; bake them into a texture to print them"));
@@ -326,7 +334,7 @@ private:
 
     const aiScene& scene_;
     const ModelSource& source_;
-    const float unit_; // mm
+    const aiMatrix4x4 frame_; // SceneMeaning::frame
     TexturedMesh& model_;
     QStringList& warnings_;
     const Progress& progress_;

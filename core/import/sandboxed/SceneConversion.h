@@ -14,7 +14,9 @@ namespace dipwright {
 struct SceneMeaning {
     bool linearColours = false; // material colours are linear light (glTF), not sRGB
     PicturePlacements placements;
-    double unitMillimetres = 1; // size of the scene's unit in mm, if the file states it
+    // From the scene's coordinates to those of the model: mm with Y up, if the file states its unit
+    // and axes.
+    Eigen::Matrix3f frame = Eigen::Matrix3f::Identity();
 };
 
 // Returns all triangles of the scene, with the transforms of its nodes and the placements of its

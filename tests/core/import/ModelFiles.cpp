@@ -13,6 +13,7 @@
 #include <quazip.h>
 #include <quazipfile.h>
 
+#include <bit>
 #include <stdexcept>
 
 namespace dipwright::test {
@@ -83,6 +84,12 @@ struct FbxNode {
     FbxNode& add(qint32 number) {
         properties += 'I';
         appendNumber(properties, number);
+        ++propertyCount;
+        return *this;
+    }
+    FbxNode& add(double number) {
+        properties += 'D';
+        appendNumber(properties, std::bit_cast<quint64>(number));
         ++propertyCount;
         return *this;
     }
@@ -415,12 +422,22 @@ QByteArray tetrahedron(const char* format) {
     return {static_cast<const char*>(blob->data), qsizetype(blob->size)};
 }
 
-QByteArray tetrahedronBinaryFbx() {
+QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes, double unit) {
     constexpr qint32 version = 7400;
     FbxNode fileVersion{"FBXVersion"};
     fileVersion.add(version);
     FbxNode header{"FBXHeaderExtension"};
     header.children = {fileVersion};
+    FbxNode unitSetting{"P"};
+    unitSetting.add("UnitScaleFactor").add("double").add("Number").add("").add(unit);
+    FbxNode settings{"Properties70"};
+    settings.children = {unitSetting};
+    for (const auto& [axis, value] : axes) {
+        FbxNode& node = settings.children.emplace_back("P");
+        node.add(axis).add("int").add("Integer").add("").add(qint32(value));
+    }
+    FbxNode globalSettings{"GlobalSettings"};
+    globalSettings.children = {settings};
     FbxNode vertices{"Vertices"};
     vertices.add<double>('d', {0, 0, 0, 10, 0, 0, 0, 10, 0, 0, 0, 10});
     FbxNode corners{"PolygonVertexIndex"};
@@ -443,7 +460,7 @@ QByteArray tetrahedronBinaryFbx() {
     connections.children = {toModel, toRoot};
     QByteArray file("Kaydara FBX Binary  \0\x1a\0", 23);
     appendNumber(file, quint32(version));
-    for (const FbxNode& node : {header, objects, connections}) {
+    for (const FbxNode& node : {header, globalSettings, objects, connections}) {
         node.writeTo(file);
     }
     return file + QByteArray(13, '\0');

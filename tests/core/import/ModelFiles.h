@@ -45,8 +45,10 @@ QByteArray texturedFbx(const QByteArray& property);
 
 // Returns a tetrahedron as assimp writes it: as "collada", "3ds", or "fbxa", which is FBX as text.
 QByteArray tetrahedron(const char* format);
-// Returns the same tetrahedron as binary FBX, as modelling programs write it.
-QByteArray tetrahedronBinaryFbx();
+// Returns the same tetrahedron as binary FBX, as modelling programs write it. The unit, in cm, and
+// the axes are those of its GlobalSettings.
+QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes = {},
+                                double unit = 1);
 
 // Writes a 3MF package with these files. Throws std::runtime_error if that fails.
 void write3mf(const QString& path, const std::vector<std::pair<QString, QByteArray>>& files);

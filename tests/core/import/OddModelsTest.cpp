@@ -9,6 +9,7 @@
 #include <QtTest>
 
 Q_DECLARE_METATYPE(Eigen::Vector2f)
+Q_DECLARE_METATYPE(Eigen::Matrix3f)
 
 using namespace dipwright;
 using namespace dipwright::test;
@@ -43,6 +44,28 @@ QByteArray twoSetsCollada(const QByteArray& symbol, int set, int otherSet) {
     const QByteArray other = "<input semantic=\"TEXCOORD\" source=\"#other\" offset=\"0\" set=\"" +
                              QByteArray::number(otherSet) + "\"/>";
     return renamedSetCollada(symbol, set).replace("<p>", other + "<p>");
+}
+
+using Axes = std::vector<std::pair<QByteArray, int>>;
+
+const Axes yUp{{"UpAxis", 1},        {"UpAxisSign", 1}, {"FrontAxis", 2},
+               {"FrontAxisSign", 1}, {"CoordAxis", 0},  {"CoordAxisSign", 1}};
+const Axes zUp{{"UpAxis", 2},         {"UpAxisSign", 1}, {"FrontAxis", 1},
+               {"FrontAxisSign", -1}, {"CoordAxis", 0},  {"CoordAxisSign", 1}}; // 3ds Max
+
+// Returns a tetrahedron with edges of length 10 as FBX text with these GlobalSettings.
+QByteArray textFbx(const Axes& axes, double unit) {
+    QByteArray properties =
+        "P: \"UnitScaleFactor\", \"double\", \"Number\", \"\"," + QByteArray::number(unit) + "\n";
+    for (const auto& [axis, value] : axes) {
+        properties +=
+            "P: \"" + axis + "\", \"int\", \"Integer\", \"\"," + QByteArray::number(value) + "\n";
+    }
+    QByteArray file = tetrahedron("fbxa");
+    const qsizetype begin = file.indexOf("GlobalSettings");
+    const qsizetype end = file.indexOf("Documents:", begin);
+    return file.replace(begin, end - begin,
+                        "GlobalSettings: {\nProperties70: {\n" + properties + "}\n}\n");
 }
 
 // Returns a row of red pixels with different alpha.
@@ -92,6 +115,9 @@ private Q_SLOTS:
     void collada_textureSet_isTheBoundOne();
     void collada_unclearTextureSet_isALoss();
     void collada_onlyTextureSet_isUsed();
+    void fbx_unitAndAxes_areFollowed_data();
+    void fbx_unitAndAxes_areFollowed();
+    void fbx_impossibleAxes_areRefused();
     void fbx_swappedTexture_isALoss_data();
     void fbx_swappedTexture_isALoss();
     void obj_someCoordinatesMissing_isALoss();
@@ -391,6 +417,51 @@ void OddModelsTest::collada_onlyTextureSet_isUsed() {
     const ImportedModel imported = importModel(write(QStringLiteral("one.dae"), file), {}, {});
     QCOMPARE(imported.model.textureCoordinates.at(0)[2], Eigen::Vector2f(1, 1));
     QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+}
+
+void OddModelsTest::fbx_unitAndAxes_areFollowed_data() {
+    QTest::addColumn<Axes>("axes");
+    QTest::addColumn<double>("unit");        // cm
+    QTest::addColumn<Eigen::Matrix3f>("to"); // from the file's coordinates to mm
+    const auto row = [](const char* name, const Axes& axes, double unit, const Eigen::Vector3f& x,
+                        const Eigen::Vector3f& y, const Eigen::Vector3f& z) {
+        Eigen::Matrix3f to;
+        to << x, y, z;
+        QTest::newRow(name) << axes << unit << to;
+    };
+    row("centimetre", {}, 1, {10, 0, 0}, {0, 10, 0}, {0, 0, 10});
+    row("millimetre", yUp, 0.1, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    row("inch, Z up", zUp, 2.54, {25.4F, 0, 0}, {0, 0, -25.4F}, {0, 25.4F, 0});
+    row("metre, X up, front Z, right -Y",
+        {{"UpAxis", 0}, {"FrontAxis", 2}, {"CoordAxis", 1}, {"CoordAxisSign", -1}}, 100,
+        {0, 1000, 0}, {-1000, 0, 0}, {0, 0, 1000});
+    row("left-handed", {{"FrontAxisSign", -1}}, 1, {10, 0, 0}, {0, 10, 0}, {0, 0, -10});
+}
+
+void OddModelsTest::fbx_unitAndAxes_areFollowed() {
+    QFETCH(Axes, axes);
+    QFETCH(double, unit);
+    QFETCH(Eigen::Matrix3f, to);
+    const Eigen::AlignedBox3f box(Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(10));
+    const Eigen::AlignedBox3f expected = box.transformed(Eigen::Affine3f(to));
+    for (const QByteArray& file : {tetrahedronBinaryFbx(axes, unit), textFbx(axes, unit)}) {
+        const QString path = write(QStringLiteral("axes.fbx"), file);
+        const ImportedModel imported = importModel(path, {}, {});
+        QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+        QVERIFY(imported.report.box.isApprox(expected, 1e-3F));
+        QVERIFY(imported.report.volume > 0);
+        QVERIFY2(imported.report.repairs.isEmpty(), qPrintable(imported.report.repairs.join(u'|')));
+        QVERIFY(namesUnit(path));
+    }
+}
+
+void OddModelsTest::fbx_impossibleAxes_areRefused() {
+    for (const QByteArray& file :
+         {textFbx({{"UpAxis", 2}}, 1), textFbx({{"UpAxis", 7}}, 1), tetrahedronBinaryFbx(zUp, -1),
+          tetrahedronBinaryFbx(zUp, qQNaN())}) {
+        const QString sentence = refusal(write(QStringLiteral("axes.fbx"), file));
+        QVERIFY2(sentence.contains(QStringLiteral("GlobalSettings")), qPrintable(sentence));
+    }
 }
 
 void OddModelsTest::fbx_swappedTexture_isALoss_data() {
