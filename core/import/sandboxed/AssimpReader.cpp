@@ -208,15 +208,17 @@ void checkScene(const aiScene& scene, const ModelSource& source) {
 }
 
 // Whether a material in use scales or rotates its texture. assimp 5.2.5 does this about the wrong
-// point, and forgets the transform.
-bool scalesTexture(const aiScene& scene) {
+// point, and forgets the transform. Offsets in 3DS count too: assimp negates only that of u, and
+// programs differ on their sign.
+bool movesTexture(const aiScene& scene, bool is3ds) {
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
         const unsigned index = scene.mMeshes[m]->mMaterialIndex;
         aiUVTransform transform;
         if (index < scene.mNumMaterials &&
             scene.mMaterials[index]->Get(AI_MATKEY_UVTRANSFORM_DIFFUSE(0), transform) ==
                 aiReturn_SUCCESS &&
-            (transform.mScaling != aiVector2D(1, 1) || transform.mRotation != 0)) {
+            (transform.mScaling != aiVector2D(1, 1) || transform.mRotation != 0 ||
+             (is3ds && transform.mTranslation != aiVector2D(0, 0)))) {
             return true;
         }
     }
@@ -262,7 +264,7 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     bool isMisplaced = false; // GltfCheck.h reports this for glTF
     if (scene) {
         checkScene(*scene, source);
-        isMisplaced = (!isGltf && scalesTexture(*scene)) ||
+        isMisplaced = (!isGltf && movesTexture(*scene, format == QStringLiteral("3ds"))) ||
                       (format == QStringLiteral("fbx") && swapsTexture(source.bytes));
         scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
     }
@@ -285,9 +287,9 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     const SceneMeaning meaning{isGltf, files->placements(), frameOf(format, *scene, source)};
     TexturedMesh model = convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
     if (isMisplaced && !model.textures.empty()) {
-        warnings.push_back(
-            Text::tr("The model scales or rotates a texture, which is not shown correctly; apply "
-                     "the transform to the texture coordinates in a modelling program"));
+        warnings.push_back(Text::tr(
+            "The model moves, scales or rotates a texture, which is not shown correctly; apply "
+            "the transform to the texture coordinates in a modelling program"));
     }
     warnings.removeDuplicates(); // several materials may have the same fault
     return model;

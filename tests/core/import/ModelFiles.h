@@ -45,6 +45,13 @@ QByteArray texturedFbx(const QByteArray& property);
 
 // Returns a tetrahedron as assimp writes it: as "collada", "3ds", or "fbxa", which is FBX as text.
 QByteArray tetrahedron(const char* format);
+// Returns the same tetrahedron as 3DS with the picture skin.png. `options` are chunks of the
+// texture; see chunk3ds().
+QByteArray textured3ds(const QByteArray& options);
+// Returns a chunk of a 3DS file.
+QByteArray chunk3ds(quint16 kind, const QByteArray& content);
+// Returns a chunk that contains one number.
+QByteArray chunk3ds(quint16 kind, float number);
 // Returns the same tetrahedron as binary FBX, as modelling programs write it. The unit, in cm, and
 // the axes are those of its GlobalSettings.
 QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes = {},

@@ -115,6 +115,8 @@ private Q_SLOTS:
     void collada_textureSet_isTheBoundOne();
     void collada_unclearTextureSet_isALoss();
     void collada_onlyTextureSet_isUsed();
+    void threeDs_movedTexture_isALoss_data();
+    void threeDs_movedTexture_isALoss();
     void fbx_unitAndAxes_areFollowed_data();
     void fbx_unitAndAxes_areFollowed();
     void fbx_impossibleAxes_areRefused();
@@ -417,6 +419,32 @@ void OddModelsTest::collada_onlyTextureSet_isUsed() {
     const ImportedModel imported = importModel(write(QStringLiteral("one.dae"), file), {}, {});
     QCOMPARE(imported.model.textureCoordinates.at(0)[2], Eigen::Vector2f(1, 1));
     QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+}
+
+void OddModelsTest::threeDs_movedTexture_isALoss_data() {
+    QTest::addColumn<QByteArray>("options");
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("none") << QByteArray() << false;
+    QTest::newRow("as usual") << chunk3ds(0xa354, 1) + chunk3ds(0xa356, 1) +
+                                     chunk3ds(0xa358, 0.0F) + chunk3ds(0xa35a, 0.0F) +
+                                     chunk3ds(0xa35c, 0.0F)
+                              << false;
+    QTest::newRow("scaled along u") << chunk3ds(0xa354, 2) << true;
+    QTest::newRow("scaled along v") << chunk3ds(0xa356, 0.5F) << true;
+    QTest::newRow("moved along u") << chunk3ds(0xa358, 0.25F) << true;
+    QTest::newRow("moved along v") << chunk3ds(0xa35a, 0.25F) << true;
+    QTest::newRow("rotated") << chunk3ds(0xa35c, 90) << true;
+}
+
+void OddModelsTest::threeDs_movedTexture_isALoss() {
+    QFETCH(QByteArray, options);
+    QFETCH(bool, isLoss);
+    const QString path = write(QStringLiteral("moved.3ds"), textured3ds(options));
+    const ImportedModel imported = importModel(path, {}, {});
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+    QVERIFY(imported.report.closed);
+    QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
+    QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("moves, scales")));
 }
 
 void OddModelsTest::fbx_unitAndAxes_areFollowed_data() {
