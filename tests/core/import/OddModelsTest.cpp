@@ -68,6 +68,22 @@ QByteArray textFbx(const Axes& axes, double unit) {
                         "GlobalSettings: {\nProperties70: {\n" + properties + "}\n}\n");
 }
 
+// Returns a glTF text with one embedded buffer as a binary file.
+QByteArray glbOf(QByteArray json) {
+    const QByteArray before = R"("uri":"data:application/octet-stream;base64,)";
+    const qsizetype uri = json.indexOf(before), begin = uri + before.size();
+    const qsizetype end = json.indexOf('"', begin);
+    const QByteArray buffer = QByteArray::fromBase64(json.mid(begin, end - begin));
+    json.replace(uri, end + 1 - uri, R"("name":"buffer")");
+    json.append((4 - json.size() % 4) % 4, ' ');
+    QByteArray file("glTF\2\0\0\0____ ___JSON", 20), chunk("____BIN\0", 8);
+    qToLittleEndian(quint32(json.size()), file.data() + 12);
+    qToLittleEndian(quint32(buffer.size()), chunk.data());
+    file += json + chunk + buffer;
+    qToLittleEndian(quint32(file.size()), file.data() + 8);
+    return file;
+}
+
 // Returns a row of red pixels with different alpha.
 QImage fourAlphas() {
     QImage row(4, 1, QImage::Format_RGBA8888);
@@ -126,8 +142,13 @@ private Q_SLOTS:
     void gltf_byteOrderMark_isRead();
     void obj_byteOrderMark_isRead();
     void gltf_deeplyNested_isRefused();
-    void gltf_skinWithoutBindMatrices_isRead_data();
-    void gltf_skinWithoutBindMatrices_isRead();
+    void gltf_skin_movesThePoints_data();
+    void gltf_skin_movesThePoints();
+    void gltf_unclearSkin_isALoss_data();
+    void gltf_unclearSkin_isALoss();
+    void gltf_tooFewBindMatrices_areRefused();
+    void collada_skin_movesThePoints();
+    void fbx_skin_movesThePoints();
     void stl_emptyLinesFirst_isRead();
     void mtl_textureOptions_placeTheTexture_data();
     void mtl_textureOptions_placeTheTexture();
@@ -547,46 +568,95 @@ void OddModelsTest::gltf_deeplyNested_isRefused() {
     QVERIFY2(sentence.contains(QStringLiteral("deep")), qPrintable(sentence));
 }
 
-void OddModelsTest::gltf_skinWithoutBindMatrices_isRead_data() {
-    QTest::addColumn<bool>("isBinary");
-    QTest::newRow("text") << false;
-    QTest::newRow("binary") << true;
+void OddModelsTest::gltf_skin_movesThePoints_data() {
+    QTest::addColumn<TestSkin>("skin");
+    QTest::addColumn<Eigen::Vector3f>("sizes");
+    const auto row = [](const char* name, const TestSkin& skin, float x, float y) {
+        QTest::newRow(name) << skin << Eigen::Vector3f(x, y, 0);
+    };
+    const QByteArray scaled = R"([{"mesh":0,"skin":0},{"scale":[2,2,2]},{"scale":[4,4,4]}])";
+    row("at rest", {}, 1, 1);
+    row("first joint", {.nodes = scaled}, 2, 2);
+    row("both joints", {.nodes = scaled, .weights = {0.5F, 0.5F}}, 3, 3);
+    row("bind matrices cancel the joint", {.nodes = scaled, .bindScale = 0.5F}, 1, 1);
+    // Blender writes such skins if the bones have never been moved.
+    row("no bind matrices", {.nodes = scaled, .bindScale = {}}, 2, 2);
+    row("the mesh's node does not count",
+        {.nodes = R"([{"mesh":0,"skin":0,"scale":[3,3,3]},{},{}])"}, 1, 1);
+    row("a joint under another",
+        {.nodes = R"([{"mesh":0,"skin":0},{"scale":[2,1,1],"children":[2]},{"scale":[2,3,1]}])",
+         .weights = {0, 1},
+         .scene = "[0,1]"},
+        4, 3);
+    row("equal names",
+        {.nodes = R"([{"mesh":0,"skin":0,"name":"a"},{"scale":[2,2,2],"name":"a"},{"name":"a"}])"},
+        2, 2);
+    row("the mesh is also there without a skin",
+        {.nodes = R"([{"mesh":0,"translation":[5,0,0]},{"scale":[2,2,2]},{},{"mesh":0,"skin":0}])",
+         .scene = "[0,1,2,3]"},
+        6, 2);
 }
 
-// Blender writes such skins if the bones have never been moved.
-void OddModelsTest::gltf_skinWithoutBindMatrices_isRead() {
-    QFETCH(bool, isBinary);
-    const auto skinned = [](QByteArray file) {
-        return file
-            .replace(R"("nodes":[{"mesh":0}])",
-                     R"("skins":[{"joints":[1]}],"nodes":[{"mesh":0,"skin":0},{"name":"bone"}])")
-            .replace(R"("attributes":{)", R"("attributes":{"JOINTS_0":3,"WEIGHTS_0":3,)")
-            .replace(R"("type":"SCALAR"}])",
-                     R"("type":"SCALAR"},{"bufferView":0,"componentType":5121,"count":4,)"
-                     R"("type":"VEC4","normalized":true}])");
-    };
-    QByteArray file = squareGltf(png(quarters()));
-    if (isBinary) {
-        const QByteArray whole = squareGlb(png(quarters()));
-        QByteArray json = whole.mid(20, qFromLittleEndian<quint32>(whole.constData() + 12));
-        const QByteArray chunks = whole.mid(20 + json.size());
-        json = skinned(json);
-        json.append((4 - json.size() % 4) % 4, ' ');
-        file = whole.left(20) + json + chunks;
-        qToLittleEndian(quint32(file.size()), file.data() + 8);
-        qToLittleEndian(quint32(json.size()), file.data() + 12);
-    } else {
-        file = skinned(file);
+void OddModelsTest::gltf_skin_movesThePoints() {
+    QFETCH(TestSkin, skin);
+    QFETCH(Eigen::Vector3f, sizes);
+    const QByteArray text = skinnedGltf(skin);
+    for (const char* name : {"skin.gltf", "skin.glb"}) {
+        const bool isBinary = QByteArrayView(name).endsWith("glb");
+        const QString path = write(QString::fromLatin1(name), isBinary ? glbOf(text) : text);
+        QCOMPARE(refusal(path), QString());
+        const ImportedModel imported = importModel(path, {}, {});
+        QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+        QVERIFY(imported.report.box.sizes().isApprox(sizes, 1e-5F));
     }
-    QVERIFY(file.contains("skins"));
-    const QString path =
-        write(isBinary ? QStringLiteral("skin.glb") : QStringLiteral("skin.gltf"), file);
-    QCOMPARE(refusal(path), QString());
-    const ImportedModel imported = importModel(path, {}, {});
-    QCOMPARE(imported.report.triangles, std::size_t(2));
-    QCOMPARE(imported.model.textures.size(), std::size_t(1));
-    QVERIFY2(warningsOf(imported).contains(QStringLiteral("skin without bind matrices")),
+}
+
+void OddModelsTest::gltf_unclearSkin_isALoss_data() {
+    QTest::addColumn<TestSkin>("skin");
+    QTest::newRow("weights of 0.3") << TestSkin{.weights = {0.3F, 0}};
+    QTest::newRow("weights of 0") << TestSkin{.weights = {0, 0}};
+    QTest::newRow("weights that are not numbers")
+        << TestSkin{.weights = {std::numeric_limits<float>::quiet_NaN(), 0}};
+    QTest::newRow("weights as bytes") << TestSkin{.hasByteWeights = true};
+    QTest::newRow("joints outside the scene") << TestSkin{.scene = "[0]"};
+}
+
+void OddModelsTest::gltf_unclearSkin_isALoss() {
+    QFETCH(TestSkin, skin);
+    const ImportedModel imported =
+        importModel(write(QStringLiteral("unclear.gltf"), skinnedGltf(skin)), {}, {});
+    QCOMPARE(imported.report.losses.size(), 1);
+    QVERIFY2(imported.report.losses[0].contains(QStringLiteral("joints move 4 of its points")),
              qPrintable(warningsOf(imported)));
+    QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(1, 1, 0), 1e-5F));
+}
+
+void OddModelsTest::gltf_tooFewBindMatrices_areRefused() {
+    const QByteArray file =
+        skinnedGltf({}).replace(R"("count":2,"type":"MAT4")", R"("count":1,"type":"MAT4")");
+    const QString sentence = refusal(write(QStringLiteral("few.gltf"), file));
+    QVERIFY2(sentence.contains(QStringLiteral("lacks bind matrices")), qPrintable(sentence));
+}
+
+void OddModelsTest::collada_skin_movesThePoints() {
+    const QByteArray skinned =
+        skinnedGltf({.nodes = R"([{"mesh":0,"skin":0},{"scale":[2,2,2]},{}])"});
+    const ImportedModel imported =
+        importModel(write(QStringLiteral("skin.dae"), convertedGltf(skinned, "collada")), {}, {});
+    QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(2000, 2000, 0), 1e-5F));
+}
+
+void OddModelsTest::fbx_skin_movesThePoints() {
+    const QByteArray skinned =
+        skinnedGltf({.nodes = R"([{"mesh":0,"skin":0},{"scale":[2,2,2]},{}])"});
+    const QByteArray bound = convertedGltf(skinned, "fbxa"); // assimp binds joints as they are
+    const QByteArray moved = QByteArray(bound).replace(R"("A", 2, 2, 2)", R"("A", 8, 8, 8)");
+    QVERIFY(moved != bound);
+    for (const auto& [file, edge] : {std::pair(bound, 10.0F), std::pair(moved, 40.0F)}) {
+        const ImportedModel imported = importModel(write(QStringLiteral("skin.fbx"), file), {}, {});
+        QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+        QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(edge, edge, 0), 1e-5F));
+    }
 }
 
 void OddModelsTest::stl_emptyLinesFirst_isRead() {
