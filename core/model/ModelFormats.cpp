@@ -51,7 +51,8 @@ bool isCadFile(const QString& path) {
 
 bool namesUnit(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
-    return isCadFile(path) || suffix == QLatin1String("dae") || suffix == QLatin1String("3mf");
+    return isCadFile(path) || suffix == QLatin1String("dae") || suffix == QLatin1String("fbx") ||
+           suffix == QLatin1String("3mf");
 }
 
 QStringList modelFilePatterns() {

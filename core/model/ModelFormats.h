@@ -20,8 +20,8 @@ const std::vector<ModelFormat>& modelFormats();
 // it.
 bool isCadFile(const QString& path);
 
-// Whether the format of a file, by its name, states the file's unit (Collada, 3MF, CAD). Such files
-// are read in mm, so nobody needs to guess or choose the unit.
+// Whether the format of a file, by its name, states the file's unit (Collada, FBX, 3MF, CAD). Such
+// files are read in mm, so nobody needs to guess or choose the unit.
 bool namesUnit(const QString& path);
 
 // Returns the file filters for dialogs: "*.obj", "*.ply" …

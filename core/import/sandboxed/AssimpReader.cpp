@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "import/sandboxed/ColladaTextureSets.h"
+#include "import/sandboxed/FbxFrame.h"
 #include "import/sandboxed/GltfCheck.h"
 #include "import/sandboxed/MaterialFileCheck.h"
 #include "import/sandboxed/SceneConversion.h"
@@ -41,9 +42,10 @@ private:
     QByteArray bytes_; // shares its data with the constructor's argument
 };
 
-// Returns the file names in a line "mtllib a.mtl b.mtl" of an OBJ file. Names may contain spaces.
+// Returns the file names in a line "mtllib a.mtl b.mtl" of an OBJ file. Names may contain spaces
+// or be in quotes.
 QStringList materialFileNames(const QString& line) {
-    static const QRegularExpression between(QStringLiteral("(?<=\\.mtl)\\s+"),
+    static const QRegularExpression between(QStringLiteral("(?<=\\.mtl|\\.mtl\")\\s+"),
                                             QRegularExpression::CaseInsensitiveOption);
     return line.split(between, Qt::SkipEmptyParts);
 }
@@ -206,15 +208,17 @@ void checkScene(const aiScene& scene, const ModelSource& source) {
 }
 
 // Whether a material in use scales or rotates its texture. assimp 5.2.5 does this about the wrong
-// point, and forgets the transform.
-bool scalesTexture(const aiScene& scene) {
+// point, and forgets the transform. Offsets in 3DS count too: assimp negates only that of u, and
+// programs differ on their sign.
+bool movesTexture(const aiScene& scene, bool is3ds) {
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
         const unsigned index = scene.mMeshes[m]->mMaterialIndex;
         aiUVTransform transform;
         if (index < scene.mNumMaterials &&
             scene.mMaterials[index]->Get(AI_MATKEY_UVTRANSFORM_DIFFUSE(0), transform) ==
                 aiReturn_SUCCESS &&
-            (transform.mScaling != aiVector2D(1, 1) || transform.mRotation != 0)) {
+            (transform.mScaling != aiVector2D(1, 1) || transform.mRotation != 0 ||
+             (is3ds && transform.mTranslation != aiVector2D(0, 0)))) {
             return true;
         }
     }
@@ -226,6 +230,15 @@ bool scalesTexture(const aiScene& scene) {
 bool swapsTexture(const QByteArray& fbx) {
     return fbx.contains(R"("UVSwap", "bool", "", "",1)") ||
            fbx.contains(QByteArray("UVSwapS\4\0\0\0boolS\0\0\0\0S\0\0\0\0I\1\0\0\0", 30));
+}
+
+// Returns SceneMeaning::frame.
+Eigen::Matrix3f frameOf(const QString& format, const aiScene& scene, const ModelSource& source) {
+    if (format == QStringLiteral("fbx")) {
+        return fbxFrame(scene, source);
+    }
+    // assimp converts Collada, whose files state their unit, to metres.
+    return (format == QStringLiteral("dae") ? 1000 : 1) * Eigen::Matrix3f::Identity();
 }
 
 } // namespace
@@ -251,7 +264,7 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     bool isMisplaced = false; // GltfCheck.h reports this for glTF
     if (scene) {
         checkScene(*scene, source);
-        isMisplaced = (!isGltf && scalesTexture(*scene)) ||
+        isMisplaced = (!isGltf && movesTexture(*scene, format == QStringLiteral("3ds"))) ||
                       (format == QStringLiteral("fbx") && swapsTexture(source.bytes));
         scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
     }
@@ -271,14 +284,13 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     if (source.withTextures) {
         warnings += files->warnings();
     }
-    // assimp converts Collada, whose files state their unit, to metres.
-    const double unitMillimetres = format == QStringLiteral("dae") ? 1000 : 1;
-    const SceneMeaning meaning{isGltf, files->placements(), unitMillimetres};
+    const SceneMeaning meaning{isGltf, isGltf, files->placements(),
+                               frameOf(format, *scene, source)};
     TexturedMesh model = convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
     if (isMisplaced && !model.textures.empty()) {
-        warnings.push_back(
-            Text::tr("The model scales or rotates a texture, which is not shown correctly; apply "
-                     "the transform to the texture coordinates in a modelling program"));
+        warnings.push_back(Text::tr(
+            "The model moves, scales or rotates a texture, which is not shown correctly; apply "
+            "the transform to the texture coordinates in a modelling program"));
     }
     warnings.removeDuplicates(); // several materials may have the same fault
     return model;

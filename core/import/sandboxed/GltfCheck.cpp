@@ -7,9 +7,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSet>
 #include <QtEndian>
 
-#include <optional>
+#include <algorithm>
 
 namespace dipwright {
 
@@ -150,27 +151,92 @@ void checkTextures(const QJsonObject& model, const ModelSource& source, QStringL
     }
 }
 
-// Returns the document without the skins that lack bind matrices; nothing if no skin lacks them.
-// Removing them loses nothing, because points are read as stored, with any skin.
-std::optional<QJsonObject> withoutUnboundSkins(const QJsonObject& model) {
+// Refuses bind matrices that assimp 5.2.5 would read from elsewhere in memory.
+void checkSkin(const QJsonObject& skin, const QJsonObject& model, const ModelSource& source) {
+    const QJsonObject matrices = accessor(model, skin[u"inverseBindMatrices"]);
+    if (skin.contains(u"inverseBindMatrices") &&
+        (matrices[u"count"].toInteger() < skin[u"joints"].toArray().size() ||
+         matrices[u"componentType"].toInt() != floats ||
+         matrices[u"type"] != QStringLiteral("MAT4"))) {
+        source.throwDamaged(Text::tr("a skin lacks bind matrices for some of its joints"));
+    }
+}
+
+// Appends an element to one of the document's arrays. Returns its index.
+qsizetype append(QJsonObject& model, const QString& array, const QJsonObject& element) {
+    QJsonArray elements = model[array].toArray();
+    elements.append(element);
+    model.insert(array, elements);
+    return elements.size() - 1;
+}
+
+// Adds an accessor of identity matrices to the document. Returns its index.
+qsizetype addIdentities(QJsonObject& model, qsizetype count) {
+    QByteArray bytes;
+    for (qsizetype entry = 0; entry < 16 * count; ++entry) {
+        const float value = entry % 16 % 5 == 0 ? 1 : 0;
+        bytes.append(4, '\0');
+        qToLittleEndian(value, bytes.data() + bytes.size() - 4);
+    }
+    const QString uri = QStringLiteral("data:application/octet-stream;base64,") +
+                        QString::fromLatin1(bytes.toBase64());
+    const qsizetype buffer =
+        append(model, QStringLiteral("buffers"),
+               {{QStringLiteral("byteLength"), bytes.size()}, {QStringLiteral("uri"), uri}});
+    const qsizetype view =
+        append(model, QStringLiteral("bufferViews"),
+               {{QStringLiteral("buffer"), buffer}, {QStringLiteral("byteLength"), bytes.size()}});
+    return append(model, QStringLiteral("accessors"),
+                  {{QStringLiteral("bufferView"), view},
+                   {QStringLiteral("componentType"), floats},
+                   {QStringLiteral("count"), count},
+                   {QStringLiteral("type"), QStringLiteral("MAT4")}});
+}
+
+// Gives bind matrices to the skins that have none.
+void bindSkins(QJsonObject& model) {
     const QJsonArray skins = model[u"skins"].toArray();
-    QJsonArray nodes;
-    bool areAny = false;
-    for (const QJsonValue& node : model[u"nodes"].toArray()) {
-        const QJsonValue skin = skins.at(node[u"skin"].toInt(-1));
-        QJsonObject bare = node.toObject();
-        if (skin.isObject() && !skin.toObject().contains(u"inverseBindMatrices")) {
-            bare.remove(u"skin");
-            areAny = true;
+    qsizetype most = 1; // joints of a skin
+    for (const QJsonValue& skin : skins) {
+        most = std::max(most, skin[u"joints"].toArray().size());
+    }
+    const qsizetype matrices = addIdentities(model, most);
+    QJsonArray bound;
+    for (const QJsonValue& skin : skins) {
+        QJsonObject changed = skin.toObject();
+        if (!changed.contains(u"inverseBindMatrices")) {
+            changed.insert(u"inverseBindMatrices", matrices);
         }
-        nodes.append(node.isObject() ? QJsonValue(bare) : node);
+        bound.append(changed);
     }
-    if (!areAny) {
-        return std::nullopt;
+    model.insert(u"skins", bound);
+}
+
+// Gives each node its own name, because assimp finds joints by their names. Gives each node that
+// uses the mesh of a node with a skin its own copy, because assimp stores the skin in the mesh.
+void separateNodes(QJsonObject& model) {
+    const QJsonArray nodes = model[u"nodes"].toArray();
+    QJsonArray meshes = model[u"meshes"].toArray();
+    QSet<int> skinned, used; // meshes
+    for (const QJsonValue& node : nodes) {
+        if (node.toObject().contains(u"skin")) {
+            skinned.insert(node[u"mesh"].toInt(-1));
+        }
     }
-    QJsonObject changed = model;
-    changed.insert(u"nodes", nodes);
-    return changed;
+    QJsonArray separate;
+    for (const QJsonValue& node : nodes) {
+        QJsonObject own = node.toObject();
+        own.insert(u"name", QString::number(separate.size()));
+        const int mesh = node[u"mesh"].toInt(-1);
+        if (skinned.contains(mesh) && used.contains(mesh) && meshes.at(mesh).isObject()) {
+            own.insert(u"mesh", meshes.size());
+            meshes.append(meshes.at(mesh));
+        }
+        used.insert(mesh);
+        separate.append(own);
+    }
+    model.insert(u"meshes", meshes);
+    model.insert(u"nodes", separate);
 }
 
 } // namespace
@@ -187,17 +253,19 @@ QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings) {
             checkPrimitive(primitive.toObject(), model, source);
         }
     }
+    for (const QJsonValue& skin : model[u"skins"].toArray()) {
+        checkSkin(skin.toObject(), model, source);
+    }
     if (source.withTextures) {
         checkTextures(model, source, warnings);
     }
-    const std::optional<QJsonObject> changed = withoutUnboundSkins(model);
-    if (!changed) {
+    if (model[u"skins"].toArray().isEmpty()) {
         return withoutByteOrderMark(source.bytes);
     }
-    warnings.push_back(Text::tr(
-        "The model has a skin without bind matrices, so its points stay as stored and the joints "
-        "do not move them; if the shape is wrong, apply the armature in a modelling program"));
-    return withDocument(source.bytes, *changed);
+    QJsonObject changed = model;
+    bindSkins(changed);
+    separateNodes(changed);
+    return withDocument(source.bytes, changed);
 }
 
 } // namespace dipwright

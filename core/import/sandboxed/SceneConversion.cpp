@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "base/WideGamut.h"
+#include "import/sandboxed/SkinPose.h"
 #include "settings/SurfaceMark.h"
 
 #include <QCoreApplication>
@@ -209,31 +210,47 @@ bool isTinted(const aiMesh& mesh) {
                        [&](const aiColor4D& colour) { return colour != white; });
 }
 
+aiMatrix4x4 matrixOf(const Eigen::Matrix3f& from) {
+    aiMatrix4x4 matrix;
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            matrix[unsigned(row)][column] = from(row, column);
+        }
+    }
+    return matrix;
+}
+
 class TriangleReader {
 public:
     TriangleReader(const aiScene& scene, const ModelSource& source, const SceneMeaning& meaning,
                    TexturedMesh& model, QStringList& warnings, const Progress& progress)
-        : scene_(scene), source_(source), unit_(float(meaning.unitMillimetres)), model_(model),
-          warnings_(warnings), progress_(progress),
-          materials_(scene, source, meaning, model, warnings) {}
+        : scene_(scene), source_(source), frame_(matrixOf(meaning.frame)),
+          skinsMoveAll_(meaning.skinsMoveAll), model_(model), warnings_(warnings),
+          progress_(progress), materials_(scene, source, meaning, model, warnings) {}
 
     void readAll() {
         if (!scene_.mRootNode) {
             return;
         }
         count(*scene_.mRootNode);
+        const SkinPose skins(*scene_.mRootNode, frame_, skinsMoveAll_);
         model_.mesh.triangles.reserve(total_);
         model_.textureCoordinates.reserve(total_);
         model_.material.reserve(total_);
-        aiMatrix4x4 toMillimetres;
-        aiMatrix4x4::Scaling(aiVector3D(unit_), toMillimetres);
-        readNode(*scene_.mRootNode, toMillimetres);
+        readNode(*scene_.mRootNode, frame_, skins);
         if (hasColours_) {
             warnings_.push_back(Text::tr(
                 "The model's vertex colours are not used; bake them into a texture to print them"));
         }
         if (isPastPicture_) {
             warnings_.push_back(notRepeatedWarning());
+        }
+        if (unclear_ > 0) {
+            warnings_.push_back(
+                Text::tr("The skin of the model does not say clearly how joints move %1 of its "
+                         "points, so these stay as stored; apply the armature in a modelling "
+                         "program")
+                    .arg(unclear_));
         }
         if (bare_ > 0 && bare_ < model_.mesh.triangles.size()) {
             warnings_.push_back(
@@ -257,30 +274,30 @@ private:
         }
     }
 
-    void readNode(const aiNode& node, const aiMatrix4x4& parent) {
+    void readNode(const aiNode& node, const aiMatrix4x4& parent, const SkinPose& skins) {
         const aiMatrix4x4 transform = parent * node.mTransformation;
         for (unsigned m = 0; m < node.mNumMeshes; ++m) {
             progress_(double(model_.mesh.triangles.size()) / double(total_ + 1),
                       Text::tr("Reading triangles"));
-            readMesh(*scene_.mMeshes[node.mMeshes[m]], transform);
+            readMesh(*scene_.mMeshes[node.mMeshes[m]], transform, skins);
         }
         for (unsigned child = 0; child < node.mNumChildren; ++child) {
-            readNode(*node.mChildren[child], transform);
+            readNode(*node.mChildren[child], transform, skins);
         }
     }
 
-    void readMesh(const aiMesh& mesh, const aiMatrix4x4& transform) {
+    void readMesh(const aiMesh& mesh, const aiMatrix4x4& transform, const SkinPose& skins) {
         const auto firstPosition = std::uint32_t(model_.mesh.positions.size());
-        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-            const aiVector3D position = transform * mesh.mVertices[v];
-            model_.mesh.positions.emplace_back(position.x, position.y, position.z);
+        const PosedMesh posed = skins.pose(mesh, transform);
+        for (const aiVector3D& point : posed.points) {
+            model_.mesh.positions.emplace_back(point.x, point.y, point.z);
         }
+        unclear_ += posed.unclear;
         const auto [material, namedChannel, placement, isNotRepeated] =
             materials_.find(mesh.mMaterialIndex);
         // Collada names a set by any number, even if it is the only one.
         const unsigned channel = mesh.GetNumUVChannels() == 1 ? 0 : namedChannel;
         const bool hasPicture = model_.materials[material].texture >= 0;
-        const bool isMirrored = transform.Determinant() < 0;
         const bool hasCoordinates =
             channel < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.HasTextureCoords(channel);
         hasColours_ |= mesh.HasVertexColors(0) && (!hasPicture || isTinted(mesh));
@@ -291,7 +308,7 @@ private:
             }
             std::array<std::uint32_t, 3> corners{face.mIndices[0], face.mIndices[1],
                                                  face.mIndices[2]};
-            if (isMirrored) {
+            if (posed.isMirrored) {
                 std::swap(corners[1], corners[2]);
             }
             addTriangle(mesh, corners, firstPosition,
@@ -326,14 +343,16 @@ private:
 
     const aiScene& scene_;
     const ModelSource& source_;
-    const float unit_; // mm
+    const aiMatrix4x4 frame_; // SceneMeaning::frame
+    const bool skinsMoveAll_; // SceneMeaning::skinsMoveAll
     TexturedMesh& model_;
     QStringList& warnings_;
     const Progress& progress_;
     MaterialReader materials_;
     std::size_t total_ = 0;
     bool hasColours_ = false, isPastPicture_ = false;
-    std::size_t bare_ = 0; // triangles with a picture, all of whose coordinates are 0
+    std::size_t unclear_ = 0; // PosedMesh::unclear of all meshes
+    std::size_t bare_ = 0;    // triangles with a picture, all of whose coordinates are 0
 };
 
 } // namespace

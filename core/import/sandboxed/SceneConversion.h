@@ -13,12 +13,15 @@ namespace dipwright {
 // Facts that the scene itself does not contain.
 struct SceneMeaning {
     bool linearColours = false; // material colours are linear light (glTF), not sRGB
+    bool skinsMoveAll = false;  // a skin moves all points of its mesh (glTF)
     PicturePlacements placements;
-    double unitMillimetres = 1; // size of the scene's unit in mm, if the file states it
+    // From the scene's coordinates to those of the model: mm with Y up, if the file states its unit
+    // and axes.
+    Eigen::Matrix3f frame = Eigen::Matrix3f::Identity();
 };
 
-// Returns all triangles of the scene, with the transforms of its nodes and the placements of its
-// pictures applied. Adds what was left out to `warnings`. Throws Error.
+// Returns all triangles of the scene, with the transforms of its nodes, its skins and the
+// placements of its pictures applied. Adds what was left out to `warnings`. Throws Error.
 TexturedMesh convertScene(const aiScene& scene, const ModelSource& source,
                           const SceneMeaning& meaning, QStringList& warnings,
                           const Progress& progress);

@@ -21,6 +21,12 @@ QString entryIgnoringCase(const QDir& folder, const QString& name) {
     return QString();
 }
 
+// Some programs put names that contain spaces in quotes, above all in material files of OBJ.
+QString withoutQuotes(const QString& name) {
+    const bool isQuoted = name.size() > 2 && name.startsWith(u'"') && name.endsWith(u'"');
+    return isQuoted ? name.mid(1, name.size() - 2) : name;
+}
+
 // Whether a path is on this computer. For a model the network is never accessed, not even to check
 // whether a file exists.
 bool isLocal(const QString& path) {
@@ -41,7 +47,7 @@ std::optional<QByteArray> ModelFolder::fetch(const QString& name) {
 
 // Returns the path of an existing file that may be read, or an empty string.
 QString ModelFolder::find(const QString& name) {
-    QString slashed = QString(name).replace(u'\\', u'/').trimmed();
+    QString slashed = withoutQuotes(QString(name).replace(u'\\', u'/').trimmed());
     if (slashed.startsWith(QStringLiteral("file:"), Qt::CaseInsensitive)) {
         slashed = QUrl(slashed).path();
     }

@@ -8,9 +8,10 @@
 
 namespace dipwright {
 
-// Finds files by the names in models: with backslashes, percent codes, the wrong case, or a path on
-// the computer where the model was made. A file belongs to the model's folder if its real location,
-// after following links, is in there and not hidden. Other files are read only if allowed.
+// Finds files by the names in models: in quotes, with backslashes, percent codes, the wrong case,
+// or a path on the computer where the model was made. A file belongs to the model's folder if its
+// real location, after following links, is in there and not hidden. Other files are read only if
+// allowed.
 class ModelFolder : public UntrustedFiles {
 public:
     ModelFolder(const QString& modelFile, bool allowOutside, const QStringList& allowedFiles);

@@ -935,7 +935,9 @@ void ImportModelTest::colladaFbxAnd3ds_areRead() {
     const ImportedModel model = import(path);
     QCOMPARE(model.report.triangles, std::size_t(4));
     QVERIFY(model.report.closed);
-    const float edge = file.endsWith(QStringLiteral(".dae")) ? 10'000 : 10; // its unit is a metre
+    const float edge = file.endsWith(QStringLiteral(".dae"))   ? 10'000 // its unit is a metre
+                       : file.endsWith(QStringLiteral(".fbx")) ? 100    // a centimetre
+                                                               : 10;
     QVERIFY(model.report.box.sizes().isApprox(Eigen::Vector3f::Constant(edge), 1e-5F));
 }
 

@@ -13,6 +13,8 @@
 #include <quazip.h>
 #include <quazipfile.h>
 
+#include <bit>
+#include <cmath>
 #include <stdexcept>
 
 namespace dipwright::test {
@@ -71,6 +73,19 @@ void appendNumber(QByteArray& bytes, Number number) {
     bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
+// Returns a model in another format, as assimp writes it.
+QByteArray converted(const QByteArray& model, const char* from, const char* to) {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFileFromMemory(model.constData(), std::size_t(model.size()),
+                                                       aiProcess_Triangulate, from);
+    Assimp::Exporter exporter;
+    const aiExportDataBlob* blob = scene ? exporter.ExportToBlob(scene, to) : nullptr;
+    if (!blob) {
+        throw std::runtime_error("assimp cannot write a test model");
+    }
+    return {static_cast<const char*>(blob->data), qsizetype(blob->size)};
+}
+
 // A node of a binary FBX file of version 7.4.
 struct FbxNode {
     explicit FbxNode(const QByteArray& called) : name(called) {}
@@ -83,6 +98,12 @@ struct FbxNode {
     FbxNode& add(qint32 number) {
         properties += 'I';
         appendNumber(properties, number);
+        ++propertyCount;
+        return *this;
+    }
+    FbxNode& add(double number) {
+        properties += 'D';
+        appendNumber(properties, std::bit_cast<quint64>(number));
         ++propertyCount;
         return *this;
     }
@@ -181,6 +202,45 @@ QByteArray squareGltf(const QByteArray& pngBytes) {
                         R"(,"uri":"data:application/octet-stream;base64,)" + buffer.toBase64() +
                         R"("})",
                     R"({"uri":"data:image/png;base64,)" + pngBytes.toBase64() + R"("})", 0);
+}
+
+QByteArray skinnedGltf(const TestSkin& skin) {
+    QByteArray bytes = squareBuffer().left(48) + squareBuffer().mid(80) + QByteArray(4, '\0');
+    for (int point = 0; point < 4; ++point) {
+        bytes += QByteArray("\0\1\0\0", 4); // joints
+    }
+    for (int point = 0; point < 4; ++point) {
+        for (const float weight : {skin.weights[0], skin.weights[1], 0.0F, 0.0F}) {
+            if (skin.hasByteWeights) {
+                appendNumber(bytes, quint8(std::lround(255 * weight)));
+            } else {
+                appendNumber(bytes, weight);
+            }
+        }
+    }
+    bytes += QByteArray(144 - bytes.size(), '\0');
+    for (int entry = 0; entry < 32; ++entry) { // bind matrices
+        const float scale = skin.bindScale.value_or(1);
+        appendNumber(bytes, entry % 16 == 15 ? 1.0F : entry % 5 == entry / 16 ? scale : 0.0F);
+    }
+    const QByteArray weights = skin.hasByteWeights ? R"("componentType":5121,"normalized":true)"
+                                                   : R"("componentType":5126)";
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":)" + skin.scene +
+           R"(}],"nodes":)" + skin.nodes +
+           R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},
+        "indices":1}]}],"skins":[{"joints":[1,2])" +
+           (skin.bindScale ? R"(,"inverseBindMatrices":4)" : "") + R"(}],"accessors":[
+        {"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+        {"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"},
+        {"bufferView":2,"componentType":5121,"count":4,"type":"VEC4"},
+        {"bufferView":3,)" +
+           weights + R"(,"count":4,"type":"VEC4"},
+        {"bufferView":4,"componentType":5126,"count":2,"type":"MAT4"}],"bufferViews":[
+        {"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12},
+        {"buffer":0,"byteOffset":64,"byteLength":16},{"buffer":0,"byteOffset":80,"byteLength":64},
+        {"buffer":0,"byteOffset":144,"byteLength":128}],"buffers":[{"byteLength":272,
+        "uri":"data:application/octet-stream;base64,)" +
+           bytes.toBase64() + R"("}]})";
 }
 
 QByteArray squareGlb(const QByteArray& pngBytes) {
@@ -401,26 +461,72 @@ Connections: {
 )";
 }
 
-QByteArray tetrahedron(const char* format) {
-    const QByteArray obj = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nvt 0 0\nvt 1 0\nvt 0 1\n"
-                           "f 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 2/1 3/2 4/3\nf 1/1 4/2 3/3\n";
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFileFromMemory(obj.constData(), std::size_t(obj.size()),
-                                                       aiProcess_Triangulate, "obj");
-    Assimp::Exporter exporter;
-    const aiExportDataBlob* blob = scene ? exporter.ExportToBlob(scene, format) : nullptr;
-    if (!blob) {
-        throw std::runtime_error("assimp cannot write a test model");
-    }
-    return {static_cast<const char*>(blob->data), qsizetype(blob->size)};
+QByteArray convertedGltf(const QByteArray& gltf, const char* format) {
+    return converted(gltf, "gltf", format);
 }
 
-QByteArray tetrahedronBinaryFbx() {
+QByteArray tetrahedron(const char* format) {
+    return converted("v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                     "f 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 2/1 3/2 4/3\nf 1/1 4/2 3/3\n",
+                     "obj", format);
+}
+
+QByteArray chunk3ds(quint16 kind, const QByteArray& content) {
+    constexpr quint32 head = 6; // bytes
+    QByteArray chunk;
+    appendNumber(chunk, kind);
+    appendNumber(chunk, head + quint32(content.size()));
+    return chunk + content;
+}
+
+QByteArray chunk3ds(quint16 kind, float number) {
+    QByteArray content;
+    appendNumber(content, number);
+    return chunk3ds(kind, content);
+}
+
+QByteArray textured3ds(const QByteArray& options) {
+    const auto list = [](quint16 count, const auto& numbers) {
+        QByteArray bytes;
+        appendNumber(bytes, count);
+        for (const auto number : numbers) {
+            appendNumber(bytes, number);
+        }
+        return bytes;
+    };
+    constexpr quint16 unused = 0;
+    const QByteArray name("skin\0", 5);
+    const QByteArray texture = chunk3ds(0xa300, QByteArray("skin.png\0", 9)) + options;
+    const QByteArray material = chunk3ds(0xa000, name) + chunk3ds(0xa200, texture);
+    const std::vector<float> points{0, 0, 0, 10, 0, 0, 0, 10, 0, 0, 0, 10};
+    const std::vector<float> coordinates{0, 0, 1, 0, 0, 1, 1, 1};
+    const std::vector<quint16> faces{0, 2, 1, unused, 0, 1, 3, unused,
+                                     1, 2, 3, unused, 0, 3, 2, unused};
+    const QByteArray usedBy = name + list(4, std::vector<quint16>{0, 1, 2, 3});
+    const QByteArray mesh = chunk3ds(0x4110, list(4, points)) +
+                            chunk3ds(0x4140, list(4, coordinates)) +
+                            chunk3ds(0x4120, list(4, faces) + chunk3ds(0x4130, usedBy));
+    const QByteArray object = QByteArray("part\0", 5) + chunk3ds(0x4100, mesh);
+    return chunk3ds(0x4d4d,
+                    chunk3ds(0x3d3d, chunk3ds(0xafff, material) + chunk3ds(0x4000, object)));
+}
+
+QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes, double unit) {
     constexpr qint32 version = 7400;
     FbxNode fileVersion{"FBXVersion"};
     fileVersion.add(version);
     FbxNode header{"FBXHeaderExtension"};
     header.children = {fileVersion};
+    FbxNode unitSetting{"P"};
+    unitSetting.add("UnitScaleFactor").add("double").add("Number").add("").add(unit);
+    FbxNode settings{"Properties70"};
+    settings.children = {unitSetting};
+    for (const auto& [axis, value] : axes) {
+        FbxNode& node = settings.children.emplace_back("P");
+        node.add(axis).add("int").add("Integer").add("").add(qint32(value));
+    }
+    FbxNode globalSettings{"GlobalSettings"};
+    globalSettings.children = {settings};
     FbxNode vertices{"Vertices"};
     vertices.add<double>('d', {0, 0, 0, 10, 0, 0, 0, 10, 0, 0, 0, 10});
     FbxNode corners{"PolygonVertexIndex"};
@@ -443,7 +549,7 @@ QByteArray tetrahedronBinaryFbx() {
     connections.children = {toModel, toRoot};
     QByteArray file("Kaydara FBX Binary  \0\x1a\0", 23);
     appendNumber(file, quint32(version));
-    for (const FbxNode& node : {header, objects, connections}) {
+    for (const FbxNode& node : {header, globalSettings, objects, connections}) {
         node.writeTo(file);
     }
     return file + QByteArray(13, '\0');

@@ -7,6 +7,8 @@
 #include <QImage>
 #include <QString>
 
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace dipwright::test {
@@ -27,6 +29,18 @@ QByteArray squareGltf(const QByteArray& pngBytes);
 // Returns the same square as binary glTF.
 QByteArray squareGlb(const QByteArray& pngBytes);
 
+// How skinnedGltf() binds the square to its joints.
+struct TestSkin {
+    // All nodes, as JSON: first that of the square, then two joints, then others. All are roots.
+    QByteArray nodes = R"([{"mesh":0,"skin":0},{},{}])";
+    std::array<float, 2> weights{1, 0}; // of the two joints, at each point
+    std::optional<float> bindScale = 1; // of both bind matrices; nothing: there are none
+    QByteArray scene = "[0,1,2]";       // roots of the scene
+    bool hasByteWeights = false;        // the weights are bytes instead of floats
+};
+// Returns the square as glTF text without a material, with a skin.
+QByteArray skinnedGltf(const TestSkin& skin);
+
 // Writes the same square as 3MF. Its texture coordinates are in another order than its points.
 void writeSquare3mf(const QString& path, const QByteArray& pngBytes);
 // Returns the same square as PLY that names its picture's file.
@@ -43,10 +57,21 @@ QByteArray squareCollada();
 // texture's properties, as a line of the file.
 QByteArray texturedFbx(const QByteArray& property);
 
+// Returns a glTF model in another format, as assimp writes it.
+QByteArray convertedGltf(const QByteArray& gltf, const char* format);
 // Returns a tetrahedron as assimp writes it: as "collada", "3ds", or "fbxa", which is FBX as text.
 QByteArray tetrahedron(const char* format);
-// Returns the same tetrahedron as binary FBX, as modelling programs write it.
-QByteArray tetrahedronBinaryFbx();
+// Returns the same tetrahedron as 3DS with the picture skin.png. `options` are chunks of the
+// texture; see chunk3ds().
+QByteArray textured3ds(const QByteArray& options);
+// Returns a chunk of a 3DS file.
+QByteArray chunk3ds(quint16 kind, const QByteArray& content);
+// Returns a chunk that contains one number.
+QByteArray chunk3ds(quint16 kind, float number);
+// Returns the same tetrahedron as binary FBX, as modelling programs write it. The unit, in cm, and
+// the axes are those of its GlobalSettings.
+QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes = {},
+                                double unit = 1);
 
 // Writes a 3MF package with these files. Throws std::runtime_error if that fails.
 void write3mf(const QString& path, const std::vector<std::pair<QString, QByteArray>>& files);

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 Q_DECLARE_METATYPE(Eigen::Vector2f)
+Q_DECLARE_METATYPE(Eigen::Matrix3f)
 
 using namespace dipwright;
 using namespace dipwright::test;
@@ -43,6 +44,44 @@ QByteArray twoSetsCollada(const QByteArray& symbol, int set, int otherSet) {
     const QByteArray other = "<input semantic=\"TEXCOORD\" source=\"#other\" offset=\"0\" set=\"" +
                              QByteArray::number(otherSet) + "\"/>";
     return renamedSetCollada(symbol, set).replace("<p>", other + "<p>");
+}
+
+using Axes = std::vector<std::pair<QByteArray, int>>;
+
+const Axes yUp{{"UpAxis", 1},        {"UpAxisSign", 1}, {"FrontAxis", 2},
+               {"FrontAxisSign", 1}, {"CoordAxis", 0},  {"CoordAxisSign", 1}};
+const Axes zUp{{"UpAxis", 2},         {"UpAxisSign", 1}, {"FrontAxis", 1},
+               {"FrontAxisSign", -1}, {"CoordAxis", 0},  {"CoordAxisSign", 1}}; // 3ds Max
+
+// Returns a tetrahedron with edges of length 10 as FBX text with these GlobalSettings.
+QByteArray textFbx(const Axes& axes, double unit) {
+    QByteArray properties =
+        "P: \"UnitScaleFactor\", \"double\", \"Number\", \"\"," + QByteArray::number(unit) + "\n";
+    for (const auto& [axis, value] : axes) {
+        properties +=
+            "P: \"" + axis + "\", \"int\", \"Integer\", \"\"," + QByteArray::number(value) + "\n";
+    }
+    QByteArray file = tetrahedron("fbxa");
+    const qsizetype begin = file.indexOf("GlobalSettings");
+    const qsizetype end = file.indexOf("Documents:", begin);
+    return file.replace(begin, end - begin,
+                        "GlobalSettings: {\nProperties70: {\n" + properties + "}\n}\n");
+}
+
+// Returns a glTF text with one embedded buffer as a binary file.
+QByteArray glbOf(QByteArray json) {
+    const QByteArray before = R"("uri":"data:application/octet-stream;base64,)";
+    const qsizetype uri = json.indexOf(before), begin = uri + before.size();
+    const qsizetype end = json.indexOf('"', begin);
+    const QByteArray buffer = QByteArray::fromBase64(json.mid(begin, end - begin));
+    json.replace(uri, end + 1 - uri, R"("name":"buffer")");
+    json.append((4 - json.size() % 4) % 4, ' ');
+    QByteArray file("glTF\2\0\0\0____ ___JSON", 20), chunk("____BIN\0", 8);
+    qToLittleEndian(quint32(json.size()), file.data() + 12);
+    qToLittleEndian(quint32(buffer.size()), chunk.data());
+    file += json + chunk + buffer;
+    qToLittleEndian(quint32(file.size()), file.data() + 8);
+    return file;
 }
 
 // Returns a row of red pixels with different alpha.
@@ -92,14 +131,24 @@ private Q_SLOTS:
     void collada_textureSet_isTheBoundOne();
     void collada_unclearTextureSet_isALoss();
     void collada_onlyTextureSet_isUsed();
+    void threeDs_movedTexture_isALoss_data();
+    void threeDs_movedTexture_isALoss();
+    void fbx_unitAndAxes_areFollowed_data();
+    void fbx_unitAndAxes_areFollowed();
+    void fbx_impossibleAxes_areRefused();
     void fbx_swappedTexture_isALoss_data();
     void fbx_swappedTexture_isALoss();
     void obj_someCoordinatesMissing_isALoss();
     void gltf_byteOrderMark_isRead();
     void obj_byteOrderMark_isRead();
     void gltf_deeplyNested_isRefused();
-    void gltf_skinWithoutBindMatrices_isRead_data();
-    void gltf_skinWithoutBindMatrices_isRead();
+    void gltf_skin_movesThePoints_data();
+    void gltf_skin_movesThePoints();
+    void gltf_unclearSkin_isALoss_data();
+    void gltf_unclearSkin_isALoss();
+    void gltf_tooFewBindMatrices_areRefused();
+    void collada_skin_movesThePoints();
+    void fbx_skin_movesThePoints();
     void stl_emptyLinesFirst_isRead();
     void mtl_textureOptions_placeTheTexture_data();
     void mtl_textureOptions_placeTheTexture();
@@ -130,7 +179,9 @@ private:
 };
 
 void OddModelsTest::initTestCase() {
-    write(QStringLiteral("skin.png"), png(quarters()));
+    for (const char* name : {"skin.png", "my own skin.png", "two  spaces.png"}) {
+        write(QString::fromLatin1(name), png(quarters()));
+    }
 }
 
 void OddModelsTest::gltf_integerCoordinates_areRefused_data() {
@@ -391,6 +442,77 @@ void OddModelsTest::collada_onlyTextureSet_isUsed() {
     QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
 }
 
+void OddModelsTest::threeDs_movedTexture_isALoss_data() {
+    QTest::addColumn<QByteArray>("options");
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("none") << QByteArray() << false;
+    QTest::newRow("as usual") << chunk3ds(0xa354, 1) + chunk3ds(0xa356, 1) +
+                                     chunk3ds(0xa358, 0.0F) + chunk3ds(0xa35a, 0.0F) +
+                                     chunk3ds(0xa35c, 0.0F)
+                              << false;
+    QTest::newRow("scaled along u") << chunk3ds(0xa354, 2) << true;
+    QTest::newRow("scaled along v") << chunk3ds(0xa356, 0.5F) << true;
+    QTest::newRow("moved along u") << chunk3ds(0xa358, 0.25F) << true;
+    QTest::newRow("moved along v") << chunk3ds(0xa35a, 0.25F) << true;
+    QTest::newRow("rotated") << chunk3ds(0xa35c, 90) << true;
+}
+
+void OddModelsTest::threeDs_movedTexture_isALoss() {
+    QFETCH(QByteArray, options);
+    QFETCH(bool, isLoss);
+    const QString path = write(QStringLiteral("moved.3ds"), textured3ds(options));
+    const ImportedModel imported = importModel(path, {}, {});
+    QCOMPARE(imported.model.textures.size(), std::size_t(1));
+    QVERIFY(imported.report.closed);
+    QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
+    QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("moves, scales")));
+}
+
+void OddModelsTest::fbx_unitAndAxes_areFollowed_data() {
+    QTest::addColumn<Axes>("axes");
+    QTest::addColumn<double>("unit");        // cm
+    QTest::addColumn<Eigen::Matrix3f>("to"); // from the file's coordinates to mm
+    const auto row = [](const char* name, const Axes& axes, double unit, const Eigen::Vector3f& x,
+                        const Eigen::Vector3f& y, const Eigen::Vector3f& z) {
+        Eigen::Matrix3f to;
+        to << x, y, z;
+        QTest::newRow(name) << axes << unit << to;
+    };
+    row("centimetre", {}, 1, {10, 0, 0}, {0, 10, 0}, {0, 0, 10});
+    row("millimetre", yUp, 0.1, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
+    row("inch, Z up", zUp, 2.54, {25.4F, 0, 0}, {0, 0, -25.4F}, {0, 25.4F, 0});
+    row("metre, X up, front Z, right -Y",
+        {{"UpAxis", 0}, {"FrontAxis", 2}, {"CoordAxis", 1}, {"CoordAxisSign", -1}}, 100,
+        {0, 1000, 0}, {-1000, 0, 0}, {0, 0, 1000});
+    row("left-handed", {{"FrontAxisSign", -1}}, 1, {10, 0, 0}, {0, 10, 0}, {0, 0, -10});
+}
+
+void OddModelsTest::fbx_unitAndAxes_areFollowed() {
+    QFETCH(Axes, axes);
+    QFETCH(double, unit);
+    QFETCH(Eigen::Matrix3f, to);
+    const Eigen::AlignedBox3f box(Eigen::Vector3f::Zero(), Eigen::Vector3f::Constant(10));
+    const Eigen::AlignedBox3f expected = box.transformed(Eigen::Affine3f(to));
+    for (const QByteArray& file : {tetrahedronBinaryFbx(axes, unit), textFbx(axes, unit)}) {
+        const QString path = write(QStringLiteral("axes.fbx"), file);
+        const ImportedModel imported = importModel(path, {}, {});
+        QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+        QVERIFY(imported.report.box.isApprox(expected, 1e-3F));
+        QVERIFY(imported.report.volume > 0);
+        QVERIFY2(imported.report.repairs.isEmpty(), qPrintable(imported.report.repairs.join(u'|')));
+        QVERIFY(namesUnit(path));
+    }
+}
+
+void OddModelsTest::fbx_impossibleAxes_areRefused() {
+    for (const QByteArray& file :
+         {textFbx({{"UpAxis", 2}}, 1), textFbx({{"UpAxis", 7}}, 1), tetrahedronBinaryFbx(zUp, -1),
+          tetrahedronBinaryFbx(zUp, qQNaN())}) {
+        const QString sentence = refusal(write(QStringLiteral("axes.fbx"), file));
+        QVERIFY2(sentence.contains(QStringLiteral("GlobalSettings")), qPrintable(sentence));
+    }
+}
+
 void OddModelsTest::fbx_swappedTexture_isALoss_data() {
     QTest::addColumn<QByteArray>("swap");
     QTest::addColumn<bool>("isLoss");
@@ -446,46 +568,95 @@ void OddModelsTest::gltf_deeplyNested_isRefused() {
     QVERIFY2(sentence.contains(QStringLiteral("deep")), qPrintable(sentence));
 }
 
-void OddModelsTest::gltf_skinWithoutBindMatrices_isRead_data() {
-    QTest::addColumn<bool>("isBinary");
-    QTest::newRow("text") << false;
-    QTest::newRow("binary") << true;
+void OddModelsTest::gltf_skin_movesThePoints_data() {
+    QTest::addColumn<TestSkin>("skin");
+    QTest::addColumn<Eigen::Vector3f>("sizes");
+    const auto row = [](const char* name, const TestSkin& skin, float x, float y) {
+        QTest::newRow(name) << skin << Eigen::Vector3f(x, y, 0);
+    };
+    const QByteArray scaled = R"([{"mesh":0,"skin":0},{"scale":[2,2,2]},{"scale":[4,4,4]}])";
+    row("at rest", {}, 1, 1);
+    row("first joint", {.nodes = scaled}, 2, 2);
+    row("both joints", {.nodes = scaled, .weights = {0.5F, 0.5F}}, 3, 3);
+    row("bind matrices cancel the joint", {.nodes = scaled, .bindScale = 0.5F}, 1, 1);
+    // Blender writes such skins if the bones have never been moved.
+    row("no bind matrices", {.nodes = scaled, .bindScale = {}}, 2, 2);
+    row("the mesh's node does not count",
+        {.nodes = R"([{"mesh":0,"skin":0,"scale":[3,3,3]},{},{}])"}, 1, 1);
+    row("a joint under another",
+        {.nodes = R"([{"mesh":0,"skin":0},{"scale":[2,1,1],"children":[2]},{"scale":[2,3,1]}])",
+         .weights = {0, 1},
+         .scene = "[0,1]"},
+        4, 3);
+    row("equal names",
+        {.nodes = R"([{"mesh":0,"skin":0,"name":"a"},{"scale":[2,2,2],"name":"a"},{"name":"a"}])"},
+        2, 2);
+    row("the mesh is also there without a skin",
+        {.nodes = R"([{"mesh":0,"translation":[5,0,0]},{"scale":[2,2,2]},{},{"mesh":0,"skin":0}])",
+         .scene = "[0,1,2,3]"},
+        6, 2);
 }
 
-// Blender writes such skins if the bones have never been moved.
-void OddModelsTest::gltf_skinWithoutBindMatrices_isRead() {
-    QFETCH(bool, isBinary);
-    const auto skinned = [](QByteArray file) {
-        return file
-            .replace(R"("nodes":[{"mesh":0}])",
-                     R"("skins":[{"joints":[1]}],"nodes":[{"mesh":0,"skin":0},{"name":"bone"}])")
-            .replace(R"("attributes":{)", R"("attributes":{"JOINTS_0":3,"WEIGHTS_0":3,)")
-            .replace(R"("type":"SCALAR"}])",
-                     R"("type":"SCALAR"},{"bufferView":0,"componentType":5121,"count":4,)"
-                     R"("type":"VEC4","normalized":true}])");
-    };
-    QByteArray file = squareGltf(png(quarters()));
-    if (isBinary) {
-        const QByteArray whole = squareGlb(png(quarters()));
-        QByteArray json = whole.mid(20, qFromLittleEndian<quint32>(whole.constData() + 12));
-        const QByteArray chunks = whole.mid(20 + json.size());
-        json = skinned(json);
-        json.append((4 - json.size() % 4) % 4, ' ');
-        file = whole.left(20) + json + chunks;
-        qToLittleEndian(quint32(file.size()), file.data() + 8);
-        qToLittleEndian(quint32(json.size()), file.data() + 12);
-    } else {
-        file = skinned(file);
+void OddModelsTest::gltf_skin_movesThePoints() {
+    QFETCH(TestSkin, skin);
+    QFETCH(Eigen::Vector3f, sizes);
+    const QByteArray text = skinnedGltf(skin);
+    for (const char* name : {"skin.gltf", "skin.glb"}) {
+        const bool isBinary = QByteArrayView(name).endsWith("glb");
+        const QString path = write(QString::fromLatin1(name), isBinary ? glbOf(text) : text);
+        QCOMPARE(refusal(path), QString());
+        const ImportedModel imported = importModel(path, {}, {});
+        QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+        QVERIFY(imported.report.box.sizes().isApprox(sizes, 1e-5F));
     }
-    QVERIFY(file.contains("skins"));
-    const QString path =
-        write(isBinary ? QStringLiteral("skin.glb") : QStringLiteral("skin.gltf"), file);
-    QCOMPARE(refusal(path), QString());
-    const ImportedModel imported = importModel(path, {}, {});
-    QCOMPARE(imported.report.triangles, std::size_t(2));
-    QCOMPARE(imported.model.textures.size(), std::size_t(1));
-    QVERIFY2(warningsOf(imported).contains(QStringLiteral("skin without bind matrices")),
+}
+
+void OddModelsTest::gltf_unclearSkin_isALoss_data() {
+    QTest::addColumn<TestSkin>("skin");
+    QTest::newRow("weights of 0.3") << TestSkin{.weights = {0.3F, 0}};
+    QTest::newRow("weights of 0") << TestSkin{.weights = {0, 0}};
+    QTest::newRow("weights that are not numbers")
+        << TestSkin{.weights = {std::numeric_limits<float>::quiet_NaN(), 0}};
+    QTest::newRow("weights as bytes") << TestSkin{.hasByteWeights = true};
+    QTest::newRow("joints outside the scene") << TestSkin{.scene = "[0]"};
+}
+
+void OddModelsTest::gltf_unclearSkin_isALoss() {
+    QFETCH(TestSkin, skin);
+    const ImportedModel imported =
+        importModel(write(QStringLiteral("unclear.gltf"), skinnedGltf(skin)), {}, {});
+    QCOMPARE(imported.report.losses.size(), 1);
+    QVERIFY2(imported.report.losses[0].contains(QStringLiteral("joints move 4 of its points")),
              qPrintable(warningsOf(imported)));
+    QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(1, 1, 0), 1e-5F));
+}
+
+void OddModelsTest::gltf_tooFewBindMatrices_areRefused() {
+    const QByteArray file =
+        skinnedGltf({}).replace(R"("count":2,"type":"MAT4")", R"("count":1,"type":"MAT4")");
+    const QString sentence = refusal(write(QStringLiteral("few.gltf"), file));
+    QVERIFY2(sentence.contains(QStringLiteral("lacks bind matrices")), qPrintable(sentence));
+}
+
+void OddModelsTest::collada_skin_movesThePoints() {
+    const QByteArray skinned =
+        skinnedGltf({.nodes = R"([{"mesh":0,"skin":0},{"scale":[2,2,2]},{}])"});
+    const ImportedModel imported =
+        importModel(write(QStringLiteral("skin.dae"), convertedGltf(skinned, "collada")), {}, {});
+    QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(2000, 2000, 0), 1e-5F));
+}
+
+void OddModelsTest::fbx_skin_movesThePoints() {
+    const QByteArray skinned =
+        skinnedGltf({.nodes = R"([{"mesh":0,"skin":0},{"scale":[2,2,2]},{}])"});
+    const QByteArray bound = convertedGltf(skinned, "fbxa"); // assimp binds joints as they are
+    const QByteArray moved = QByteArray(bound).replace(R"("A", 2, 2, 2)", R"("A", 8, 8, 8)");
+    QVERIFY(moved != bound);
+    for (const auto& [file, edge] : {std::pair(bound, 10.0F), std::pair(moved, 40.0F)}) {
+        const ImportedModel imported = importModel(write(QStringLiteral("skin.fbx"), file), {}, {});
+        QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+        QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(edge, edge, 0), 1e-5F));
+    }
 }
 
 void OddModelsTest::stl_emptyLinesFirst_isRead() {
@@ -559,6 +730,14 @@ void OddModelsTest::mtl_unusualButClear_isRead_data() {
         QStringEncoder::Utf16LE, QStringEncoder::Flag::WriteBom)(QString::fromLatin1(plain)));
     QTest::newRow("capitals") << QByteArray("NEWMTL skin\nKD 1 0 0\n\tMAP_KD skin.png\n");
     QTest::newRow("spaces first") << "  " + plain;
+    const auto named = [&](const char* name) {
+        return QByteArray(plain).replace("skin.png", name);
+    };
+    QTest::newRow("a quoted name") << named("\"skin.png\"");
+    QTest::newRow("a name with spaces") << named("my own skin.png");
+    QTest::newRow("a name with two spaces, then blanks") << named("two  spaces.png \t\r");
+    QTest::newRow("a quoted name with spaces") << named("-s 1 1 \"my own skin.png\" ");
+    QTest::newRow("a quoted name in a folder") << named("\"my folder\\two  spaces.png\"");
     for (const char* heading : {"Produced by X", "Ps export", "author me", "Normal maps: none",
                                 "# nothing", "aniso 0.5"}) {
         QTest::newRow(heading) << heading + QByteArray("\n") + plain;
@@ -594,6 +773,9 @@ void OddModelsTest::obj_severalMaterialFilesInOneLine_areRead() {
     const ImportedModel both = imported("my own.mtl b.mtl");
     QVERIFY2(warningsOf(both).isEmpty(), qPrintable(warningsOf(both)));
     QCOMPARE(both.model.textures.size(), std::size_t(1));
+    const ImportedModel quoted = imported("\"my own.mtl\" \"b.mtl\"");
+    QVERIFY2(warningsOf(quoted).isEmpty(), qPrintable(warningsOf(quoted)));
+    QCOMPARE(quoted.model.textures.size(), std::size_t(1));
     const ImportedModel one = imported("lost.mtl b.mtl");
     QVERIFY2(warningsOf(one).contains(QStringLiteral("The file lost.mtl,")),
              qPrintable(warningsOf(one)));

@@ -1,0 +1,54 @@
+#include "import/sandboxed/SkinPose.h"
+
+#include <assimp/mesh.h>
+#include <assimp/scene.h>
+
+#include <cmath>
+
+namespace dipwright {
+
+PosedMesh SkinPose::pose(const aiMesh& mesh, const aiMatrix4x4& transform) const {
+    std::vector<float> sums(mesh.mNumVertices); // of the weights
+    PosedMesh posed{std::vector<aiVector3D>(mesh.mNumVertices), transform.Determinant() < 0};
+    bool mustMove = movesAll_ && mesh.mNumBones > 0;
+    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+        const aiBone& bone = *mesh.mBones[b];
+        const auto joint = transforms_.find(bone.mName.C_Str());
+        if (joint == transforms_.end() || !joint->second) {
+            mustMove = true;
+            continue;
+        }
+        const aiMatrix4x4 move = *joint->second * bone.mOffsetMatrix;
+        posed.isMirrored = move.Determinant() < 0;
+        for (unsigned w = 0; w < bone.mNumWeights; ++w) {
+            const auto [point, weight] = bone.mWeights[w];
+            if (point < mesh.mNumVertices) {
+                sums[point] += weight;
+                posed.points[point] += weight * (move * mesh.mVertices[point]);
+            }
+        }
+    }
+    constexpr float rounding = 0.02f; // of weights stored as bytes
+    for (unsigned point = 0; point < mesh.mNumVertices; ++point) {
+        if (std::abs(sums[point] - 1) <= rounding) {
+            posed.points[point] /= sums[point];
+        } else {
+            posed.points[point] = transform * mesh.mVertices[point];
+            posed.unclear += mustMove || sums[point] != 0 ? 1 : 0;
+        }
+    }
+    return posed;
+}
+
+void SkinPose::add(const aiNode& node, const aiMatrix4x4& parent) {
+    const aiMatrix4x4 transform = parent * node.mTransformation;
+    const auto [known, isNew] = transforms_.try_emplace(node.mName.C_Str(), transform);
+    if (!isNew) {
+        known->second.reset();
+    }
+    for (unsigned child = 0; child < node.mNumChildren; ++child) {
+        add(*node.mChildren[child], transform);
+    }
+}
+
+} // namespace dipwright
