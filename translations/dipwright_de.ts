@@ -245,6 +245,14 @@
         <source>%1 is in CMYK and has no ICC profile, so its colours are only estimated and can be wrong; save it with its profile, or as sRGB</source>
         <translation>%1 ist in CMYK und hat kein ICC-Profil, daher sind die Farben nur geschätzt und können falsch sein; speichern Sie das Bild mit seinem Profil oder als sRGB</translation>
     </message>
+    <message>
+        <source>%1 is to be shown turned or mirrored, as its EXIF data says, but it is used as its pixels are stored; save it upright in an image program</source>
+        <translation>%1 soll laut seinen EXIF-Daten gedreht oder gespiegelt gezeigt werden, wird aber so verwendet, wie seine Pixel gespeichert sind; speichern Sie es in einem Bildprogramm aufrecht</translation>
+    </message>
+    <message>
+        <source>%1 names its colour space in a cICP chunk, which is not read, so its colours count as sRGB and can be wrong; save it with an ICC profile, or as sRGB</source>
+        <translation>%1 nennt seinen Farbraum in einem cICP-Block, der nicht gelesen wird; die Farben gelten daher als sRGB und können falsch sein; speichern Sie es mit einem ICC-Profil oder als sRGB</translation>
+    </message>
 </context>
 <context>
     <name>Cost</name>
@@ -876,6 +884,10 @@
     <message>
         <source>The results cannot be written, because %1 already exists and cannot be replaced; move it, or choose another folder</source>
         <translation>Die Ergebnisse können nicht geschrieben werden, weil %1 schon vorhanden ist und nicht ersetzt werden kann; verschieben Sie es, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
+        <source>The results cannot be written: their folder was removed or moved meanwhile</source>
+        <translation>Die Ergebnisse können nicht geschrieben werden: Ihr Ordner wurde inzwischen entfernt oder verschoben</translation>
     </message>
 </context>
 <context>
@@ -4742,6 +4754,13 @@
     </message>
 </context>
 <context>
+    <name>Text</name>
+    <message>
+        <source>its GlobalSettings name impossible axes or units</source>
+        <translation>seine GlobalSettings nennen unmögliche Achsen oder Einheiten</translation>
+    </message>
+</context>
+<context>
     <name>Tolerance</name>
     <message>
         <source>Swell</source>
@@ -7634,10 +7653,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Eine Textur des Modells hat kein Bild oder ein Format, das nicht unterstützt wird; stattdessen wird die Farbe ihres Materials verwendet; exportieren Sie die Textur als PNG oder JPEG</translation>
     </message>
     <message>
-        <source>The model has a skin without bind matrices, so its points stay as stored and the joints do not move them; if the shape is wrong, apply the armature in a modelling program</source>
-        <translation>Das Modell hat einen Skin ohne Bindematrizen; seine Punkte bleiben daher, wie sie gespeichert sind, und die Gelenke bewegen sie nicht; wenn die Form falsch ist, wenden Sie das Skelett in einem Modellierprogramm an</translation>
-    </message>
-    <message>
         <source>%1 sets material properties before its first material</source>
         <translation>%1 gibt Materialeigenschaften vor dem ersten Material an</translation>
     </message>
@@ -7826,12 +7841,20 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Entfernte Dreiecke geschlossener Hohlräume: %1</translation>
     </message>
     <message>
-        <source>The model scales or rotates a texture, which is not shown correctly; apply the transform to the texture coordinates in a modelling program</source>
-        <translation>Das Modell skaliert oder dreht eine Textur, was nicht richtig gezeigt wird; wenden Sie die Transformation in einem Modellierprogramm auf die Texturkoordinaten an</translation>
-    </message>
-    <message>
         <source>The model has several sets of texture coordinates, and its file does not say clearly which set its texture uses; if the texture is misplaced, delete the other sets in a modelling program</source>
         <translation>Das Modell hat mehrere Sätze von Texturkoordinaten, und seine Datei sagt nicht eindeutig, welchen Satz die Textur verwendet; wenn die Textur falsch liegt, löschen Sie die anderen Sätze in einem Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>The model moves, scales or rotates a texture, which is not shown correctly; apply the transform to the texture coordinates in a modelling program</source>
+        <translation>Das Modell verschiebt, skaliert oder dreht eine Textur, was nicht richtig gezeigt wird; wenden Sie die Transformation in einem Modellierprogramm auf die Texturkoordinaten an</translation>
+    </message>
+    <message>
+        <source>a skin lacks bind matrices for some of its joints</source>
+        <translation>einem Skin fehlen Bindematrizen für einige seiner Gelenke</translation>
+    </message>
+    <message>
+        <source>The skin of the model does not say clearly how joints move %1 of its points, so these stay as stored; apply the armature in a modelling program</source>
+        <translation>Der Skin des Modells sagt nicht eindeutig, wie Gelenke %1 seiner Punkte bewegen; diese bleiben daher, wie sie gespeichert sind; wenden Sie das Skelett in einem Modellierprogramm an</translation>
     </message>
 </context>
 <context>
@@ -10323,6 +10346,14 @@ Dehnung</translation>
     <message>
         <source>Series on the roll, %1, with cut marks; sheets: %2</source>
         <translation>Serie auf der Rolle, %1, mit Schnittmarken; Blätter: %2</translation>
+    </message>
+    <message>
+        <source>At the printer profile&apos;s scale, the cut contour reaches past the edge of the paper</source>
+        <translation>Beim Maßstab des Druckerprofils reicht die Schnittkontur über den Rand des Papiers hinaus</translation>
+    </message>
+    <message>
+        <source>%1; choose larger paper, or accept that a part of it is lost</source>
+        <translation>%1; wählen Sie größeres Papier, oder nehmen Sie hin, dass ein Teil davon verloren geht</translation>
     </message>
 </context>
 <context>

@@ -245,6 +245,14 @@
         <source>%1 is in CMYK and has no ICC profile, so its colours are only estimated and can be wrong; save it with its profile, or as sRGB</source>
         <translation>%1: imagem em CMYK sem perfil ICC, por isso as cores são só estimadas e podem estar erradas; salve-a com o seu perfil ou como sRGB</translation>
     </message>
+    <message>
+        <source>%1 is to be shown turned or mirrored, as its EXIF data says, but it is used as its pixels are stored; save it upright in an image program</source>
+        <translation>%1 deve ser mostrada girada ou espelhada, segundo seus dados EXIF, mas é usada como seus pixels estão gravados; salve-a na posição correta em um programa de imagens</translation>
+    </message>
+    <message>
+        <source>%1 names its colour space in a cICP chunk, which is not read, so its colours count as sRGB and can be wrong; save it with an ICC profile, or as sRGB</source>
+        <translation>%1 indica seu espaço de cores em um bloco cICP, que não é lido; por isso as cores contam como sRGB e podem estar erradas; salve-a com um perfil ICC ou como sRGB</translation>
+    </message>
 </context>
 <context>
     <name>Cost</name>
@@ -876,6 +884,10 @@
     <message>
         <source>The results cannot be written, because %1 already exists and cannot be replaced; move it, or choose another folder</source>
         <translation>Os resultados não podem ser gravados, porque %1 já existe e não pode ser substituído; mova-o ou escolha outra pasta</translation>
+    </message>
+    <message>
+        <source>The results cannot be written: their folder was removed or moved meanwhile</source>
+        <translation>Não é possível gravar os resultados: a pasta foi removida ou movida nesse meio-tempo</translation>
     </message>
 </context>
 <context>
@@ -4742,6 +4754,13 @@
     </message>
 </context>
 <context>
+    <name>Text</name>
+    <message>
+        <source>its GlobalSettings name impossible axes or units</source>
+        <translation>suas GlobalSettings indicam eixos ou unidades impossíveis</translation>
+    </message>
+</context>
+<context>
     <name>Tolerance</name>
     <message>
         <source>Swell</source>
@@ -7634,10 +7653,6 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>Uma textura do modelo não tem imagem ou está em um formato não suportado, então a cor do seu material é usada no lugar; exporte a textura como PNG ou JPEG</translation>
     </message>
     <message>
-        <source>The model has a skin without bind matrices, so its points stay as stored and the joints do not move them; if the shape is wrong, apply the armature in a modelling program</source>
-        <translation>O modelo tem um skin sem matrizes de ligação, então seus pontos ficam como estão gravados e as articulações não os movem; se a forma estiver errada, aplique o esqueleto em um programa de modelagem</translation>
-    </message>
-    <message>
         <source>%1 sets material properties before its first material</source>
         <translation>%1 define propriedades de material antes do seu primeiro material</translation>
     </message>
@@ -7826,12 +7841,20 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>Triângulos de cavidades fechadas que foram removidos: %1</translation>
     </message>
     <message>
-        <source>The model scales or rotates a texture, which is not shown correctly; apply the transform to the texture coordinates in a modelling program</source>
-        <translation>O modelo redimensiona ou gira uma textura, o que não é mostrado corretamente; aplique a transformação às coordenadas de textura em um programa de modelagem</translation>
-    </message>
-    <message>
         <source>The model has several sets of texture coordinates, and its file does not say clearly which set its texture uses; if the texture is misplaced, delete the other sets in a modelling program</source>
         <translation>O modelo tem vários conjuntos de coordenadas de textura, e o arquivo não diz claramente qual conjunto a textura usa; se a textura estiver fora do lugar, exclua os outros conjuntos em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>The model moves, scales or rotates a texture, which is not shown correctly; apply the transform to the texture coordinates in a modelling program</source>
+        <translation>O modelo move, redimensiona ou gira uma textura, o que não é mostrado corretamente; aplique a transformação às coordenadas de textura em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>a skin lacks bind matrices for some of its joints</source>
+        <translation>um skin não tem matrizes de ligação para algumas de suas articulações</translation>
+    </message>
+    <message>
+        <source>The skin of the model does not say clearly how joints move %1 of its points, so these stay as stored; apply the armature in a modelling program</source>
+        <translation>O skin do modelo não diz claramente como as articulações movem %1 de seus pontos, então estes ficam como estão gravados; aplique o esqueleto em um programa de modelagem</translation>
     </message>
 </context>
 <context>
@@ -10323,6 +10346,14 @@ estiramento</translation>
     <message>
         <source>Series on the roll, %1, with cut marks; sheets: %2</source>
         <translation>Série no rolo, %1, com marcas de corte; folhas: %2</translation>
+    </message>
+    <message>
+        <source>At the printer profile&apos;s scale, the cut contour reaches past the edge of the paper</source>
+        <translation>Na escala do perfil da impressora, o contorno de corte ultrapassa a borda do papel</translation>
+    </message>
+    <message>
+        <source>%1; choose larger paper, or accept that a part of it is lost</source>
+        <translation>%1; escolha um papel maior ou aceite que uma parte dele se perca</translation>
     </message>
 </context>
 <context>

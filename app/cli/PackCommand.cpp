@@ -105,6 +105,7 @@ public:
         }
         printWarnings(filmsWarnings(films), console.out());
         if (!folder.isEmpty()) {
+            printWarnings(lostInFiles(films), console.out());
             writeFilms(films, folder, progress.part(0.9, 1));
             console.out() << QStringLiteral("Wrote %1\n").arg(folder);
         } else {

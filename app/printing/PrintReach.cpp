@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "printing/PrintFile.h"
+#include "sheet/page/CutContour.h"
 #include "sheet/page/InkedPixels.h"
 #include "sheet/page/SheetLayout.h"
 #include "sheet/page/SheetRows.h"
@@ -94,6 +95,20 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
     const QMarginsF lost = lostOnPage(sheet, margins, correction);
     const QRectF reach = QRectF({0, 0}, pageSize(sheet)).marginsRemoved(lost);
     const bool inks = correction.colour && correction.colour->isCmyk();
+    const QRectF paper =
+        QRectF({0, 0}, pageSize(sheet)).marginsRemoved(lostOnPage(sheet, {}, correction));
+    const QRectF cut = inks ? cutContour(sheet, sheetLayout(sheet)).boundingRect() : QRectF();
+    if (!cut.isEmpty() &&
+        !paper.adjusted(-sharpness, -sharpness, sharpness, sharpness).contains(cut)) {
+        const QString sentence = Text::tr("At the printer profile's scale, the cut contour reaches "
+                                          "past the edge of the paper");
+        if (!accept) {
+            throw Error(Text::tr("%1; choose larger paper, or accept that a part of it is lost")
+                            .arg(sentence),
+                        where);
+        }
+        warnings << sentence;
+    }
     const QRectF painted = paintedBox(sheet, inks ? InkedPlates::All : InkedPlates::Picture);
     if (painted.isEmpty() ||
         reach.adjusted(-sharpness, -sharpness, sharpness, sharpness).contains(painted)) {

@@ -15,6 +15,8 @@ struct Text {
 
 const QString key = QString::fromLatin1(colourNoteKey);
 const QString inks = QStringLiteral("assumed-inks");
+const QString turned = QStringLiteral("turned");
+const QString srgb = QStringLiteral("assumed-srgb");
 const QString beyond = QStringLiteral("clipped=");
 
 QString valueOf(const ColourNote& note) {
@@ -24,6 +26,12 @@ QString valueOf(const ColourNote& note) {
     }
     if (note.clipped > 0) {
         parts << beyond + QString::number(note.clipped, 'g', 4);
+    }
+    if (note.isTurned) {
+        parts << turned;
+    }
+    if (note.assumesSrgb) {
+        parts << srgb;
     }
     return parts.join(u' ');
 }
@@ -39,6 +47,8 @@ ColourNote colourNote(const QImage& picture) {
     ColourNote note;
     for (const QString& part : picture.text(key).split(u' ')) {
         note.assumesInks = note.assumesInks || part == inks;
+        note.isTurned = note.isTurned || part == turned;
+        note.assumesSrgb = note.assumesSrgb || part == srgb;
         if (part.startsWith(beyond)) {
             const double share = part.mid(beyond.size()).toDouble(); // 0 if it is not a number
             note.clipped = share > 0 ? std::min(share, 1.0) : 0;
@@ -53,19 +63,33 @@ QString colourNoteValue(const QImage& picture) {
 
 QString colourNoteText(const QImage& picture, const QString& name) {
     const ColourNote note = colourNote(picture);
+    QStringList sentences;
+    if (note.isTurned) {
+        sentences << Text::tr("%1 is to be shown turned or mirrored, as its EXIF data says, but it "
+                              "is used as its pixels are stored; save it upright in an image "
+                              "program")
+                         .arg(name);
+    }
+    if (note.assumesSrgb) {
+        sentences << Text::tr(
+                         "%1 names its colour space in a cICP chunk, which is not read, so its "
+                         "colours count as sRGB and can be wrong; save it with an ICC profile, "
+                         "or as sRGB")
+                         .arg(name);
+    }
     if (note.assumesInks) {
-        return Text::tr("%1 is in CMYK and has no ICC profile, so its colours are only estimated "
-                        "and can be wrong; save it with its profile, or as sRGB")
-            .arg(name);
-    }
-    if (note.clipped > 0) {
+        sentences << Text::tr("%1 is in CMYK and has no ICC profile, so its colours are only "
+                              "estimated and can be wrong; save it with its profile, or as sRGB")
+                         .arg(name);
+    } else if (note.clipped > 0) {
         const double percent = std::max(0.1, 100 * note.clipped);
-        return Text::tr("%1 has colours outside BT.2020, the largest colour space used here: %2 % "
-                        "of its pixels are printed less saturated; to control this, save it in a "
-                        "smaller colour space, such as Adobe RGB")
-            .arg(name, QLocale().toString(percent, 'f', 1));
+        sentences << Text::tr(
+                         "%1 has colours outside BT.2020, the largest colour space used here: %2 % "
+                         "of its pixels are printed less saturated; to control this, save it in a "
+                         "smaller colour space, such as Adobe RGB")
+                         .arg(name, QLocale().toString(percent, 'f', 1));
     }
-    return {};
+    return sentences.join(QStringLiteral(". "));
 }
 
 } // namespace dipwright

@@ -1,4 +1,4 @@
-// Notes on a picture whose colours could not all be read as intended. The note is kept in the
+// Notes on a picture that could not be read quite as intended. The note is kept in the
 // picture's texts (QImage::text), so that copies keep it and PNG files store it. All functions are
 // reentrant.
 #pragma once
@@ -14,7 +14,13 @@ struct ColourNote {
     // Share of the picture's pixels (0 … 1) whose colours lay visibly outside BT.2020. They were
     // moved to the edge of BT.2020.
     double clipped = 0;
-    bool isEmpty() const { return !assumesInks && clipped <= 0; }
+    // The file says that the picture is to be shown turned or mirrored (EXIF), but its pixels are
+    // used as they are stored.
+    bool isTurned = false;
+    // The file names a colour space in a way that is not read (cICP of PNG), so the colours count
+    // as sRGB.
+    bool assumesSrgb = false;
+    bool isEmpty() const { return !assumesInks && clipped <= 0 && !isTurned && !assumesSrgb; }
 };
 
 QImage withColourNote(QImage picture, const ColourNote& note);
@@ -27,8 +33,8 @@ inline constexpr const char* colourNoteKey = "Dipwright-Colours";
 // note.
 QString colourNoteValue(const QImage& picture);
 
-// Returns the note as a sentence for the user; empty if there is no note. `name` is the picture's
-// name.
+// Returns the note as sentences for the user, without the last full stop; empty if there is no
+// note. `name` is the picture's name.
 QString colourNoteText(const QImage& picture, const QString& name);
 
 } // namespace dipwright

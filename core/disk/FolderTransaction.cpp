@@ -348,8 +348,12 @@ void FolderTransaction::write(const QString& name, const QByteArray& contents) c
     QFile file(work.path(newFiles + name));
     // The folder for new files is created only once. If somebody moved it away, a second one would
     // lack the files written before.
-    if (!work.has(newFiles) || !QDir().mkpath(QFileInfo(file).path()) ||
-        !file.open(QIODevice::WriteOnly) || !writeAll(file, contents) || !syncToDisk(file)) {
+    if (!work.has(newFiles) || !QDir().mkpath(QFileInfo(file).path())) {
+        throw Error(Text::tr("The results cannot be written: their folder was removed or moved "
+                             "meanwhile"),
+                    target_);
+    }
+    if (!file.open(QIODevice::WriteOnly) || !writeAll(file, contents) || !syncToDisk(file)) {
         throw Error(Text::tr("The results cannot be written: %1").arg(file.errorString()), target_);
     }
     const std::lock_guard lock(writing_);

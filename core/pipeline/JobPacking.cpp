@@ -2,6 +2,7 @@
 
 #include "base/Bytes.h"
 #include "disk/FolderTransaction.h"
+#include "sheet/prepress/Separation.h"
 #include "sheet/prepress/SheetFiles.h"
 
 #include <QCoreApplication>
@@ -129,6 +130,18 @@ QStringList filmsWarnings(const PackedFilms& films) {
     return {Text::tr("The jobs differ in their ink settings or CMYK profiles, so that the films do "
                      "not keep all amounts of ink of CMYK pictures or compensate each ink by "
                      "itself; give all jobs the same ink settings and profiles")};
+}
+
+QStringList lostInFiles(const PackedFilms& films) {
+    QStringList lost;
+    for (const PieceToPack& piece : films.pieces) {
+        for (const QString& sentence : lostPlates(piece.sheet, false)) {
+            if (!lost.contains(sentence)) {
+                lost << sentence;
+            }
+        }
+    }
+    return lost;
 }
 
 void checkFilmsFolder(const QString& folder) {

@@ -40,6 +40,9 @@ Sheet sheetOf(const PackedFilms& films, std::size_t number);
 QStringList filmsText(const PackedFilms& films);
 // Returns sentences, without full stops, about what the films do not keep of their jobs.
 QStringList filmsWarnings(const PackedFilms& films);
+// Returns sentences, without full stops, about the plates that writeFilms() leaves out, because it
+// knows no printer.
+QStringList lostInFiles(const PackedFilms& films);
 
 // Throws Error if writeFilms() cannot write into `folder`. Call it before the work begins.
 void checkFilmsFolder(const QString& folder);

@@ -427,8 +427,10 @@ void PackDialog::exportFilms() {
             writeFilms(*films, folder, progress);
             return true;
         },
-        [this, folder](bool) {
-            tell(tr("Wrote the films to %1").arg(QDir::toNativeSeparators(folder)));
+        [this, folder, films = laid_.films](bool) {
+            QStringList told{tr("Wrote the films to %1").arg(QDir::toNativeSeparators(folder))};
+            told << lostInFiles(*films);
+            tell(told.join(QStringLiteral(". ")));
         },
         [this](std::exception_ptr failure) { showFailure(failure); }));
 }

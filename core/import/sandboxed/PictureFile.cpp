@@ -89,4 +89,20 @@ bool isCutOff(const QByteArray& file) {
                                        : false;
 }
 
+bool namesUnreadSpace(const QByteArray& file) {
+    constexpr qsizetype signature = 8, header = 8, check = 4; // bytes
+    constexpr QByteArrayView sRgb("\x01\x0d", 2);             // primaries and transfer function
+    for (qsizetype at = signature; file.startsWith("\x89PNG") && at + header <= file.size();) {
+        const QByteArrayView kind = QByteArrayView(file).sliced(at + 4, 4);
+        if (kind == "IDAT") {
+            break;
+        }
+        if (kind == "cICP") {
+            return file.mid(at + header, sRgb.size()) != sRgb;
+        }
+        at += header + qFromBigEndian<quint32>(file.constData() + at) + check;
+    }
+    return false;
+}
+
 } // namespace dipwright

@@ -23,4 +23,8 @@ constexpr int jpegScan = 0xda; // kind of the marker before the bits of a scan
 // fill the rest with grey or black. Data after the picture does not matter.
 bool isCutOff(const QByteArray& file);
 
+// Whether a PNG file names a colour space other than sRGB by a cICP chunk (PNG, third edition,
+// 11.3.2.6). Decoders here do not read this chunk.
+bool namesUnreadSpace(const QByteArray& file);
+
 } // namespace dipwright

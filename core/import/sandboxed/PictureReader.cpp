@@ -78,6 +78,15 @@ QByteArray formatOf(const QByteArray& bytes) {
                                                                                      : QByteArray();
 }
 
+// Whether the file says that the picture is to be shown turned or mirrored.
+bool isStoredTurned(const QByteArray& bytes) {
+    QBuffer buffer;
+    buffer.setData(bytes);
+    buffer.open(QIODevice::ReadOnly);
+    QImageReader reader(&buffer, formatOf(bytes));
+    return reader.transformation() != QImageIOHandler::TransformationNone;
+}
+
 void requireWhole(const QByteArray& bytes, const QString& where, PictureReader::Turned turned) {
     if (!isCutOff(bytes)) {
         return;
@@ -108,6 +117,25 @@ void PictureReader::count(const QSize& size, qint64 fileBytes, const QString& wh
 }
 
 QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned turned) {
+    QImage picture = decoded(bytes, where, turned);
+    if (turned == Turned::Upright) {
+        return picture;
+    }
+    ColourNote note = colourNote(picture);
+    note.isTurned = note.isTurned || isStoredTurned(bytes);
+    note.assumesSrgb = note.assumesSrgb || namesUnreadSpace(bytes);
+    auto inks = inks_.extract(picture.cacheKey());
+    if (!note.isEmpty()) {
+        picture = withColourNote(std::move(picture), note);
+    }
+    if (inks) {
+        inks.key() = picture.cacheKey();
+        inks_.insert(std::move(inks));
+    }
+    return picture;
+}
+
+QImage PictureReader::decoded(const QByteArray& bytes, const QString& where, Turned turned) {
     // Qt's default limit would refuse 8192 × 8192. Instead, the size is checked before anything is
     // decoded.
     constexpr int mostBytesPerPixel = 8;

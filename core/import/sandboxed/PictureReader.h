@@ -34,6 +34,7 @@ public:
     QImage take(QImage image, const QString& where);
 
 private:
+    QImage decoded(const QByteArray& bytes, const QString& where, Turned turned);
     QImage readInLab(const QByteArray& bytes, const QSize& announced, const QString& where);
     void count(const QSize& size, qint64 fileBytes, const QString& where);
 

@@ -92,11 +92,12 @@ CadFacts readCadFacts(const QByteArray& bytes) {
 }
 
 QByteArray pictureHeaderBytes(const QImage& picture) {
+    const ColourNote note = colourNote(picture);
     return streamed([&](QDataStream& stream) {
         stream << qint32(picture.width()) << qint32(picture.height())
                << qint32(picture.dotsPerMeterX()) << qint32(picture.dotsPerMeterY())
-               << qint32(isWide(picture)) << qint32(colourNote(picture).assumesInks)
-               << colourNote(picture).clipped;
+               << qint32(isWide(picture)) << qint32(note.assumesInks) << qint32(note.isTurned)
+               << qint32(note.assumesSrgb) << note.clipped;
         const QByteArray space = QByteArray::fromHex(inkSpace(picture).toLatin1());
         stream.writeRawData(space.leftJustified(spaceBytes, '\0', true).constData(), spaceBytes);
     });
@@ -104,10 +105,14 @@ QByteArray pictureHeaderBytes(const QImage& picture) {
 
 QImage emptyPicture(const QByteArray& header) {
     ReadStream stream(header);
-    qint32 width = 0, height = 0, dotsPerMeterX = 0, dotsPerMeterY = 0, wide = 0, inks = 0;
+    qint32 width = 0, height = 0, dotsPerMeterX = 0, dotsPerMeterY = 0, wide = 0, inks = 0,
+           turned = 0, srgb = 0;
     ColourNote note;
-    stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY >> wide >> inks >> note.clipped;
+    stream >> width >> height >> dotsPerMeterX >> dotsPerMeterY >> wide >> inks >> turned >> srgb >>
+        note.clipped;
     note.assumesInks = inks != 0;
+    note.isTurned = turned != 0;
+    note.assumesSrgb = srgb != 0;
     const QByteArray space = header.right(spaceBytes);
     if (width <= 0 || height <= 0) {
         return QImage();

@@ -66,7 +66,7 @@ CadFacts readCadFacts(const QByteArray& bytes);
 
 // Returns the part of a picture's message before its pixels.
 QByteArray pictureHeaderBytes(const QImage& picture);
-constexpr qint64 pictureHeaderLength = 48;
+constexpr qint64 pictureHeaderLength = 56;
 // Returns an empty picture of the size in `header`; null if the size is invalid or memory is
 // insufficient. Does not throw.
 QImage emptyPicture(const QByteArray& header);

@@ -1,4 +1,4 @@
-// Makes the line along which the printed film is cut. Private to this folder.
+// Makes the line along which the printed film is cut.
 #pragma once
 
 #include "sheet/page/SheetLayout.h"

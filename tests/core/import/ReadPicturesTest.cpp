@@ -1,12 +1,16 @@
 // Tests pictures of every format, read by the sandboxed reader.
 #include "import/trusted/ReadPictures.h"
+#include "base/ColourNote.h"
 #include "base/Error.h"
 #include "base/Png.h"
 #include "base/WideGamut.h"
 
+#include <QBuffer>
 #include <QImageWriter>
 #include <QTemporaryDir>
+#include <QtEndian>
 #include <QtTest>
+#include <zlib.h>
 
 using namespace dipwright;
 
@@ -49,6 +53,8 @@ private Q_SLOTS:
     void readPictureFile_everyFormat_isRead();
     void readPictureFile_truncated_isRefusedOrPartlyRead_data() { formats(); }
     void readPictureFile_truncated_isRefusedOrPartlyRead();
+    void readPictureFile_turnedByExif_isTold();
+    void readPictureFile_unreadColourSpace_isTold();
     void readPictures_pixelLimit_appliesToAllTogether();
     void pictureCount_widePictures_countTwice();
 
@@ -114,6 +120,51 @@ void ReadPicturesTest::readPictureFile_truncated_isRefusedOrPartlyRead() {
         }
     }
     QVERIFY(refused >= 3);
+}
+
+// The pixels stay as they are stored, but the picture tells that a viewer would turn them.
+void ReadPicturesTest::readPictureFile_turnedByExif_isTold() {
+    const QByteArray plain = contents(written(QStringLiteral("jpg")));
+    for (const char orientation : {'\1', '\6'}) { // upright; to be turned by 90°
+        QByteArray exif("\xff\xe1\0\x22"
+                        "Exif\0\0MM\0\x2a\0\0\0\x08"
+                        "\0\1\1\x12\0\3\0\0\0\1\0?\0\0\0\0\0\0",
+                        36);
+        exif[29] = orientation;
+        QFile file(folder_.filePath("exif.jpg"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray(plain).insert(2, exif)); // after the marker of the start
+        file.close();
+        const QImage read = readPictureFile(file.fileName());
+        QCOMPARE(read.size(), slope().size());
+        QCOMPARE(colourNoteText(read, "logo.jpg").startsWith("logo.jpg is to be shown turned"),
+                 orientation != '\1');
+    }
+}
+
+void ReadPicturesTest::readPictureFile_unreadColourSpace_isTold() {
+    const auto read = [&](const QByteArray& primariesAndTransfer) {
+        QByteArray chunk = "cICP" + primariesAndTransfer + QByteArray("\0\1", 2), file;
+        const auto number = [](quint32 value) {
+            QByteArray bytes(4, '\0');
+            qToBigEndian(value, bytes.data());
+            return bytes;
+        };
+        chunk = number(4) + chunk +
+                number(quint32(crc32(0, reinterpret_cast<const Bytef*>(chunk.constData()),
+                                     uInt(chunk.size()))));
+        QBuffer buffer(&file);
+        buffer.open(QIODevice::WriteOnly);
+        slope().save(&buffer, "png");
+        QFile png(folder_.filePath("cicp.png"));
+        png.open(QIODevice::WriteOnly);
+        constexpr int signatureAndHeader = 33; // bytes
+        png.write(file.insert(signatureAndHeader, chunk));
+        png.close();
+        return colourNoteText(readPictureFile(png.fileName()), "flag.png");
+    };
+    QVERIFY(read("\x0c\x0d").startsWith("flag.png names its colour space in a cICP chunk")); // P3
+    QCOMPARE(read("\x01\x0d"), QString());                                                   // sRGB
 }
 
 void ReadPicturesTest::readPictures_pixelLimit_appliesToAllTogether() {
