@@ -4754,13 +4754,6 @@
     </message>
 </context>
 <context>
-    <name>Text</name>
-    <message>
-        <source>its GlobalSettings name impossible axes or units</source>
-        <translation>seine GlobalSettings nennen unmögliche Achsen oder Einheiten</translation>
-    </message>
-</context>
-<context>
     <name>Tolerance</name>
     <message>
         <source>Swell</source>
@@ -7855,6 +7848,10 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>The skin of the model does not say clearly how joints move %1 of its points, so these stay as stored; apply the armature in a modelling program</source>
         <translation>Der Skin des Modells sagt nicht eindeutig, wie Gelenke %1 seiner Punkte bewegen; diese bleiben daher, wie sie gespeichert sind; wenden Sie das Skelett in einem Modellierprogramm an</translation>
+    </message>
+    <message>
+        <source>its GlobalSettings name impossible axes or units</source>
+        <translation>seine GlobalSettings nennen unmögliche Achsen oder Einheiten</translation>
     </message>
 </context>
 <context>

@@ -4754,13 +4754,6 @@
     </message>
 </context>
 <context>
-    <name>Text</name>
-    <message>
-        <source>its GlobalSettings name impossible axes or units</source>
-        <translation>suas GlobalSettings indicam eixos ou unidades impossíveis</translation>
-    </message>
-</context>
-<context>
     <name>Tolerance</name>
     <message>
         <source>Swell</source>
@@ -7855,6 +7848,10 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>The skin of the model does not say clearly how joints move %1 of its points, so these stay as stored; apply the armature in a modelling program</source>
         <translation>O skin do modelo não diz claramente como as articulações movem %1 de seus pontos, então estes ficam como estão gravados; aplique o esqueleto em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>its GlobalSettings name impossible axes or units</source>
+        <translation>suas GlobalSettings indicam eixos ou unidades impossíveis</translation>
     </message>
 </context>
 <context>

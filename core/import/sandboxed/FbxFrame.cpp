@@ -14,6 +14,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
 };
 
+void refuse(const ModelSource& source) {
+    source.throwDamaged(Text::tr("its GlobalSettings name impossible axes or units"));
+}
+
 template <typename Number>
 Number setting(const aiScene& scene, const std::string& name, Number usual) {
     Number value = usual;
@@ -41,7 +45,7 @@ Eigen::Matrix3f fbxFrame(const aiScene& scene, const ModelSource& source) {
     Eigen::Matrix3f frame;
     frame << axis(scene, "CoordAxis", 0), axis(scene, "UpAxis", 1), axis(scene, "FrontAxis", 2);
     if (std::abs(frame.determinant()) != 1 || !std::isfinite(unit) || unit <= 0) {
-        source.throwDamaged(Text::tr("its GlobalSettings name impossible axes or units"));
+        refuse(source);
     }
     return float(unit) * centimetre * frame;
 }
