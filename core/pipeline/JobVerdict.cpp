@@ -15,6 +15,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 
@@ -112,10 +113,17 @@ void addContrastReason(ReasonList& found, const JobResult& result) {
         }
     });
     ContrastKept contrast;
+    int count = 0;
     for (const auto& pair : lightness) {
         if (pair) {
             contrast.add(double((*pair)[0]), double((*pair)[1]));
+            ++count;
         }
+    }
+    if (std::isnan(contrast.share())) { // the picture is plain: it stands out from the bare part
+        constexpr double white = 100;
+        const QColor bare(result.project.baseColour);
+        contrast.add(white, double(labOf(linearColour(bare))[0]), count);
     }
     const double share = contrast.share();
     if (share < leastContrastKept) {

@@ -181,6 +181,14 @@ private slots:
         const Verdict faint = onColour("#282828"), lost = onColour("#080808");
         QVERIFY(hasReason(faint, VerdictReason::Kind::FaintPicture));
         QVERIFY(faint.advice == Advice::CheckFirst && lost.advice == Advice::DoNotPrint);
+        const auto plainRedOn = [&](const char* colour) {
+            return verdicts([colour](Project& job) {
+                job.model = texturedBall(QColor(Qt::red));
+                job.baseColour = QString::fromLatin1(colour);
+            })[1];
+        };
+        QCOMPARE(plainRedOn("#080808").advice, Advice::DoNotPrint);
+        QVERIFY(!hasReason(plainRedOn("#c0c0c0"), VerdictReason::Kind::FaintPicture));
     }
 
     // Sheets that were read upwards: the correction would print a mirrored sheet.
