@@ -137,6 +137,15 @@ private slots:
         }
     }
 
+    void pack_whiteLayerToFolder_isToldToBeLeftOut() {
+        const QStringList pack =
+            QStringList{"pack", turtle, "--out", folder_.filePath("white"), "--film", "A3"} +
+            coarse;
+        QVERIFY(!cli(pack).out.contains("white layer is left out"));
+        const Outcome told = cli(pack + QStringList{"--set", "sheet.white=last"});
+        QVERIFY2(told.out.contains("white layer is left out"), told.out + told.err);
+    }
+
     void pack_pieceTooLarge_isRefused() {
         const Outcome packed = cli(
             QStringList{"pack", turtle, "--out", folder_.filePath("small"), "--film", "100x100"} +

@@ -3,6 +3,7 @@
 #include "PaperMeasure.h"
 #include "PrivateCups.h"
 #include "TestFolders.h"
+#include "TestProfiles.h"
 
 #include "base/Units.h"
 
@@ -67,6 +68,7 @@ private slots:
     void print_toFile_writesSheet();
     void print_oneOfTwoDips_isTheSheetOfTheRun();
     void print_toFile_keepsPrinterMargins();
+    void print_cutContourPastThePaper_isRefused();
     void print_iccProfile_convertsColours();
     void print_wideGamutProfile_keepsWideColours();
     void print_profileChangedLater_usesProjectsCopy();
@@ -250,6 +252,27 @@ void PrintCommandTest::print_toFile_keepsPrinterMargins() {
     const QByteArray info = output("pdfinfo", {pieces});
     QVERIFY2(info.contains("Pages:           6"), info);
     QCOMPARE(write(pieces, {"--tile-paper", "quarto"}).exitCode, 2);
+}
+
+// The printer prints too small, so the page is enlarged, and the film's edge with it.
+void PrintCommandTest::print_cutContourPastThePaper_isRefused() {
+    QFile icc(folder_.filePath("inks.icc"));
+    QVERIFY(icc.open(QIODevice::WriteOnly));
+    icc.write(simpleCmykProfile(0.002));
+    icc.close();
+    const auto write = [&](const QString& scale, const QStringList& more = {}) {
+        cli({"profile", "set", "printer", "Cutter", "--icc", icc.fileName(), "--set",
+             "scale=" + scale});
+        return cli(QStringList{"print", turtle, "--immersion", "1", "--to",
+                               folder_.filePath("cut.pdf"), "--profile", "Cutter", "--set",
+                               "sheet.paper=film", "--set", "sheet.cut_line=film"} +
+                   coarse + more);
+    };
+    QCOMPARE(write("1;1").exitCode, 0);
+    const Outcome refused = write("0.97;0.97");
+    QCOMPARE(refused.exitCode, 1);
+    QVERIFY2(refused.err.contains("cut contour reaches past the edge"), refused.err);
+    QCOMPARE(write("0.97;0.97", {"--accept-clipping"}).exitCode, 0);
 }
 
 // The printer's profile is Adobe RGB, in which the sheet's sRGB colours have other values.
