@@ -98,8 +98,11 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
     const QRectF paper =
         QRectF({0, 0}, pageSize(sheet)).marginsRemoved(lostOnPage(sheet, {}, correction));
     const QRectF cut = inks ? cutContour(sheet, sheetLayout(sheet)).boundingRect() : QRectF();
-    if (!cut.isEmpty() &&
-        !paper.adjusted(-sharpness, -sharpness, sharpness, sharpness).contains(cut)) {
+    const auto liesIn = [](const QRectF& box, const QRectF& area) {
+        return box.isEmpty() ||
+               area.adjusted(-sharpness, -sharpness, sharpness, sharpness).contains(box);
+    };
+    if (!liesIn(cut, paper)) {
         const QString sentence = Text::tr("At the printer profile's scale, the cut contour reaches "
                                           "past the edge of the paper");
         if (!accept) {
@@ -110,8 +113,7 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
         warnings << sentence;
     }
     const QRectF painted = paintedBox(sheet, inks ? InkedPlates::All : InkedPlates::Picture);
-    if (painted.isEmpty() ||
-        reach.adjusted(-sharpness, -sharpness, sharpness, sharpness).contains(painted)) {
+    if (liesIn(painted, reach)) {
         return inside;
     }
     const QString sentence =

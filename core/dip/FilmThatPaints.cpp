@@ -161,7 +161,7 @@ private:
     // spannedHollow · `length`.
     bool spansHollow(const Eigen::Vector3f& place, const Eigen::Vector3f& intoBody, float length,
                      float deepest) const {
-        if (query_.closest(place, std::min(spannedHollow * length, deepest)).point.isValid()) {
+        if (query_.isNear(place, std::min(spannedHollow * length, deepest))) {
             return false;
         }
         const ClosestPoint under = query_.closest(place, length);

@@ -77,6 +77,7 @@ private:
                 const float ofB = (x * ac.z() - z * ac.x()) * perArea;
                 const float ofC = (ab.x() * z - ab.z() * x) * perArea;
                 const float height = a.y() + ofB * ab.y() + ofC * ac.y();
+                // Branches here would often be predicted wrongly.
                 const bool isInside = (ofB >= 0) & (ofC >= 0) & (ofB + ofC <= 1);
                 lowest[column] = isInside & (height < lowest[column]) ? height : lowest[column];
             }

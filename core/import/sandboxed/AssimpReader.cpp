@@ -284,8 +284,7 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     if (source.withTextures) {
         warnings += files->warnings();
     }
-    const SceneMeaning meaning{isGltf, isGltf, files->placements(),
-                               frameOf(format, *scene, source)};
+    const SceneMeaning meaning{isGltf, files->placements(), frameOf(format, *scene, source)};
     TexturedMesh model = convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
     if (isMisplaced && !model.textures.empty()) {
         warnings.push_back(Text::tr(

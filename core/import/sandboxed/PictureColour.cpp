@@ -44,29 +44,19 @@ constexpr qsizetype largestProfile = 16 << 20; // bytes
 // Returns the profile in chunk iCCP of a PNG file (ISO/IEC 15948): name, 0, method 0, zlib stream.
 // It is read here because libpng drops an RGB profile in a grey picture.
 QByteArray profileOfPng(const QByteArray& file, const QString& where) {
-    qsizetype at = 8;
-    while (at + 12 <= file.size()) {
-        const auto length = qsizetype(qFromBigEndian<quint32>(file.constData() + at));
-        const QByteArrayView kind(file.constData() + at + 4, 4);
-        if (length > file.size() - at - 12 || kind == "IDAT") {
-            break;
-        }
-        if (kind == "iCCP") {
-            const QByteArray chunk = file.mid(at + 8, length);
-            const qsizetype stream = chunk.indexOf('\0') + 2;
-            // qUncompress() expects a length first; it allocates more if that is too small.
-            QByteArray packed(4, '\0');
-            qToBigEndian(quint32(4096), packed.data());
-            const QByteArray profile =
-                stream < 2 ? QByteArray() : qUncompress(packed + chunk.mid(stream));
-            if (profile.isEmpty()) {
-                throwNotFit(where);
-            }
-            return profile;
-        }
-        at += 12 + length;
+    const auto chunk = pngChunk(file, "iCCP");
+    if (!chunk) {
+        return {};
     }
-    return {};
+    const qsizetype stream = chunk->indexOf('\0') + 2;
+    // qUncompress() expects a length first; it allocates more if that is too small.
+    QByteArray packed(4, '\0');
+    qToBigEndian(quint32(4096), packed.data());
+    const QByteArray profile = stream < 2 ? QByteArray() : qUncompress(packed + chunk->mid(stream));
+    if (profile.isEmpty()) {
+        throwNotFit(where);
+    }
+    return profile;
 }
 
 // Returns the profile in the segments APP2 of a JPEG file (ICC.1, annex B.4): "ICC_PROFILE", 0,

@@ -89,20 +89,26 @@ bool isCutOff(const QByteArray& file) {
                                        : false;
 }
 
-bool namesUnreadSpace(const QByteArray& file) {
-    constexpr qsizetype signature = 8, header = 8, check = 4; // bytes
-    constexpr QByteArrayView sRgb("\x01\x0d", 2);             // primaries and transfer function
-    for (qsizetype at = signature; file.startsWith("\x89PNG") && at + header <= file.size();) {
-        const QByteArrayView kind = QByteArrayView(file).sliced(at + 4, 4);
-        if (kind == "IDAT") {
+std::optional<QByteArray> pngChunk(const QByteArray& file, QByteArrayView kind) {
+    constexpr qsizetype signature = 8, header = 8, frame = 12; // bytes; frame: header and check
+    for (qsizetype at = signature; at + frame <= file.size();) {
+        const auto length = qsizetype(qFromBigEndian<quint32>(file.constData() + at));
+        const QByteArrayView found(file.constData() + at + 4, 4);
+        if (length > file.size() - at - frame || found == "IDAT") {
             break;
         }
-        if (kind == "cICP") {
-            return file.mid(at + header, sRgb.size()) != sRgb;
+        if (found == kind) {
+            return file.mid(at + header, length);
         }
-        at += header + qFromBigEndian<quint32>(file.constData() + at) + check;
+        at += frame + length;
     }
-    return false;
+    return std::nullopt;
+}
+
+bool namesUnreadSpace(const QByteArray& file) {
+    constexpr QByteArrayView sRgb("\x01\x0d", 2); // primaries and transfer function
+    const auto chunk = file.startsWith("\x89PNG") ? pngChunk(file, "cICP") : std::nullopt;
+    return chunk && !chunk->startsWith(sRgb);
 }
 
 } // namespace dipwright

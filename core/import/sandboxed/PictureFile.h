@@ -23,6 +23,10 @@ constexpr int jpegScan = 0xda; // kind of the marker before the bits of a scan
 // fill the rest with grey or black. Data after the picture does not matter.
 bool isCutOff(const QByteArray& file);
 
+// Returns the data of the first chunk of a kind that lies before the pixels of a PNG file (ISO/IEC
+// 15948). Returns nothing if there is none.
+std::optional<QByteArray> pngChunk(const QByteArray& file, QByteArrayView kind);
+
 // Whether a PNG file names a colour space other than sRGB by a cICP chunk (PNG, third edition,
 // 11.3.2.6). Decoders here do not read this chunk.
 bool namesUnreadSpace(const QByteArray& file);

@@ -121,9 +121,9 @@ private:
         aiColor4D colour;
         if (source.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
             source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {
-            material.colour = QColor(colourByte(colour.r, meaning_.linearColours),
-                                     colourByte(colour.g, meaning_.linearColours),
-                                     colourByte(colour.b, meaning_.linearColours));
+            material.colour =
+                QColor(colourByte(colour.r, meaning_.isGltf), colourByte(colour.g, meaning_.isGltf),
+                       colourByte(colour.b, meaning_.isGltf));
         }
         for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
             aiString name;
@@ -142,7 +142,7 @@ private:
 
     // In glTF, the material's colour multiplies its picture.
     void noteTint(const Material& material) {
-        if (meaning_.linearColours && material.texture >= 0 && material.colour != Qt::white &&
+        if (meaning_.isGltf && material.texture >= 0 && material.colour != Qt::white &&
             !isTintNoted_) {
             isTintNoted_ = true;
             warnings_.push_back(Text::tr(
@@ -224,16 +224,16 @@ class TriangleReader {
 public:
     TriangleReader(const aiScene& scene, const ModelSource& source, const SceneMeaning& meaning,
                    TexturedMesh& model, QStringList& warnings, const Progress& progress)
-        : scene_(scene), source_(source), frame_(matrixOf(meaning.frame)),
-          skinsMoveAll_(meaning.skinsMoveAll), model_(model), warnings_(warnings),
-          progress_(progress), materials_(scene, source, meaning, model, warnings) {}
+        : scene_(scene), source_(source), frame_(matrixOf(meaning.frame)), isGltf_(meaning.isGltf),
+          model_(model), warnings_(warnings), progress_(progress),
+          materials_(scene, source, meaning, model, warnings) {}
 
     void readAll() {
         if (!scene_.mRootNode) {
             return;
         }
         count(*scene_.mRootNode);
-        const SkinPose skins(*scene_.mRootNode, frame_, skinsMoveAll_);
+        const SkinPose skins(*scene_.mRootNode, frame_, isGltf_);
         model_.mesh.triangles.reserve(total_);
         model_.textureCoordinates.reserve(total_);
         model_.material.reserve(total_);
@@ -344,7 +344,7 @@ private:
     const aiScene& scene_;
     const ModelSource& source_;
     const aiMatrix4x4 frame_; // SceneMeaning::frame
-    const bool skinsMoveAll_; // SceneMeaning::skinsMoveAll
+    const bool isGltf_;       // SceneMeaning::isGltf
     TexturedMesh& model_;
     QStringList& warnings_;
     const Progress& progress_;

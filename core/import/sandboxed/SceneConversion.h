@@ -12,11 +12,11 @@ namespace dipwright {
 
 // Facts that the scene itself does not contain.
 struct SceneMeaning {
-    bool linearColours = false; // material colours are linear light (glTF), not sRGB
-    bool skinsMoveAll = false;  // a skin moves all points of its mesh (glTF)
+    // Material colours are linear light, not sRGB, and a skin moves all points of its mesh.
+    bool isGltf = false;
     PicturePlacements placements;
-    // From the scene's coordinates to those of the model: mm with Y up, if the file states its unit
-    // and axes.
+    // Turns the scene's coordinates into those of the model. These are mm, with Y up, if the file
+    // states its unit and axes.
     Eigen::Matrix3f frame = Eigen::Matrix3f::Identity();
 };
 

@@ -68,8 +68,8 @@ QByteArray textured3ds(const QByteArray& options);
 QByteArray chunk3ds(quint16 kind, const QByteArray& content);
 // Returns a chunk that contains one number.
 QByteArray chunk3ds(quint16 kind, float number);
-// Returns the same tetrahedron as binary FBX, as modelling programs write it. The unit, in cm, and
-// the axes are those of its GlobalSettings.
+// Returns the same tetrahedron as binary FBX, as modelling programs write it. `axes` and `unit`, in
+// cm, are stored in its GlobalSettings.
 QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes = {},
                                 double unit = 1);
 
