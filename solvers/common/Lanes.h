@@ -11,7 +11,7 @@ namespace dipwright::numerics {
 // Lanes compute the same values together, and each of them a part of what takes long. On a GPU they
 // are four neighbouring threads, and two such groups, the sides, work on the same triangle. On a
 // CPU there is one lane and one side. Lanes of a side take the same branches between two calls of
-// from() or flags(); all lanes of a triangle between two calls of fromSide() or wait().
+// from(); all lanes of a triangle between two calls of fromSide() or wait().
 struct Lanes {
 #if defined(__CUDA_ARCH__)
     static constexpr int count = 4, sides = 2;
@@ -25,10 +25,6 @@ struct Lanes {
     // Returns the value of lane `lane` of this side.
     __device__ static float from(float value, int lane) {
         return __shfl_sync(mask<count>(), value, lane, count);
-    }
-    // Returns the flags of this side's lanes as bits, the first lane's lowest.
-    __device__ static unsigned flags(bool flag) {
-        return __ballot_sync(mask<count>(), flag) >> first<count>();
     }
     // Returns the value of side `side`.
     template <typename Value>
@@ -71,9 +67,6 @@ private:
     template <typename Value>
     DIPWRIGHT_HOST_DEVICE static Value from(Value value, int) {
         return value;
-    }
-    DIPWRIGHT_HOST_DEVICE static unsigned flags(bool flag) {
-        return flag ? 1 : 0;
     }
     template <typename Value>
     DIPWRIGHT_HOST_DEVICE static const Value& fromSide(const Value& value, int) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/BodyPath.h"
+#include "common/RootBetween.h"
 #include "production/formulas/ContactPath.h"
 #include "production/formulas/CrossingTriangle.h"
 
@@ -72,27 +73,29 @@ struct Attachment {
 
 // Handles a point that moved from `start` by `way` while the body descended from `descent` by
 // `increment`, and that ended within the contact distance. Returns the place of the contact and its
-// time within the step.
+// time within the step. `cell` is the film's spacing.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>& body,
+DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>& body, Real cell,
                                                          double descent, double increment,
                                                          Vector3<Real> start, Vector3<Real> way) {
-    Real early(0), late(1);
     const auto placeAt = [&](Real share) {
         return body.frameAt(descent + increment * double(share)).toBody(start + way * share);
     };
-    for (int iteration = 0; iteration < contactTimeHalvings; ++iteration) {
-        const Real middle = (early + late) / Real(2);
-        const Real distance = sampleField(body.field, placeAt(middle)).distance;
-        (distance > body.contactDistance ? early : late) = middle;
-    }
-    const Vector3<Real> place = placeAt(late);
-    const Vector3<Real> gradient = body.frameAt(descent + increment * double(late))
+    const auto clearanceAt = [&](Real share) {
+        return sampleField(body.field, placeAt(share)).distance - body.contactDistance;
+    };
+    const Real first = clearanceAt(Real(0)), last = clearanceAt(Real(1));
+    const bool wasIn = !(first > Real(0));
+    const Real time = wasIn ? Real(0)
+                      : last > Real(0)
+                          ? Real(1) // by rounding
+                          : rootBetween(clearanceAt, first, last, Real(contactFound) * cell);
+    const Vector3<Real> place = placeAt(time);
+    const Vector3<Real> gradient = body.frameAt(descent + increment * double(time))
                                        .directionToWorld(smoothGradient(body.field, place));
     if (!(gradient.y > body.steepestHeld * length(gradient))) {
         return {place, solver::PointState::Adhered};
     }
-    const bool wasIn = !(sampleField(body.field, placeAt(Real(0))).distance > body.contactDistance);
     return {place, wasIn ? solver::PointState::Trapped : solver::PointState::Free};
 }
 

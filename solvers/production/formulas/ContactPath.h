@@ -9,6 +9,7 @@
 #include "common/BodyFrame.h"
 #include "common/FieldSampling.h"
 #include "common/Lanes.h"
+#include "common/RootBetween.h"
 #include "production/formulas/Tolerances.h"
 
 namespace dipwright::numerics {
@@ -78,47 +79,21 @@ contactLineBySlope(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
     return false;
 }
 
-// Finds the contact line between `inside` (within the body) and `outside` (in free water) by
-// bisection. Several lanes test two halvings at once: the middle, and both places that can be the
-// next middle.
+// Finds the contact line between `inside` (within the body) and `outside` (in free water).
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool
 contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
-                   Vector3<Real> inside, Vector3<Real> outside, Vector3<Real>& line) {
-    const auto middle = [](Vector3<Real> a, Vector3<Real> b) { return (a + b) * Real(0.5); };
-    const auto distance = [&](Vector3<Real> place) {
-        return sampleWorld(field, frame, place).distance;
+                   Real cell, Vector3<Real> inside, Vector3<Real> outside, Vector3<Real>& line) {
+    const auto excessAt = [&](Real share) {
+        line = inside + (outside - inside) * share;
+        return sampleWorld(field, frame, line).distance - contactDistance;
     };
-    const auto halve = [&](bool isOutside) { (isOutside ? outside : inside) = line; };
-    if constexpr (Lanes::count < 3) {
-        if (!(distance(inside) - contactDistance <= Real(0) &&
-              distance(outside) - contactDistance > Real(0))) {
-            return false;
-        }
-        for (int iteration = 0; iteration < contactLineHalvings; ++iteration) {
-            line = middle(inside, outside);
-            halve(distance(line) > contactDistance);
-        }
-    } else {
-        static_assert(contactLineHalvings % 2 == 0);
-        const int lane = Lanes::index();
-        const Real atEnd = distance(lane == 0 ? inside : outside) - contactDistance;
-        if (!(Lanes::from(atEnd, 0) <= Real(0) && Lanes::from(atEnd, 1) > Real(0))) {
-            return false;
-        }
-        for (int iteration = 0; iteration < contactLineHalvings; iteration += 2) {
-            line = middle(inside, outside);
-            const Vector3<Real> inner = middle(inside, line), outer = middle(line, outside);
-            const unsigned outsides = Lanes::flags(distance(lane == 0   ? line
-                                                            : lane == 1 ? inner
-                                                                        : outer) > contactDistance);
-            const bool lineIsOutside = (outsides & 1) != 0;
-            halve(lineIsOutside);
-            line = lineIsOutside ? inner : outer;
-            halve((outsides & (lineIsOutside ? 2 : 4)) != 0);
-        }
+    const Real within = excessAt(Real(0)), beyond = excessAt(Real(1));
+    const bool isBetween = within <= Real(0) && beyond > Real(0);
+    if (isBetween) {
+        rootBetween(excessAt, within, beyond, Real(contactFound) * cell);
     }
-    return true;
+    return isBetween;
 }
 
 } // namespace detail
@@ -143,7 +118,7 @@ contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real con
             Real cell, Vector3<Real> adhered, Vector3<Real> free) {
     const Vector3<Real> above{adhered.x, Real(0), adhered.z};
     ContactLine<Real> line;
-    if (!detail::contactLineBetween(field, frame, contactDistance, above, free, line.place) &&
+    if (!detail::contactLineBetween(field, frame, contactDistance, cell, above, free, line.place) &&
         !detail::contactLineBySlope(field, frame, contactDistance, cell, above, line.place)) {
         return line;
     }
@@ -181,9 +156,8 @@ acrossToLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real co
             break;
         }
         const Real step = (contactDistance - sample.distance) / slope;
-        const Real before = across;
         across += std::fmin(std::fmax(step, -cell), cell);
-        if (across == before) {
+        if (std::abs(step) < Real(acrossLineFound) * cell) {
             break;
         }
     }

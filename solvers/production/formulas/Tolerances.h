@@ -40,13 +40,14 @@ inline constexpr double shortestNewtonStep = 1e-30; // mm: only avoids a divisio
 // linear solution, because its film folds.
 inline constexpr int mostBasisVectors = 12;
 
-// The number of halvings of the step in the search for the time of contact (Adhesion.h).
-inline constexpr int contactTimeHalvings = 24;
+// The remaining distance of a point at the time of contact (Adhesion.h), and of the contact line
+// between a place in the body and one outside, in cells of the film.
+inline constexpr double contactFound = 1e-5;
 
 // Limits of the search for the contact line (ContactPath.h).
-inline constexpr int contactLineHalvings = 20;     // start: one place in the body and one outside
 inline constexpr int contactLineNewtonSteps = 12;  // in the water plane, at most
 inline constexpr int acrossLineNewtonSteps = 6;    // along the line's normal, at most
+inline constexpr double acrossLineFound = 1e-4;    // length of the last step there, in cells
 inline constexpr int surfaceNewtonSteps = 3;       // along ∇φ to the surface, at most
 inline constexpr double contactLineReached = 1e-4; // remaining distance to the line, in cells
 // The component of ∇φ in the water plane (|∇φ| is 1 nearly everywhere). Where it is below the first

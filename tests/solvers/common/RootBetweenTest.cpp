@@ -1,0 +1,77 @@
+// Tests the search for a root between two places.
+
+#include "common/RootBetween.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace dipwright::numerics;
+
+namespace {
+
+struct Search {
+    double root = 0;
+    int values = 0;
+};
+
+template <typename Function>
+Search searched(const Function& function) {
+    Search search;
+    const auto counted = [&](double share) {
+        ++search.values;
+        return function(share);
+    };
+    search.root = rootBetween(counted, function(0.0), function(1.0), 1e-9);
+    return search;
+}
+
+} // namespace
+
+class RootBetweenTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void rootBetween_straightLine_needsOneValue();
+    void rootBetween_curve_isFoundInFewValues();
+    void rootBetween_fallingFunction_isFoundToo();
+    void rootBetween_kink_isFound();
+    void rootBetween_rootAtStart_isTheStart();
+    void rootBetween_jump_endsAtTheJump();
+};
+
+void RootBetweenTest::rootBetween_straightLine_needsOneValue() {
+    const Search search = searched([](double share) { return 3 * share - 1; });
+    QVERIFY(std::abs(search.root - 1.0 / 3) < 1e-9);
+    QCOMPARE(search.values, 1);
+}
+
+void RootBetweenTest::rootBetween_curve_isFoundInFewValues() {
+    // A sphere of radius 30 that goes through a plane: the excess along a chord of 3 mm
+    const Search search =
+        searched([](double share) { return std::hypot(28.5 + 3 * share, 4) - 30; });
+    QVERIFY(std::abs(search.root - (std::sqrt(900.0 - 16) - 28.5) / 3) < 1e-8);
+    QVERIFY(search.values <= 5);
+}
+
+void RootBetweenTest::rootBetween_fallingFunction_isFoundToo() {
+    const Search search = searched([](double share) { return 0.25 - share * share; });
+    QVERIFY(std::abs(search.root - 0.5) < 1e-8);
+}
+
+void RootBetweenTest::rootBetween_kink_isFound() {
+    const Search search =
+        searched([](double share) { return share < 0.9 ? 0.02 * (share - 0.9) : share - 0.9; });
+    QVERIFY(std::abs(search.root - 0.9) < 1e-6);
+    QVERIFY(search.values < rootSteps);
+}
+
+void RootBetweenTest::rootBetween_rootAtStart_isTheStart() {
+    QCOMPARE(searched([](double share) { return share; }).root, 0.0);
+}
+
+void RootBetweenTest::rootBetween_jump_endsAtTheJump() {
+    const Search search = searched([](double share) { return share < 0.3 ? -1.0 : 2.0; });
+    QVERIFY(std::abs(search.root - 0.3) < 1e-5);
+}
+
+QTEST_GUILESS_MAIN(RootBetweenTest)
+#include "RootBetweenTest.moc"
