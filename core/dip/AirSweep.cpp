@@ -69,22 +69,6 @@ std::uint8_t waysUp(const Eigen::Vector3f& up) {
     return std::uint8_t(ways);
 }
 
-// Calls visit(neighbour) for the points at the ends of a point's grid edges that do not cross the
-// surface. Stepping past the grid's end from a border point wraps round to another border point.
-// That is harmless, since all border points are open.
-template <typename Visit>
-void forEachConnected(const SpaceGrid& grid, std::uint32_t point, const Visit& visit) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto stride = std::uint32_t(grid.stride(axis));
-        if (point + stride < grid.count() && !grid.isCrossed(point, axis)) {
-            visit(point + stride);
-        }
-        if (point >= stride && !grid.isCrossed(point - stride, axis)) {
-            visit(point - stride);
-        }
-    }
-}
-
 // Returns the points and those connected with them by a grid edge, each once.
 std::vector<std::uint32_t> withConnected(const SpaceGrid& grid, std::vector<std::uint32_t> points) {
     std::vector<std::uint8_t> isTaken(grid.count(), 0);
@@ -92,7 +76,7 @@ std::vector<std::uint32_t> withConnected(const SpaceGrid& grid, std::vector<std:
         isTaken[point] = 1;
     }
     for (std::size_t number = 0, count = points.size(); number < count; ++number) {
-        forEachConnected(grid, points[number], [&](std::uint32_t other) {
+        grid.forEachConnected(points[number], [&](std::uint32_t other) {
             if (isTaken[other] == 0) {
                 isTaken[other] = 1;
                 points.push_back(other);
@@ -104,8 +88,8 @@ std::vector<std::uint32_t> withConnected(const SpaceGrid& grid, std::vector<std:
 
 } // namespace
 
-// Most points have a straight way up to the border, so that their air opens in their own layer.
-// Only the others are swept.
+// Most points have a straight way up to the border, so that their air opens in their own layer, or
+// no way to it. Only the others are swept.
 AirSweep sweepAir(const SpaceGrid& grid, const Eigen::Vector3f& up) {
     AirSweep sweep;
     const Eigen::Vector3f last = grid.last().cast<float>();
@@ -116,13 +100,20 @@ AirSweep sweepAir(const SpaceGrid& grid, const Eigen::Vector3f& up) {
     sweep.opensIn.resize(grid.count());
     const std::uint8_t upwards = waysUp(up);
     std::vector<std::uint32_t> enclosed;
-    grid.forEachPoint([&](std::size_t point, const Eigen::Vector3i& cell) {
-        const int below = int(highest - up.dot(cell.cast<float>()) + 0.5F);
-        sweep.layer[point] = std::clamp(below, 0, layers - 1);
-        sweep.opensIn[point] = sweep.layer[point];
-        if ((grid.freeWays(point) & upwards) == 0) {
-            sweep.opensIn[point] = AirSweep::never;
-            enclosed.push_back(std::uint32_t(point));
+    grid.forEachRow([&](std::size_t first, int y, int z) {
+        const float across = up.y() * float(y) + up.z() * float(z);
+        int* const layer = &sweep.layer[first];
+        int* const opensIn = &sweep.opensIn[first];
+        const std::uint8_t* const ways = grid.freeWays(first);
+        for (int x = 0; x < grid.size()[0]; ++x) {
+            const int below = int(highest - (up.x() * float(x) + across) + 0.5F);
+            layer[x] = std::min(std::max(below, 0), layers - 1);
+            opensIn[x] = (ways[x] & upwards) == 0 ? AirSweep::never : layer[x];
+        }
+        for (int x = 0; x < grid.size()[0]; ++x) {
+            if (opensIn[x] == AirSweep::never && ways[x] != 0) {
+                enclosed.push_back(std::uint32_t(first) + std::uint32_t(x));
+            }
         }
     });
     sweep.chamber.resize(grid.count());
@@ -135,7 +126,7 @@ AirSweep sweepAir(const SpaceGrid& grid, const Eigen::Vector3f& up) {
         if (sweep.opensIn[point] != AirSweep::never) {
             chambers.open(point, layer);
         }
-        forEachConnected(grid, point, [&](std::uint32_t other) {
+        grid.forEachConnected(point, [&](std::uint32_t other) {
             if (sweep.layer[other] <= layer) {
                 chambers.join(point, other, layer);
             }

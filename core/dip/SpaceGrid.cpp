@@ -13,6 +13,16 @@ namespace {
 // their bounding box. A ray along them may slip between two triangles.
 const Eigen::Vector3f gridShift(0.37f, 0.29f, 0.43f);
 
+// Gives a way to the points of a span if the points next to them have it, except over crossed
+// edges.
+void passOn(const std::uint8_t* from, std::uint8_t* to, const std::uint8_t* crossed,
+            std::size_t count, std::uint8_t way) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint8_t passes = crossed[i] == 0 ? way : 0;
+        to[i] = std::uint8_t(to[i] | (from[i] & passes));
+    }
+}
+
 } // namespace
 
 SpaceGrid::SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int resolution,
@@ -30,6 +40,7 @@ SpaceGrid::SpaceGrid(const TriangleMesh& mesh, const SurfaceQuery& query, int re
         findCrossings(query, axis);
     }
     findFreeWays();
+    findBentWays();
 }
 
 void SpaceGrid::findCrossings(const SurfaceQuery& query, int axis) {
@@ -53,22 +64,53 @@ void SpaceGrid::findCrossings(const SurfaceQuery& query, int axis) {
 
 void SpaceGrid::findFreeWays() {
     constexpr std::uint8_t all = 0x3f;
-    freeWays_.assign(count(), 0);
-    forEachPoint([&](std::size_t point, const Eigen::Vector3i& cell) {
-        freeWays_[point] = isOnBorder(cell) ? all : 0;
+    freeWays_.assign(count(), all);
+    forEachRow([&](std::size_t first, int y, int z) {
+        if (y > 0 && y < size_[1] - 1 && z > 0 && z < size_[2] - 1) {
+            std::fill_n(freeWays_.begin() + std::ptrdiff_t(first) + 1, size_[0] - 2,
+                        std::uint8_t(0));
+        }
     });
     // Border points have all ways, so it does not matter what they get from points that are no
     // neighbours.
     for (int axis = 0; axis < 3; ++axis) {
         const std::size_t next = stride(axis);
-        for (std::size_t point = count() - next; point-- > 0;) {
-            freeWays_[point] |=
-                freeWays_[point + next] & (isCrossed(point, axis) ? 0 : wayAlong(axis));
+        const std::uint8_t* const crossed = crossed_[std::size_t(axis)].data();
+        for (std::size_t first = count() - next; first > 0;) {
+            first -= std::min(first, next);
+            passOn(&freeWays_[first + next], &freeWays_[first], crossed + first, next,
+                   wayAlong(axis));
         }
-        for (std::size_t point = next; point < count(); ++point) {
-            freeWays_[point] |=
-                freeWays_[point - next] & (isCrossed(point - next, axis) ? 0 : wayAgainst(axis));
+        for (std::size_t first = next; first < count(); first += next) {
+            passOn(&freeWays_[first - next], &freeWays_[first], crossed + first - next, next,
+                   wayAgainst(axis));
         }
+    }
+}
+
+void SpaceGrid::findBentWays() {
+    std::vector<std::uint32_t> ahead;
+    const auto reach = [&](std::uint32_t point) {
+        freeWays_[point] = bentWay;
+        ahead.push_back(point);
+    };
+    for (std::uint32_t point = 0; point < count(); ++point) {
+        if (freeWays_[point] == 0) {
+            bool isOpen = false;
+            forEachConnected(point, [&](std::uint32_t other) { isOpen |= freeWays_[other] != 0; });
+            if (isOpen) {
+                reach(point);
+            }
+        }
+    }
+    while (!ahead.empty()) {
+        const std::uint32_t point = ahead.back();
+        ahead.pop_back();
+        forEachConnected(point, [&](std::uint32_t other) {
+            if (freeWays_[other] == 0) {
+                reach(other);
+            }
+        });
     }
 }
 

@@ -57,18 +57,24 @@ public:
         }
         return true;
     }
+    // Calls visit(index of the first point, y, z) for all rows along X, in the order of y, then z.
+    template <typename Visit>
+    void forEachRow(const Visit& visit) const {
+        std::size_t first = 0;
+        for (int y = 0; y < size_[1]; ++y) {
+            for (int z = 0; z < size_[2]; ++z, first += std::size_t(size_[0])) {
+                visit(first, y, z);
+            }
+        }
+    }
     // Calls visit(index, cell) for all points, in the order of y, then z, then x.
     template <typename Visit>
     void forEachPoint(const Visit& visit) const {
-        Eigen::Vector3i cell;
-        std::size_t point = 0;
-        for (cell[1] = 0; cell[1] < size_[1]; ++cell[1]) {
-            for (cell[2] = 0; cell[2] < size_[2]; ++cell[2]) {
-                for (cell[0] = 0; cell[0] < size_[0]; ++cell[0]) {
-                    visit(point++, cell);
-                }
+        forEachRow([&](std::size_t point, int y, int z) {
+            for (Eigen::Vector3i cell(0, y, z); cell[0] < size_[0]; ++cell[0]) {
+                visit(point++, cell);
             }
-        }
+        });
     }
     bool isOnBorder(const Eigen::Vector3i& cell) const {
         return (cell.array() == 0).any() || (cell.array() == size_.array() - 1).any();
@@ -77,16 +83,34 @@ public:
     bool isCrossed(std::size_t index, int axis) const {
         return crossed_[std::size_t(axis)][index] != 0;
     }
-    // Returns the ways along grid edges on which a point has nothing of the surface between itself
-    // and the grid's border, as bits: wayAlong(axis) and wayAgainst(axis). Border points have all
-    // of them.
-    std::uint8_t freeWays(std::size_t index) const { return freeWays_[index]; }
+    // Calls visit(neighbour) for the points at the ends of a point's grid edges that do not cross
+    // the surface. Stepping past the grid's end from a border point wraps round to another border
+    // point. That is harmless, since all border points are open.
+    template <typename Visit>
+    void forEachConnected(std::uint32_t point, const Visit& visit) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto next = std::uint32_t(stride(axis));
+            if (point + next < count() && !isCrossed(point, axis)) {
+                visit(point + next);
+            }
+            if (point >= next && !isCrossed(point - next, axis)) {
+                visit(point - next);
+            }
+        }
+    }
+    // Returns the ways of the points from `index` on to the grid's border along grid edges that do
+    // not cross the surface, as bits: wayAlong(axis) and wayAgainst(axis) if the way is straight,
+    // and bentWay. Border points have all straight ways. Without any bit, a point is inside the
+    // body or in a closed void.
+    const std::uint8_t* freeWays(std::size_t index) const { return &freeWays_[index]; }
     static std::uint8_t wayAlong(int axis) { return std::uint8_t(1 << (2 * axis)); }
     static std::uint8_t wayAgainst(int axis) { return std::uint8_t(2 << (2 * axis)); }
+    static constexpr std::uint8_t bentWay = 0x40; // set only where no way is straight
 
 private:
     void findCrossings(const SurfaceQuery& query, int axis);
     void findFreeWays();
+    void findBentWays();
 
     Eigen::Vector3f origin_;
     Eigen::Vector3f spacing_; // mm
