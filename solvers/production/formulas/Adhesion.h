@@ -73,9 +73,9 @@ struct Attachment {
 
 // Handles a point that moved from `start` by `way` while the body descended from `descent` by
 // `increment`, and that ended within the contact distance. Returns the place of the contact and its
-// time within the step. `cell` is the film's spacing.
+// time within the step.
 template <typename Real>
-DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>& body, Real cell,
+DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>& body,
                                                          double descent, double increment,
                                                          Vector3<Real> start, Vector3<Real> way) {
     const auto placeAt = [&](Real share) {
@@ -86,10 +86,9 @@ DIPWRIGHT_HOST_DEVICE inline Attachment<Real> attachment(const ContactBody<Real>
     };
     const Real first = clearanceAt(Real(0)), last = clearanceAt(Real(1));
     const bool wasIn = !(first > Real(0));
-    const Real time = wasIn ? Real(0)
-                      : last > Real(0)
-                          ? Real(1) // by rounding
-                          : rootBetween(clearanceAt, first, last, Real(contactFound) * cell);
+    const Real time = wasIn            ? Real(0)
+                      : last > Real(0) ? Real(1) // by rounding
+                                       : rootBetween(clearanceAt, first, last);
     const Vector3<Real> place = placeAt(time);
     const Vector3<Real> gradient = body.frameAt(descent + increment * double(time))
                                        .directionToWorld(smoothGradient(body.field, place));

@@ -83,7 +83,7 @@ contactLineBySlope(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
 template <typename Real>
 DIPWRIGHT_HOST_DEVICE inline bool
 contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real contactDistance,
-                   Real cell, Vector3<Real> inside, Vector3<Real> outside, Vector3<Real>& line) {
+                   Vector3<Real> inside, Vector3<Real> outside, Vector3<Real>& line) {
     const auto excessAt = [&](Real share) {
         line = inside + (outside - inside) * share;
         return sampleWorld(field, frame, line).distance - contactDistance;
@@ -91,7 +91,7 @@ contactLineBetween(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, R
     const Real within = excessAt(Real(0)), beyond = excessAt(Real(1));
     const bool isBetween = within <= Real(0) && beyond > Real(0);
     if (isBetween) {
-        rootBetween(excessAt, within, beyond, Real(contactFound) * cell);
+        rootBetween(excessAt, within, beyond);
     }
     return isBetween;
 }
@@ -118,7 +118,7 @@ contactLine(const FieldGrid<Real>& field, const BodyFrame<Real>& frame, Real con
             Real cell, Vector3<Real> adhered, Vector3<Real> free) {
     const Vector3<Real> above{adhered.x, Real(0), adhered.z};
     ContactLine<Real> line;
-    if (!detail::contactLineBetween(field, frame, contactDistance, cell, above, free, line.place) &&
+    if (!detail::contactLineBetween(field, frame, contactDistance, above, free, line.place) &&
         !detail::contactLineBySlope(field, frame, contactDistance, cell, above, line.place)) {
         return line;
     }

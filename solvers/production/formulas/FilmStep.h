@@ -393,8 +393,7 @@ template <FilmStorage Film>
 DIPWRIGHT_TEAM inline bool stick(Film& film, int point, double increment,
                                  const Vector3<typename Film::Real>& start,
                                  const Vector3<typename Film::Real>& end) {
-    const auto met = attachment(film.body(), film.model().cell, film.state().descent, increment,
-                                start, end - start);
+    const auto met = attachment(film.body(), film.state().descent, increment, start, end - start);
     film.attach(point, met.place, met.state);
     const bool sticks = met.state != solver::PointState::Free;
     if (sticks) {

@@ -40,10 +40,6 @@ inline constexpr double shortestNewtonStep = 1e-30; // mm: only avoids a divisio
 // linear solution, because its film folds.
 inline constexpr int mostBasisVectors = 12;
 
-// The remaining distance of a point at the time of contact (Adhesion.h), and of the contact line
-// between a place in the body and one outside, in cells of the film.
-inline constexpr double contactFound = 1e-5;
-
 // Limits of the search for the contact line (ContactPath.h).
 inline constexpr int contactLineNewtonSteps = 12;  // in the water plane, at most
 inline constexpr int acrossLineNewtonSteps = 6;    // along the line's normal, at most

@@ -21,7 +21,7 @@ Search searched(const Function& function) {
         ++search.values;
         return function(share);
     };
-    search.root = rootBetween(counted, function(0.0), function(1.0), 1e-9);
+    search.root = rootBetween(counted, function(0.0), function(1.0));
     return search;
 }
 
@@ -48,19 +48,19 @@ void RootBetweenTest::rootBetween_curve_isFoundInFewValues() {
     // A sphere of radius 30 that goes through a plane: the excess along a chord of 3 mm
     const Search search =
         searched([](double share) { return std::hypot(28.5 + 3 * share, 4) - 30; });
-    QVERIFY(std::abs(search.root - (std::sqrt(900.0 - 16) - 28.5) / 3) < 1e-8);
+    QVERIFY(std::abs(search.root - (std::sqrt(900.0 - 16) - 28.5) / 3) < 2e-5);
     QVERIFY(search.values <= 5);
 }
 
 void RootBetweenTest::rootBetween_fallingFunction_isFoundToo() {
     const Search search = searched([](double share) { return 0.25 - share * share; });
-    QVERIFY(std::abs(search.root - 0.5) < 1e-8);
+    QVERIFY(std::abs(search.root - 0.5) < 2e-5);
 }
 
 void RootBetweenTest::rootBetween_kink_isFound() {
     const Search search =
         searched([](double share) { return share < 0.9 ? 0.02 * (share - 0.9) : share - 0.9; });
-    QVERIFY(std::abs(search.root - 0.9) < 1e-6);
+    QVERIFY(std::abs(search.root - 0.9) < 2e-4);
     QVERIFY(search.values < rootSteps);
 }
 

@@ -13,7 +13,7 @@ using namespace dipwright::numerics;
 namespace {
 
 using Place = Vector3<double>;
-constexpr double radius = 30, cell = 1.5;
+constexpr double radius = 30;
 
 struct Dipped {
     test::SampledBody sampled = test::sphere(radius, 129);
@@ -49,12 +49,12 @@ void AdhesionTest::attachment_touchedPoint_adheresAtTheMomentOfContact() {
     const double h = radius - std::sqrt(radius * radius - 144);
     for (const double start : {0.1, 0.4, 0.9}) { // mm from the start of a step of 1 mm
         const Dipped dip(5);
-        const auto met = attachment(dip.body, cell, 5 + h - start, 1.0, Place{12, 0, 0}, Place{});
+        const auto met = attachment(dip.body, 5 + h - start, 1.0, Place{12, 0, 0}, Place{});
         QVERIFY(met.state == solver::PointState::Adhered);
         QVERIFY(length(met.place - Place{12, h - radius, 0}) < 0.01);
     }
     const Dipped far(5, 0.3); // with a contact distance
-    const auto met = attachment(far.body, cell, 4.5, 1.0, Place{}, Place{});
+    const auto met = attachment(far.body, 4.5, 1.0, Place{}, Place{});
     QVERIFY(length(met.place - Place{0, -radius - 0.3, 0}) < 0.01);
 }
 
@@ -63,7 +63,7 @@ void AdhesionTest::attachment_movingPoint_adheresWhereItTouches() {
     const Dipped dip(0);
     const double before = 5, increment = 1;
     const Place start{18.5, 0, 0}, way{-2, 0, 0};
-    const auto met = attachment(dip.body, cell, before, increment, start, way);
+    const auto met = attachment(dip.body, before, increment, start, way);
     double share = 0; // solves x² = R² − (R − descent)²
     for (double step = 0.5; step > 1e-9; step /= 2) {
         const double x = 18.5 - 2 * (share + step), down = before + increment * (share + step);
@@ -81,9 +81,9 @@ void AdhesionTest::attachment_pastOverhang_staysFreeOrIsTrapped() {
     const double edge = std::sqrt(radius * radius - 400);
     // Film that crosses the contact line is free. Film that was inside the body before is trapped.
     QVERIFY(
-        attachment(dip.body, cell, down, 0.1, Place{edge + 0.5, 0, 0}, Place{-1.5, 0, 0}).state ==
+        attachment(dip.body, down, 0.1, Place{edge + 0.5, 0, 0}, Place{-1.5, 0, 0}).state ==
         solver::PointState::Free);
-    QVERIFY(attachment(dip.body, cell, down, 0.1, Place{edge - 1, 0, 0}, Place{-0.5, 0, 0}).state ==
+    QVERIFY(attachment(dip.body, down, 0.1, Place{edge - 1, 0, 0}, Place{-0.5, 0, 0}).state ==
             solver::PointState::Trapped);
 }
 
