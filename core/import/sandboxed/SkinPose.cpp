@@ -7,7 +7,8 @@
 
 namespace dipwright {
 
-PosedMesh SkinPose::pose(const aiMesh& mesh, const aiMatrix4x4& transform) const {
+PosedMesh SkinPose::pose(const aiMesh& mesh, const std::vector<aiVector3D>& points,
+                         const aiMatrix4x4& transform) const {
     std::vector<float> sums(mesh.mNumVertices); // of the weights
     PosedMesh posed{std::vector<aiVector3D>(mesh.mNumVertices), transform.Determinant() < 0};
     bool mustMove = movesAll_ && mesh.mNumBones > 0;
@@ -24,7 +25,7 @@ PosedMesh SkinPose::pose(const aiMesh& mesh, const aiMatrix4x4& transform) const
             const auto [point, weight] = bone.mWeights[w];
             if (point < mesh.mNumVertices) {
                 sums[point] += weight;
-                posed.points[point] += weight * (move * mesh.mVertices[point]);
+                posed.points[point] += weight * (move * points[point]);
             }
         }
     }
@@ -33,7 +34,7 @@ PosedMesh SkinPose::pose(const aiMesh& mesh, const aiMatrix4x4& transform) const
         if (std::abs(sums[point] - 1) <= rounding) {
             posed.points[point] /= sums[point];
         } else {
-            posed.points[point] = transform * mesh.mVertices[point];
+            posed.points[point] = transform * points[point];
             posed.unclear += mustMove || sums[point] != 0 ? 1 : 0;
         }
     }

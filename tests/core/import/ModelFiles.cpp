@@ -211,8 +211,10 @@ QByteArray skinnedGltf(const TestSkin& skin) {
     }
     for (int point = 0; point < 4; ++point) {
         for (const float weight : {skin.weights[0], skin.weights[1], 0.0F, 0.0F}) {
-            if (skin.hasByteWeights) {
+            if (skin.weightType == 5121) {
                 appendNumber(bytes, quint8(std::lround(255 * weight)));
+            } else if (skin.weightType == 5123) {
+                appendNumber(bytes, quint16(std::lround(65535 * weight)));
             } else {
                 appendNumber(bytes, weight);
             }
@@ -223,8 +225,8 @@ QByteArray skinnedGltf(const TestSkin& skin) {
         const float scale = skin.bindScale.value_or(1);
         appendNumber(bytes, entry % 16 == 15 ? 1.0F : entry % 5 == entry / 16 ? scale : 0.0F);
     }
-    const QByteArray weights = skin.hasByteWeights ? R"("componentType":5121,"normalized":true)"
-                                                   : R"("componentType":5126)";
+    const QByteArray weights = R"("componentType":)" + QByteArray::number(skin.weightType) +
+                               (skin.weightType == 5126 ? "" : R"(,"normalized":true)");
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":)" + skin.scene +
            R"(}],"nodes":)" + skin.nodes +
            R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},

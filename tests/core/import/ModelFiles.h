@@ -36,7 +36,7 @@ struct TestSkin {
     std::array<float, 2> weights{1, 0}; // of the two joints, at each point
     std::optional<float> bindScale = 1; // of both bind matrices; nothing: there are none
     QByteArray scene = "[0,1,2]";       // roots of the scene
-    bool hasByteWeights = false;        // the weights are bytes instead of floats
+    int weightType = 5126;              // componentType of the weights: float
 };
 // Returns the square as glTF text without a material, with a skin.
 QByteArray skinnedGltf(const TestSkin& skin);
