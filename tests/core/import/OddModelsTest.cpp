@@ -133,6 +133,10 @@ private Q_SLOTS:
     void collada_onlyTextureSet_isUsed();
     void threeDs_movedTexture_isALoss_data();
     void threeDs_movedTexture_isALoss();
+    void threeDs_masterScale_isALoss_data();
+    void threeDs_masterScale_isALoss();
+    void threeDs_mirroringMatrix_isALoss_data();
+    void threeDs_mirroringMatrix_isALoss();
     void fbx_unitAndAxes_areFollowed_data();
     void fbx_unitAndAxes_areFollowed();
     void fbx_impossibleAxes_areRefused();
@@ -467,12 +471,62 @@ void OddModelsTest::threeDs_movedTexture_isALoss_data() {
 void OddModelsTest::threeDs_movedTexture_isALoss() {
     QFETCH(QByteArray, options);
     QFETCH(bool, isLoss);
-    const QString path = write(QStringLiteral("moved.3ds"), textured3ds(options));
+    const QString path = write(QStringLiteral("moved.3ds"), textured3ds({.texture = options}));
     const ImportedModel imported = importModel(path, {}, {});
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
     QVERIFY(imported.report.closed);
     QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
     QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("moves, scales")));
+}
+
+void OddModelsTest::threeDs_masterScale_isALoss_data() {
+    QTest::addColumn<float>("scale");
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("as usual") << 1.0F << false;
+    QTest::newRow("unset") << 0.0F << false;
+    QTest::newRow("twice") << 2.0F << true;
+    QTest::newRow("negative") << -1.0F << true;
+    QTest::newRow("tiny") << std::numeric_limits<float>::denorm_min() << true;
+    QTest::newRow("not a number") << std::numeric_limits<float>::quiet_NaN() << true;
+}
+
+void OddModelsTest::threeDs_masterScale_isALoss() {
+    QFETCH(float, scale);
+    QFETCH(bool, isLoss);
+    const QByteArray file = textured3ds({.scene = chunk3ds(0x0100, scale)});
+    const ImportedModel imported = importModel(write(QStringLiteral("scaled.3ds"), file), {}, {});
+    QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
+    QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("master scale")));
+    QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(10, 10, 10), 1e-5F));
+}
+
+void OddModelsTest::threeDs_mirroringMatrix_isALoss_data() {
+    QTest::addColumn<float>("x"); // length of the first axis
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("the unit matrix") << 1.0F << false;
+    QTest::newRow("larger") << 2.0F << false;
+    QTest::newRow("mirrored") << -1.0F << true;
+}
+
+void OddModelsTest::threeDs_mirroringMatrix_isALoss() {
+    QFETCH(float, x);
+    QFETCH(bool, isLoss);
+    QByteArray matrix;
+    for (const float number :
+         {x, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 5.0F, 0.0F, 0.0F}) {
+        matrix += chunk3ds(0, number).right(4);
+    }
+    const QByteArray file = textured3ds({.mesh = chunk3ds(0x4160, matrix)});
+    const ImportedModel imported = importModel(write(QStringLiteral("mirror.3ds"), file), {}, {});
+    QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
+    QVERIFY(!isLoss ||
+            imported.report.losses[0].contains(QStringLiteral("mirrors: 1, first part")));
+    // The faces point outwards as stored, and keep their texture coordinates.
+    const ImportedModel plain =
+        importModel(write(QStringLiteral("plain.3ds"), textured3ds({})), {}, {});
+    QVERIFY2(imported.report.repairs.isEmpty(), qPrintable(imported.report.repairs.join(u' ')));
+    QCOMPARE(imported.report.volume, plain.report.volume);
+    QVERIFY(imported.model.textureCoordinates == plain.model.textureCoordinates);
 }
 
 void OddModelsTest::fbx_unitAndAxes_areFollowed_data() {
