@@ -292,20 +292,21 @@ private:
         for (unsigned m = 0; m < node.mNumMeshes; ++m) {
             progress_(double(model_.mesh.triangles.size()) / double(total_ + 1),
                       Text::tr("Reading triangles"));
-            readMesh(*scene_.mMeshes[node.mMeshes[m]], transform, skins);
+            readMesh(*scene_.mMeshes[node.mMeshes[m]], node, transform, skins);
         }
         for (unsigned child = 0; child < node.mNumChildren; ++child) {
             readNode(*node.mChildren[child], transform, skins);
         }
     }
 
-    void readMesh(const aiMesh& mesh, const aiMatrix4x4& transform, const SkinPose& skins) {
+    void readMesh(const aiMesh& mesh, const aiNode& node, const aiMatrix4x4& transform,
+                  const SkinPose& skins) {
         const auto firstPosition = std::uint32_t(model_.mesh.positions.size());
         std::vector<aiVector3D> points(mesh.mVertices, mesh.mVertices + mesh.mNumVertices);
         if (isGltf_) { // assimp 5.2.5 gives most morph targets of FBX files the weight 1
             morph(points, mesh);
         }
-        const PosedMesh posed = skins.pose(mesh, points, transform);
+        const PosedMesh posed = skins.pose(mesh, points, node, transform);
         for (const aiVector3D& point : posed.points) {
             model_.mesh.positions.emplace_back(point.x, point.y, point.z);
         }

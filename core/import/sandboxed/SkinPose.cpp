@@ -4,11 +4,31 @@
 #include <assimp/scene.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace dipwright {
 
+namespace {
+
+// Returns an FBX node's transform that applies only to its mesh. assimp 5.2.5 puts it into nodes
+// directly above.
+aiMatrix4x4 geometricTransform(const aiNode& node) {
+    aiMatrix4x4 transform;
+    for (const aiNode* above = node.mParent; above; above = above->mParent) {
+        const std::string_view name = above->mName.C_Str();
+        if (name.find("_$AssimpFbx$_Geometric") == name.npos || name.ends_with("Inverse")) {
+            break;
+        }
+        transform = above->mTransformation * transform;
+    }
+    return transform;
+}
+
+} // namespace
+
 PosedMesh SkinPose::pose(const aiMesh& mesh, const std::vector<aiVector3D>& points,
-                         const aiMatrix4x4& transform) const {
+                         const aiNode& node, const aiMatrix4x4& transform) const {
+    const aiMatrix4x4 geometric = geometricTransform(node);
     std::vector<float> sums(mesh.mNumVertices); // of the weights
     PosedMesh posed{std::vector<aiVector3D>(mesh.mNumVertices), transform.Determinant() < 0};
     bool mustMove = movesAll_ && mesh.mNumBones > 0;
@@ -19,7 +39,7 @@ PosedMesh SkinPose::pose(const aiMesh& mesh, const std::vector<aiVector3D>& poin
             mustMove = true;
             continue;
         }
-        const aiMatrix4x4 move = *joint->second * bone.mOffsetMatrix;
+        const aiMatrix4x4 move = *joint->second * bone.mOffsetMatrix * geometric;
         posed.isMirrored = move.Determinant() < 0;
         for (unsigned w = 0; w < bone.mNumWeights; ++w) {
             const auto [point, weight] = bone.mWeights[w];

@@ -160,6 +160,8 @@ private Q_SLOTS:
     void gltf_tooFewBindMatrices_areRefused();
     void collada_skin_movesThePoints();
     void fbx_skin_movesThePoints();
+    void fbx_meshOfASkin_isPlacedByItsJoints_data();
+    void fbx_meshOfASkin_isPlacedByItsJoints();
     void stl_emptyLinesFirst_isRead();
     void mtl_textureOptions_placeTheTexture_data();
     void mtl_textureOptions_placeTheTexture();
@@ -805,6 +807,39 @@ void OddModelsTest::fbx_skin_movesThePoints() {
         QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
         QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(edge, edge, 0), 1e-5F));
     }
+}
+
+// FBX SDK: present joint · bound joint⁻¹ · bound mesh · geometric transform.
+void OddModelsTest::fbx_meshOfASkin_isPlacedByItsJoints_data() {
+    QTest::addColumn<QByteArray>("properties"); // of the mesh's node
+    QTest::addColumn<float>("left");            // of the square, in mm
+    QTest::addColumn<float>("edge");            // mm
+    const auto row = [](const char* name, const char* property, const char* numbers, float left,
+                        float edge) {
+        QTest::newRow(name) << "P: \"" + QByteArray(property) + "\", \"Vector3D\", \"\", \"A\", " +
+                                   numbers
+                            << left << edge;
+    };
+    row("as bound", "Lcl Translation", "0, 0, 0", 0, 10);
+    row("moved after binding", "Lcl Translation", "5, 0, 0", 0, 10);
+    row("scaled after binding", "Lcl Scaling", "3, 3, 3", 0, 10);
+    row("geometric translation", "GeometricTranslation", "1, 0, 0", 10, 10);
+    row("geometric rotation", "GeometricRotation", "0, 0, 180", -10, 10);
+    row("geometric scale", "GeometricScaling", "3, 3, 3", 0, 30);
+}
+
+void OddModelsTest::fbx_meshOfASkin_isPlacedByItsJoints() {
+    QFETCH(QByteArray, properties);
+    QFETCH(float, left);
+    QFETCH(float, edge);
+    QByteArray file = convertedGltf(
+        skinnedGltf({.nodes = R"([{"mesh":0,"skin":0},{"scale":[2,2,2]},{}])"}), "fbxa");
+    const QByteArray type = R"(P: "InheritType", "enum", "", "", 1)";
+    file.insert(file.indexOf(type), properties + "\n");
+    const ImportedModel imported = importModel(write(QStringLiteral("mesh.fbx"), file), {}, {});
+    QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+    QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(edge, edge, 0), 1e-5F));
+    QVERIFY(std::abs(imported.report.box.min().x() - left) < 1e-4F);
 }
 
 void OddModelsTest::stl_emptyLinesFirst_isRead() {
