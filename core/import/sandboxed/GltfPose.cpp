@@ -116,7 +116,7 @@ private:
         }
         const QJsonObject view =
             model[u"bufferViews"].toArray().at(accessor[u"bufferView"].toInt(-1)).toObject();
-        const QByteArray buffer = content(view[u"buffer"].toInt(-1), model);
+        const QByteArray& buffer = content(view[u"buffer"].toInt(-1), model);
         const qint64 size = type == unsignedBytes ? 4 : 8; // of the weights of a point
         const qint64 viewBegin = view[u"byteOffset"].toInteger();
         const qint64 begin = accessor[u"byteOffset"].toInteger();
@@ -142,17 +142,21 @@ private:
     static float shortAt(const char* place) { return qFromLittleEndian<quint16>(place); }
 
     // Returns the content of a buffer; empty if it cannot be read.
-    QByteArray content(int index, const QJsonObject& model) {
+    const QByteArray& content(int index, const QJsonObject& model) {
         const auto [known, isNew] = contents_.try_emplace(index);
-        const QJsonObject buffer = model[u"buffers"].toArray().at(index).toObject();
         if (isNew) {
-            const QString uri = buffer[u"uri"].toString();
-            known->second = uri.isEmpty() ? binary_
-                            : uri.startsWith(QStringLiteral("data:"))
-                                ? QByteArray::fromBase64(uri.mid(uri.indexOf(u',') + 1).toLatin1())
-                                : source_.files.read(uri).value_or(QByteArray());
+            const QJsonValue uri = model[u"buffers"].toArray().at(index)[u"uri"];
+            known->second =
+                uri.isString() ? contentAt(uri.toString()) : (index == 0 ? binary_ : QByteArray());
         }
         return known->second;
+    }
+
+    QByteArray contentAt(const QString& uri) const {
+        if (uri.startsWith(QStringLiteral("data:"))) {
+            return QByteArray::fromBase64(uri.mid(uri.indexOf(u',') + 1).toLatin1());
+        }
+        return source_.files.read(uri).value_or(QByteArray());
     }
 
     const QByteArray& binary_;
