@@ -7,6 +7,7 @@
 #include "import/sandboxed/MaterialFileCheck.h"
 #include "import/sandboxed/SceneConversion.h"
 #include "import/sandboxed/StlBytes.h"
+#include "import/sandboxed/ThreeDsCheck.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -149,6 +150,9 @@ QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStr
     }
     if (format == QStringLiteral("dae")) {
         return withTextureSets(source, warnings);
+    }
+    if (format == QStringLiteral("3ds")) {
+        return threeDsForAssimp(source, warnings);
     }
     return format == QStringLiteral("obj") ? withoutByteOrderMark(source.bytes) : source.bytes;
 }

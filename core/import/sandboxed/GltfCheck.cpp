@@ -1,16 +1,14 @@
 #include "import/sandboxed/GltfCheck.h"
 
 #include "base/Budgets.h"
+#include "import/sandboxed/GltfPose.h"
 #include "import/sandboxed/MaterialFileCheck.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSet>
 #include <QtEndian>
-
-#include <algorithm>
 
 namespace dipwright {
 
@@ -32,6 +30,12 @@ QByteArray jsonOf(const QByteArray& file) {
         return file;
     }
     return file.mid(fileHead + chunkHead, qFromLittleEndian<quint32>(file.constData() + fileHead));
+}
+
+// Returns the content of the chunk after the JSON chunk: the first buffer of a binary file.
+QByteArray binaryOf(const QByteArray& file) {
+    return file.startsWith("glTF") ? file.mid(fileHead + 2 * chunkHead + jsonOf(file).size())
+                                   : QByteArray();
 }
 
 // Returns the file with its JSON document replaced.
@@ -96,15 +100,22 @@ QStringList placesOf(const QJsonObject& primitive, const QJsonObject& model) {
 
 constexpr int wideIndices = 5125, floats = 5126; // componentType
 
+void requireFloats(const QJsonValue& index, const QJsonObject& model, const ModelSource& source) {
+    if (accessor(model, index)[u"componentType"].toInt(floats) != floats) {
+        source.throwDamaged(
+            Text::tr("its points or texture coordinates are stored as integers, which is not "
+                     "supported (export it with float coordinates, without quantization)"));
+    }
+}
+
 void checkPrimitive(const QJsonObject& primitive, const QJsonObject& model,
                     const ModelSource& source) {
     const QJsonObject attributes = primitive[u"attributes"].toObject();
     for (const QString& place : placesOf(primitive, model)) {
-        if (accessor(model, attributes[place])[u"componentType"].toInt(floats) != floats) {
-            source.throwDamaged(
-                Text::tr("its points or texture coordinates are stored as integers, which is not "
-                         "supported (export it with float coordinates, without quantization)"));
-        }
+        requireFloats(attributes[place], model, source);
+    }
+    for (const QJsonValue& target : primitive[u"targets"].toArray()) {
+        requireFloats(target[u"POSITION"], model, source);
     }
     // assimp 5.2 decodes these indices and then drops them.
     if (primitive[u"extensions"].toObject().contains(draco) &&
@@ -162,81 +173,12 @@ void checkSkin(const QJsonObject& skin, const QJsonObject& model, const ModelSou
     }
 }
 
-// Appends an element to one of the document's arrays. Returns its index.
-qsizetype append(QJsonObject& model, const QString& array, const QJsonObject& element) {
-    QJsonArray elements = model[array].toArray();
-    elements.append(element);
-    model.insert(array, elements);
-    return elements.size() - 1;
-}
-
-// Adds an accessor of identity matrices to the document. Returns its index.
-qsizetype addIdentities(QJsonObject& model, qsizetype count) {
-    QByteArray bytes;
-    for (qsizetype entry = 0; entry < 16 * count; ++entry) {
-        const float value = entry % 16 % 5 == 0 ? 1 : 0;
-        bytes.append(4, '\0');
-        qToLittleEndian(value, bytes.data() + bytes.size() - 4);
+// Refuses a skin that assimp 5.2.5 would read from elsewhere in memory.
+void checkNode(const QJsonObject& node, const QJsonObject& model, const ModelSource& source) {
+    const QJsonValue skin = model[u"skins"].toArray().at(node[u"skin"].toInt(-1));
+    if (node.contains(u"skin") && !skin.isObject()) {
+        source.throwDamaged(Text::tr("a node uses a skin that does not exist"));
     }
-    const QString uri = QStringLiteral("data:application/octet-stream;base64,") +
-                        QString::fromLatin1(bytes.toBase64());
-    const qsizetype buffer =
-        append(model, QStringLiteral("buffers"),
-               {{QStringLiteral("byteLength"), bytes.size()}, {QStringLiteral("uri"), uri}});
-    const qsizetype view =
-        append(model, QStringLiteral("bufferViews"),
-               {{QStringLiteral("buffer"), buffer}, {QStringLiteral("byteLength"), bytes.size()}});
-    return append(model, QStringLiteral("accessors"),
-                  {{QStringLiteral("bufferView"), view},
-                   {QStringLiteral("componentType"), floats},
-                   {QStringLiteral("count"), count},
-                   {QStringLiteral("type"), QStringLiteral("MAT4")}});
-}
-
-// Gives bind matrices to the skins that have none.
-void bindSkins(QJsonObject& model) {
-    const QJsonArray skins = model[u"skins"].toArray();
-    qsizetype most = 1; // joints of a skin
-    for (const QJsonValue& skin : skins) {
-        most = std::max(most, skin[u"joints"].toArray().size());
-    }
-    const qsizetype matrices = addIdentities(model, most);
-    QJsonArray bound;
-    for (const QJsonValue& skin : skins) {
-        QJsonObject changed = skin.toObject();
-        if (!changed.contains(u"inverseBindMatrices")) {
-            changed.insert(u"inverseBindMatrices", matrices);
-        }
-        bound.append(changed);
-    }
-    model.insert(u"skins", bound);
-}
-
-// Gives each node its own name, because assimp finds joints by their names. Gives each node that
-// uses the mesh of a node with a skin its own copy, because assimp stores the skin in the mesh.
-void separateNodes(QJsonObject& model) {
-    const QJsonArray nodes = model[u"nodes"].toArray();
-    QJsonArray meshes = model[u"meshes"].toArray();
-    QSet<int> skinned, used; // meshes
-    for (const QJsonValue& node : nodes) {
-        if (node.toObject().contains(u"skin")) {
-            skinned.insert(node[u"mesh"].toInt(-1));
-        }
-    }
-    QJsonArray separate;
-    for (const QJsonValue& node : nodes) {
-        QJsonObject own = node.toObject();
-        own.insert(u"name", QString::number(separate.size()));
-        const int mesh = node[u"mesh"].toInt(-1);
-        if (skinned.contains(mesh) && used.contains(mesh) && meshes.at(mesh).isObject()) {
-            own.insert(u"mesh", meshes.size());
-            meshes.append(meshes.at(mesh));
-        }
-        used.insert(mesh);
-        separate.append(own);
-    }
-    model.insert(u"meshes", meshes);
-    model.insert(u"nodes", separate);
 }
 
 } // namespace
@@ -256,16 +198,15 @@ QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings) {
     for (const QJsonValue& skin : model[u"skins"].toArray()) {
         checkSkin(skin.toObject(), model, source);
     }
+    for (const QJsonValue& node : model[u"nodes"].toArray()) {
+        checkNode(node.toObject(), model, source);
+    }
     if (source.withTextures) {
         checkTextures(model, source, warnings);
     }
-    if (model[u"skins"].toArray().isEmpty()) {
-        return withoutByteOrderMark(source.bytes);
-    }
-    QJsonObject changed = model;
-    bindSkins(changed);
-    separateNodes(changed);
-    return withDocument(source.bytes, changed);
+    const QJsonObject changed = gltfPoseForAssimp(model, binaryOf(source.bytes), source);
+    return changed == model ? withoutByteOrderMark(source.bytes)
+                            : withDocument(source.bytes, changed);
 }
 
 } // namespace dipwright

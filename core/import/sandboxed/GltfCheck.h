@@ -6,13 +6,12 @@
 
 namespace dipwright {
 
-// Returns the file's bytes for assimp, without a byte order mark. Changes the document if it has
-// skins: gives bind matrices to those without them, which glTF 2.0 allows ("Skins") but on which
-// assimp 5.2.5 crashes, and names and meshes to the nodes that share them.
-// Throws Error if the file requires an unsupported extension, lacks bind matrices for some joints
-// of a skin, or stores coordinates as integers, which assimp 5.2 takes for floating-point numbers.
-// Warns of pictures that are not read or that are placed wrongly. Invalid JSON is left to assimp to
-// refuse.
+// Returns the file's bytes for assimp, without a byte order mark and with the changes of
+// GltfPose.h.
+// Throws Error if the file requires an unsupported extension, lacks a skin that a node uses or bind
+// matrices for some joints of a skin, or stores coordinates as integers, which assimp 5.2 takes for
+// floating-point numbers. Warns of pictures that are not read or that are placed wrongly. Invalid
+// JSON is left to assimp to refuse.
 QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings);
 
 } // namespace dipwright

@@ -220,6 +220,19 @@ aiMatrix4x4 matrixOf(const Eigen::Matrix3f& from) {
     return matrix;
 }
 
+// Moves a mesh's points by its morph targets: point + Σ weight · (target − point).
+void morph(std::vector<aiVector3D>& points, const aiMesh& mesh) {
+    for (unsigned t = 0; t < mesh.mNumAnimMeshes; ++t) {
+        const aiAnimMesh& target = *mesh.mAnimMeshes[t];
+        if (target.mWeight == 0 || !target.mVertices || target.mNumVertices != points.size()) {
+            continue;
+        }
+        for (std::size_t point = 0; point < points.size(); ++point) {
+            points[point] += target.mWeight * (target.mVertices[point] - mesh.mVertices[point]);
+        }
+    }
+}
+
 class TriangleReader {
 public:
     TriangleReader(const aiScene& scene, const ModelSource& source, const SceneMeaning& meaning,
@@ -279,16 +292,21 @@ private:
         for (unsigned m = 0; m < node.mNumMeshes; ++m) {
             progress_(double(model_.mesh.triangles.size()) / double(total_ + 1),
                       Text::tr("Reading triangles"));
-            readMesh(*scene_.mMeshes[node.mMeshes[m]], transform, skins);
+            readMesh(*scene_.mMeshes[node.mMeshes[m]], node, transform, skins);
         }
         for (unsigned child = 0; child < node.mNumChildren; ++child) {
             readNode(*node.mChildren[child], transform, skins);
         }
     }
 
-    void readMesh(const aiMesh& mesh, const aiMatrix4x4& transform, const SkinPose& skins) {
+    void readMesh(const aiMesh& mesh, const aiNode& node, const aiMatrix4x4& transform,
+                  const SkinPose& skins) {
         const auto firstPosition = std::uint32_t(model_.mesh.positions.size());
-        const PosedMesh posed = skins.pose(mesh, transform);
+        std::vector<aiVector3D> points(mesh.mVertices, mesh.mVertices + mesh.mNumVertices);
+        if (isGltf_) { // assimp 5.2.5 gives most morph targets of FBX files the weight 1
+            morph(points, mesh);
+        }
+        const PosedMesh posed = skins.pose(mesh, points, node, transform);
         for (const aiVector3D& point : posed.points) {
             model_.mesh.positions.emplace_back(point.x, point.y, point.z);
         }

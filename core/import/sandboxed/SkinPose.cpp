@@ -4,10 +4,31 @@
 #include <assimp/scene.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace dipwright {
 
-PosedMesh SkinPose::pose(const aiMesh& mesh, const aiMatrix4x4& transform) const {
+namespace {
+
+// Returns an FBX node's transform that applies only to its mesh. assimp 5.2.5 puts it into nodes
+// directly above.
+aiMatrix4x4 geometricTransform(const aiNode& node) {
+    aiMatrix4x4 transform;
+    for (const aiNode* above = node.mParent; above; above = above->mParent) {
+        const std::string_view name = above->mName.C_Str();
+        if (name.find("_$AssimpFbx$_Geometric") == name.npos || name.ends_with("Inverse")) {
+            break;
+        }
+        transform = above->mTransformation * transform;
+    }
+    return transform;
+}
+
+} // namespace
+
+PosedMesh SkinPose::pose(const aiMesh& mesh, const std::vector<aiVector3D>& points,
+                         const aiNode& node, const aiMatrix4x4& transform) const {
+    const aiMatrix4x4 geometric = geometricTransform(node);
     std::vector<float> sums(mesh.mNumVertices); // of the weights
     PosedMesh posed{std::vector<aiVector3D>(mesh.mNumVertices), transform.Determinant() < 0};
     bool mustMove = movesAll_ && mesh.mNumBones > 0;
@@ -18,13 +39,13 @@ PosedMesh SkinPose::pose(const aiMesh& mesh, const aiMatrix4x4& transform) const
             mustMove = true;
             continue;
         }
-        const aiMatrix4x4 move = *joint->second * bone.mOffsetMatrix;
+        const aiMatrix4x4 move = *joint->second * bone.mOffsetMatrix * geometric;
         posed.isMirrored = move.Determinant() < 0;
         for (unsigned w = 0; w < bone.mNumWeights; ++w) {
             const auto [point, weight] = bone.mWeights[w];
             if (point < mesh.mNumVertices) {
                 sums[point] += weight;
-                posed.points[point] += weight * (move * mesh.mVertices[point]);
+                posed.points[point] += weight * (move * points[point]);
             }
         }
     }
@@ -33,7 +54,7 @@ PosedMesh SkinPose::pose(const aiMesh& mesh, const aiMatrix4x4& transform) const
         if (std::abs(sums[point] - 1) <= rounding) {
             posed.points[point] /= sums[point];
         } else {
-            posed.points[point] = transform * mesh.mVertices[point];
+            posed.points[point] = transform * points[point];
             posed.unclear += mustMove || sums[point] != 0 ? 1 : 0;
         }
     }

@@ -29,9 +29,11 @@ public:
         add(root, frame);
     }
 
-    // Returns the points after linear blend skinning: Σ weight · joint · offset · point (glTF 2.0,
-    // "Skins"). `transform`, that of the mesh's node, applies to points without a skin.
-    PosedMesh pose(const aiMesh& mesh, const aiMatrix4x4& transform) const;
+    // Returns `points`, those of the mesh, after linear blend skinning: Σ weight · joint · offset ·
+    // geometric transform · point (glTF 2.0, "Skins"; FBX SDK, FbxCluster; only FBX has geometric
+    // transforms). `transform`, that of the mesh's node, applies to points without a skin.
+    PosedMesh pose(const aiMesh& mesh, const std::vector<aiVector3D>& points, const aiNode& node,
+                   const aiMatrix4x4& transform) const;
 
 private:
     void add(const aiNode& node, const aiMatrix4x4& parent);

@@ -211,8 +211,10 @@ QByteArray skinnedGltf(const TestSkin& skin) {
     }
     for (int point = 0; point < 4; ++point) {
         for (const float weight : {skin.weights[0], skin.weights[1], 0.0F, 0.0F}) {
-            if (skin.hasByteWeights) {
+            if (skin.weightType == 5121) {
                 appendNumber(bytes, quint8(std::lround(255 * weight)));
+            } else if (skin.weightType == 5123) {
+                appendNumber(bytes, quint16(std::lround(65535 * weight)));
             } else {
                 appendNumber(bytes, weight);
             }
@@ -223,8 +225,8 @@ QByteArray skinnedGltf(const TestSkin& skin) {
         const float scale = skin.bindScale.value_or(1);
         appendNumber(bytes, entry % 16 == 15 ? 1.0F : entry % 5 == entry / 16 ? scale : 0.0F);
     }
-    const QByteArray weights = skin.hasByteWeights ? R"("componentType":5121,"normalized":true)"
-                                                   : R"("componentType":5126)";
+    const QByteArray weights = R"("componentType":)" + QByteArray::number(skin.weightType) +
+                               (skin.weightType == 5126 ? "" : R"(,"normalized":true)");
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":)" + skin.scene +
            R"(}],"nodes":)" + skin.nodes +
            R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},
@@ -485,7 +487,7 @@ QByteArray chunk3ds(quint16 kind, float number) {
     return chunk3ds(kind, content);
 }
 
-QByteArray textured3ds(const QByteArray& options) {
+QByteArray textured3ds(const Chunks3ds& further) {
     const auto list = [](quint16 count, const auto& numbers) {
         QByteArray bytes;
         appendNumber(bytes, count);
@@ -496,19 +498,19 @@ QByteArray textured3ds(const QByteArray& options) {
     };
     constexpr quint16 unused = 0;
     const QByteArray name("skin\0", 5);
-    const QByteArray texture = chunk3ds(0xa300, QByteArray("skin.png\0", 9)) + options;
+    const QByteArray texture = chunk3ds(0xa300, QByteArray("skin.png\0", 9)) + further.texture;
     const QByteArray material = chunk3ds(0xa000, name) + chunk3ds(0xa200, texture);
     const std::vector<float> points{0, 0, 0, 10, 0, 0, 0, 10, 0, 0, 0, 10};
     const std::vector<float> coordinates{0, 0, 1, 0, 0, 1, 1, 1};
     const std::vector<quint16> faces{0, 2, 1, unused, 0, 1, 3, unused,
                                      1, 2, 3, unused, 0, 3, 2, unused};
     const QByteArray usedBy = name + list(4, std::vector<quint16>{0, 1, 2, 3});
-    const QByteArray mesh = chunk3ds(0x4110, list(4, points)) +
-                            chunk3ds(0x4140, list(4, coordinates)) +
-                            chunk3ds(0x4120, list(4, faces) + chunk3ds(0x4130, usedBy));
+    const QByteArray mesh =
+        chunk3ds(0x4110, list(4, points)) + chunk3ds(0x4140, list(4, coordinates)) +
+        chunk3ds(0x4120, list(4, faces) + chunk3ds(0x4130, usedBy)) + further.mesh;
     const QByteArray object = QByteArray("part\0", 5) + chunk3ds(0x4100, mesh);
-    return chunk3ds(0x4d4d,
-                    chunk3ds(0x3d3d, chunk3ds(0xafff, material) + chunk3ds(0x4000, object)));
+    return chunk3ds(0x4d4d, chunk3ds(0x3d3d, chunk3ds(0xafff, material) + chunk3ds(0x4000, object) +
+                                                 further.scene));
 }
 
 QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes, double unit) {

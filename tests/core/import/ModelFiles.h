@@ -36,7 +36,7 @@ struct TestSkin {
     std::array<float, 2> weights{1, 0}; // of the two joints, at each point
     std::optional<float> bindScale = 1; // of both bind matrices; nothing: there are none
     QByteArray scene = "[0,1,2]";       // roots of the scene
-    bool hasByteWeights = false;        // the weights are bytes instead of floats
+    int weightType = 5126;              // componentType of the weights: float
 };
 // Returns the square as glTF text without a material, with a skin.
 QByteArray skinnedGltf(const TestSkin& skin);
@@ -61,9 +61,12 @@ QByteArray texturedFbx(const QByteArray& property);
 QByteArray convertedGltf(const QByteArray& gltf, const char* format);
 // Returns a tetrahedron as assimp writes it: as "collada", "3ds", or "fbxa", which is FBX as text.
 QByteArray tetrahedron(const char* format);
-// Returns the same tetrahedron as 3DS with the picture skin.png. `options` are chunks of the
-// texture; see chunk3ds().
-QByteArray textured3ds(const QByteArray& options);
+// Further chunks of a 3DS file; see chunk3ds().
+struct Chunks3ds {
+    QByteArray texture{}, mesh{}, scene{};
+};
+// Returns the same tetrahedron as 3DS with the picture skin.png.
+QByteArray textured3ds(const Chunks3ds& further);
 // Returns a chunk of a 3DS file.
 QByteArray chunk3ds(quint16 kind, const QByteArray& content);
 // Returns a chunk that contains one number.

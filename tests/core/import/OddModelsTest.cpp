@@ -133,6 +133,10 @@ private Q_SLOTS:
     void collada_onlyTextureSet_isUsed();
     void threeDs_movedTexture_isALoss_data();
     void threeDs_movedTexture_isALoss();
+    void threeDs_masterScale_isALoss_data();
+    void threeDs_masterScale_isALoss();
+    void threeDs_mirroringMatrix_isALoss_data();
+    void threeDs_mirroringMatrix_isALoss();
     void fbx_unitAndAxes_areFollowed_data();
     void fbx_unitAndAxes_areFollowed();
     void fbx_impossibleAxes_areRefused();
@@ -144,11 +148,20 @@ private Q_SLOTS:
     void gltf_deeplyNested_isRefused();
     void gltf_skin_movesThePoints_data();
     void gltf_skin_movesThePoints();
+    void gltf_integerWeightsInAnotherFile_areRead();
+    void gltf_integerWeightsPastTheBuffer_areRefused();
+    void gltf_missingSkin_isRefused_data();
+    void gltf_missingSkin_isRefused();
+    void gltf_morphTargets_moveThePoints_data();
+    void gltf_morphTargets_moveThePoints();
+    void gltf_integerMorphTarget_isRefused();
     void gltf_unclearSkin_isALoss_data();
     void gltf_unclearSkin_isALoss();
     void gltf_tooFewBindMatrices_areRefused();
     void collada_skin_movesThePoints();
     void fbx_skin_movesThePoints();
+    void fbx_meshOfASkin_isPlacedByItsJoints_data();
+    void fbx_meshOfASkin_isPlacedByItsJoints();
     void stl_emptyLinesFirst_isRead();
     void mtl_textureOptions_placeTheTexture_data();
     void mtl_textureOptions_placeTheTexture();
@@ -460,12 +473,62 @@ void OddModelsTest::threeDs_movedTexture_isALoss_data() {
 void OddModelsTest::threeDs_movedTexture_isALoss() {
     QFETCH(QByteArray, options);
     QFETCH(bool, isLoss);
-    const QString path = write(QStringLiteral("moved.3ds"), textured3ds(options));
+    const QString path = write(QStringLiteral("moved.3ds"), textured3ds({.texture = options}));
     const ImportedModel imported = importModel(path, {}, {});
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
     QVERIFY(imported.report.closed);
     QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
     QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("moves, scales")));
+}
+
+void OddModelsTest::threeDs_masterScale_isALoss_data() {
+    QTest::addColumn<float>("scale");
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("as usual") << 1.0F << false;
+    QTest::newRow("unset") << 0.0F << false;
+    QTest::newRow("twice") << 2.0F << true;
+    QTest::newRow("negative") << -1.0F << true;
+    QTest::newRow("tiny") << std::numeric_limits<float>::denorm_min() << true;
+    QTest::newRow("not a number") << std::numeric_limits<float>::quiet_NaN() << true;
+}
+
+void OddModelsTest::threeDs_masterScale_isALoss() {
+    QFETCH(float, scale);
+    QFETCH(bool, isLoss);
+    const QByteArray file = textured3ds({.scene = chunk3ds(0x0100, scale)});
+    const ImportedModel imported = importModel(write(QStringLiteral("scaled.3ds"), file), {}, {});
+    QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
+    QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("master scale")));
+    QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(10, 10, 10), 1e-5F));
+}
+
+void OddModelsTest::threeDs_mirroringMatrix_isALoss_data() {
+    QTest::addColumn<float>("x"); // length of the first axis
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("the unit matrix") << 1.0F << false;
+    QTest::newRow("larger") << 2.0F << false;
+    QTest::newRow("mirrored") << -1.0F << true;
+}
+
+void OddModelsTest::threeDs_mirroringMatrix_isALoss() {
+    QFETCH(float, x);
+    QFETCH(bool, isLoss);
+    QByteArray matrix;
+    for (const float number :
+         {x, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 5.0F, 0.0F, 0.0F}) {
+        matrix += chunk3ds(0, number).right(4);
+    }
+    const QByteArray file = textured3ds({.mesh = chunk3ds(0x4160, matrix)});
+    const ImportedModel imported = importModel(write(QStringLiteral("mirror.3ds"), file), {}, {});
+    QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
+    QVERIFY(!isLoss ||
+            imported.report.losses[0].contains(QStringLiteral("mirrors: 1, first part")));
+    // The faces point outwards as stored, and keep their texture coordinates.
+    const ImportedModel plain =
+        importModel(write(QStringLiteral("plain.3ds"), textured3ds({})), {}, {});
+    QVERIFY2(imported.report.repairs.isEmpty(), qPrintable(imported.report.repairs.join(u' ')));
+    QCOMPARE(imported.report.volume, plain.report.volume);
+    QVERIFY(imported.model.textureCoordinates == plain.model.textureCoordinates);
 }
 
 void OddModelsTest::fbx_unitAndAxes_areFollowed_data() {
@@ -591,6 +654,9 @@ void OddModelsTest::gltf_skin_movesThePoints_data() {
     row("equal names",
         {.nodes = R"([{"mesh":0,"skin":0,"name":"a"},{"scale":[2,2,2],"name":"a"},{"name":"a"}])"},
         2, 2);
+    row("weights as bytes", {.nodes = scaled, .weights = {0.5F, 0.5F}, .weightType = 5121}, 3, 3);
+    row("weights as shorts", {.nodes = scaled, .weights = {0.25F, 0.75F}, .weightType = 5123}, 3.5F,
+        3.5F);
     row("the mesh is also there without a skin",
         {.nodes = R"([{"mesh":0,"translation":[5,0,0]},{"scale":[2,2,2]},{},{"mesh":0,"skin":0}])",
          .scene = "[0,1,2,3]"},
@@ -611,13 +677,97 @@ void OddModelsTest::gltf_skin_movesThePoints() {
     }
 }
 
+void OddModelsTest::gltf_integerWeightsInAnotherFile_areRead() {
+    const QByteArray scaled = R"([{"mesh":0,"skin":0},{"scale":[2,2,2]},{}])";
+    QByteArray text = skinnedGltf({.nodes = scaled, .weightType = 5121});
+    const QByteArray before = "data:application/octet-stream;base64,";
+    const qsizetype uri = text.indexOf(before), end = text.indexOf('"', uri);
+    const QByteArray encoded = text.mid(uri, end - uri);
+    write(QStringLiteral("my weights.bin"), QByteArray::fromBase64(encoded.mid(before.size())));
+    text.replace(encoded, "my%20weights.bin");
+    const ImportedModel imported = importModel(write(QStringLiteral("two.gltf"), text), {}, {});
+    QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+    QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(2, 2, 0), 1e-5F));
+}
+
+void OddModelsTest::gltf_integerWeightsPastTheBuffer_areRefused() {
+    const QByteArray good = skinnedGltf({.weightType = 5121});
+    for (const char* place : {"257", "1000000000000"}) {
+        const QByteArray text =
+            QByteArray(good).replace(R"("byteOffset":80)", QByteArray(R"("byteOffset":)") + place);
+        QVERIFY(text != good);
+        const QString sentence = refusal(write(QStringLiteral("past.gltf"), text));
+        QVERIFY2(sentence.contains(QStringLiteral("out of range")), qPrintable(sentence));
+    }
+}
+
+// assimp 5.2.5 reads any number as the index of a skin.
+void OddModelsTest::gltf_missingSkin_isRefused_data() {
+    QTest::addColumn<QByteArray>("skin");
+    for (const char* skin : {"1", "4000000", "-1", "0.5", "\"0\""}) {
+        QTest::newRow(skin) << QByteArray(skin);
+    }
+}
+
+void OddModelsTest::gltf_missingSkin_isRefused() {
+    QFETCH(QByteArray, skin);
+    const QByteArray text = skinnedGltf({.nodes = R"([{"mesh":0,"skin":)" + skin + "},{},{}]"});
+    const QString sentence = refusal(write(QStringLiteral("missing.gltf"), text));
+    QVERIFY2(sentence.contains(QStringLiteral("skin that does not exist")), qPrintable(sentence));
+}
+
+void OddModelsTest::gltf_morphTargets_moveThePoints_data() {
+    QTest::addColumn<QByteArray>("nodes");
+    QTest::addColumn<QByteArray>("mesh"); // targets and weights
+    QTest::addColumn<Eigen::Vector3f>("sizes");
+    const auto row = [](const char* name, const QByteArray& nodes, const QByteArray& targets,
+                        const QByteArray& weights, float x, float y) {
+        QTest::newRow(name) << nodes << R"(,"targets":[)" + targets + "]}]" + weights
+                            << Eigen::Vector3f(x, y, 0);
+    };
+    const QByteArray plain = R"([{"mesh":0},{},{}])";
+    const QByteArray itself = R"({"POSITION":0})"; // moves each point by itself
+    const QByteArray half = R"(,"weights":[0.5])";
+    row("no weights", plain, itself, "", 1, 1);
+    row("weight of the mesh", plain, itself, half, 1.5F, 1.5F);
+    row("two targets", plain, itself + "," + itself, R"(,"weights":[0.5,-0.25])", 1.25F, 1.25F);
+    row("no points", plain, R"({"NORMAL":0})", half, 1, 1);
+    row("a sparse target", plain, R"({"POSITION":5})", half, 1.5F, 1);
+    row("weight of the node", R"([{"mesh":0,"weights":[2]},{},{}])", itself, half, 3, 3);
+    row("nodes with the same mesh",
+        R"([{"mesh":0,"weights":[1]},{"mesh":0,"translation":[5,0,0]},{}])", itself, half, 6.5F, 2);
+    row("a skin", R"([{"mesh":0,"skin":0,"weights":[2]},{"scale":[2,2,2]},{}])", itself, half, 6,
+        6);
+}
+
+void OddModelsTest::gltf_morphTargets_moveThePoints() {
+    QFETCH(QByteArray, nodes);
+    QFETCH(QByteArray, mesh);
+    QFETCH(Eigen::Vector3f, sizes);
+    const QByteArray sparse = R"(,{"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,
+        "indices":{"bufferView":1,"byteOffset":2,"componentType":5123},
+        "values":{"bufferView":0,"byteOffset":12}}}],"bufferViews")";
+    const QByteArray text = skinnedGltf({.nodes = nodes})
+                                .replace(R"("indices":1}])", R"("indices":1)" + mesh)
+                                .replace(R"(],"bufferViews")", sparse);
+    const ImportedModel imported = importModel(write(QStringLiteral("m.gltf"), text), {}, {});
+    QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+    QVERIFY(imported.report.box.sizes().isApprox(sizes, 1e-5F));
+}
+
+void OddModelsTest::gltf_integerMorphTarget_isRefused() {
+    const QByteArray text =
+        skinnedGltf({}).replace(R"("indices":1})", R"("indices":1,"targets":[{"POSITION":2}]})");
+    const QString sentence = refusal(write(QStringLiteral("whole.gltf"), text));
+    QVERIFY2(sentence.contains(QStringLiteral("float coordinates")), qPrintable(sentence));
+}
+
 void OddModelsTest::gltf_unclearSkin_isALoss_data() {
     QTest::addColumn<TestSkin>("skin");
     QTest::newRow("weights of 0.3") << TestSkin{.weights = {0.3F, 0}};
     QTest::newRow("weights of 0") << TestSkin{.weights = {0, 0}};
     QTest::newRow("weights that are not numbers")
         << TestSkin{.weights = {std::numeric_limits<float>::quiet_NaN(), 0}};
-    QTest::newRow("weights as bytes") << TestSkin{.hasByteWeights = true};
     QTest::newRow("joints outside the scene") << TestSkin{.scene = "[0]"};
 }
 
@@ -657,6 +807,39 @@ void OddModelsTest::fbx_skin_movesThePoints() {
         QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
         QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(edge, edge, 0), 1e-5F));
     }
+}
+
+// FBX SDK: present joint · bound joint⁻¹ · bound mesh · geometric transform.
+void OddModelsTest::fbx_meshOfASkin_isPlacedByItsJoints_data() {
+    QTest::addColumn<QByteArray>("properties"); // of the mesh's node
+    QTest::addColumn<float>("left");            // of the square, in mm
+    QTest::addColumn<float>("edge");            // mm
+    const auto row = [](const char* name, const char* property, const char* numbers, float left,
+                        float edge) {
+        QTest::newRow(name) << "P: \"" + QByteArray(property) + "\", \"Vector3D\", \"\", \"A\", " +
+                                   numbers
+                            << left << edge;
+    };
+    row("as bound", "Lcl Translation", "0, 0, 0", 0, 10);
+    row("moved after binding", "Lcl Translation", "5, 0, 0", 0, 10);
+    row("scaled after binding", "Lcl Scaling", "3, 3, 3", 0, 10);
+    row("geometric translation", "GeometricTranslation", "1, 0, 0", 10, 10);
+    row("geometric rotation", "GeometricRotation", "0, 0, 180", -10, 10);
+    row("geometric scale", "GeometricScaling", "3, 3, 3", 0, 30);
+}
+
+void OddModelsTest::fbx_meshOfASkin_isPlacedByItsJoints() {
+    QFETCH(QByteArray, properties);
+    QFETCH(float, left);
+    QFETCH(float, edge);
+    QByteArray file = convertedGltf(
+        skinnedGltf({.nodes = R"([{"mesh":0,"skin":0},{"scale":[2,2,2]},{}])"}), "fbxa");
+    const QByteArray type = R"(P: "InheritType", "enum", "", "", 1)";
+    file.insert(file.indexOf(type), properties + "\n");
+    const ImportedModel imported = importModel(write(QStringLiteral("mesh.fbx"), file), {}, {});
+    QVERIFY2(imported.report.losses.isEmpty(), qPrintable(warningsOf(imported)));
+    QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(edge, edge, 0), 1e-5F));
+    QVERIFY(std::abs(imported.report.box.min().x() - left) < 1e-4F);
 }
 
 void OddModelsTest::stl_emptyLinesFirst_isRead() {
