@@ -7,8 +7,9 @@
 
 namespace dipwright::numerics {
 
-// The most values of the function that rootBetween() computes. A smooth function needs about five.
-inline constexpr int rootSteps = 24;
+// The most values that rootBetween() computes. A smooth function needs about three. Where rounding
+// hides the root, more would change nothing.
+inline constexpr int rootSteps = 12;
 
 // A root is found where the value is this share of the difference between both ends.
 inline constexpr double rootFound = 1e-5;
