@@ -4299,8 +4299,8 @@
         <translation>Am Becken</translation>
     </message>
     <message>
-        <source>Too pale: more ink than allowed</source>
-        <translation>Zu blass: mehr Tinte als erlaubt</translation>
+        <source>Too pale: needs more ink than the limit</source>
+        <translation>Zu blass: braucht mehr Tinte, als die Grenze erlaubt</translation>
     </message>
     <message>
         <source>Too pale</source>
@@ -4855,8 +4855,8 @@
         <translation>Tauchvorgang %1 von %2: %3</translation>
     </message>
     <message>
-        <source>%1. %2, sheet %3</source>
-        <translation>%1. %2, Blatt %3</translation>
+        <source>%1. %2, job %3</source>
+        <translation>%1. %2, Auftrag %3</translation>
     </message>
     <message>
         <source>Job %1</source>
@@ -5073,6 +5073,10 @@
     <message>
         <source>Lay sheet %1, which must have been printed in %2 passes, on the water, ink side up.</source>
         <translation>Das Blatt %1, das in %2 Durchgängen gedruckt sein muss, mit der Farbseite nach oben auf das Wasser legen.</translation>
+    </message>
+    <message>
+        <source>All dips: %1</source>
+        <translation>Alle Tauchvorgänge: %1</translation>
     </message>
 </context>
 <context>
@@ -7853,6 +7857,18 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <source>its GlobalSettings name impossible axes or units</source>
         <translation>seine GlobalSettings nennen unmögliche Achsen oder Einheiten</translation>
     </message>
+    <message>
+        <source>a node uses a skin that does not exist</source>
+        <translation>ein Knoten verwendet einen Skin, der nicht existiert</translation>
+    </message>
+    <message>
+        <source>The file has a master scale of %1, which programs apply in different ways, so it is not applied; check the size of the model</source>
+        <translation>Die Datei hat einen Hauptmaßstab (master scale) von %1, den Programme unterschiedlich anwenden; er wird daher nicht angewendet; prüfen Sie die Größe des Modells</translation>
+    </message>
+    <message>
+        <source>Objects that their matrix mirrors: %1, first %2. Programs read these in different ways, so they may be mirrored wrongly; apply their transforms in a modelling program</source>
+        <translation>Objekte, die ihre Matrix spiegelt: %1, zuerst %2. Programme lesen solche Objekte unterschiedlich, daher können sie falsch gespiegelt sein; wenden Sie ihre Transformationen in einem Modellierprogramm an</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -8941,6 +8957,10 @@ zuerst eintaucht</translation>
     <message>
         <source>Places whole sheets with their own marks, for an unattended series on a roll. Cut marks and the number of each copy stand in the gaps; 5 to 20 mm are usual. Otherwise only the printed parts are placed.</source>
         <translation>Legt ganze Blätter mit ihren eigenen Marken, für eine unbeaufsichtigte Serie auf einer Rolle. In den Abständen stehen Schnittmarken und die Nummer jedes Exemplars; 5 bis 20 mm sind üblich. Sonst werden nur die bedruckten Teile gelegt.</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
     </message>
 </context>
 <context>

@@ -294,7 +294,7 @@
     </message>
     <message>
         <source>Soak</source>
-        <translation>Molho</translation>
+        <translation>Deixar de molho</translation>
     </message>
     <message>
         <source>Activator</source>
@@ -4299,8 +4299,8 @@
         <translation>No tanque</translation>
     </message>
     <message>
-        <source>Too pale: more ink than allowed</source>
-        <translation>Pálido demais: mais tinta do que o permitido</translation>
+        <source>Too pale: needs more ink than the limit</source>
+        <translation>Pálido demais: precisa de mais tinta do que o limite</translation>
     </message>
     <message>
         <source>Too pale</source>
@@ -4855,8 +4855,8 @@
         <translation>Imersão %1 de %2: %3</translation>
     </message>
     <message>
-        <source>%1. %2, sheet %3</source>
-        <translation>%1. %2, folha %3</translation>
+        <source>%1. %2, job %3</source>
+        <translation>%1. %2, trabalho %3</translation>
     </message>
     <message>
         <source>Job %1</source>
@@ -5024,7 +5024,7 @@
     </message>
     <message>
         <source>Soak</source>
-        <translation>Molho</translation>
+        <translation>Deixar de molho</translation>
     </message>
     <message>
         <source>Spray the activator</source>
@@ -5073,6 +5073,10 @@
     <message>
         <source>Lay sheet %1, which must have been printed in %2 passes, on the water, ink side up.</source>
         <translation>Ponha a folha %1, que deve ter sido impressa em %2 passadas, sobre a água, com a tinta para cima.</translation>
+    </message>
+    <message>
+        <source>All dips: %1</source>
+        <translation>Todas as imersões: %1</translation>
     </message>
 </context>
 <context>
@@ -7853,6 +7857,18 @@ impresso em papel-cartão rígido e impermeável</translation>
         <source>its GlobalSettings name impossible axes or units</source>
         <translation>suas GlobalSettings indicam eixos ou unidades impossíveis</translation>
     </message>
+    <message>
+        <source>a node uses a skin that does not exist</source>
+        <translation>um nó usa um skin que não existe</translation>
+    </message>
+    <message>
+        <source>The file has a master scale of %1, which programs apply in different ways, so it is not applied; check the size of the model</source>
+        <translation>O arquivo tem uma escala mestra (master scale) de %1, que os programas aplicam de maneiras diferentes; por isso ela não é aplicada; verifique o tamanho do modelo</translation>
+    </message>
+    <message>
+        <source>Objects that their matrix mirrors: %1, first %2. Programs read these in different ways, so they may be mirrored wrongly; apply their transforms in a modelling program</source>
+        <translation>Objetos que a própria matriz espelha: %1, o primeiro é %2. Os programas leem esses objetos de maneiras diferentes, por isso eles podem estar espelhados de forma errada; aplique as transformações deles em um programa de modelagem</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -8941,6 +8957,10 @@ desce primeiro</translation>
     <message>
         <source>Places whole sheets with their own marks, for an unattended series on a roll. Cut marks and the number of each copy stand in the gaps; 5 to 20 mm are usual. Otherwise only the printed parts are placed.</source>
         <translation>Põe folhas inteiras com suas próprias marcas, para uma série sem supervisão em um rolo. Nos espaços ficam as marcas de corte e o número de cada cópia; são usuais de 5 a 20 mm. Caso contrário, só são postas as partes impressas.</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredito</translation>
     </message>
 </context>
 <context>

@@ -269,4 +269,14 @@ QString reasonText(const JobReason& reason, const JobResult& result, const Lengt
                       : text;
 }
 
+QStringList warningLines(const JobResult& result, const LengthText& length) {
+    QStringList lines{adviceText(adviceOf(result))};
+    for (const JobReason& reason : reasonsOf(result)) {
+        if (reason.reason.advice > Advice::Print) {
+            lines << QStringLiteral("• ") + reasonText(reason, result, length);
+        }
+    }
+    return lines;
+}
+
 } // namespace dipwright

@@ -379,7 +379,9 @@ QStringList writeOutput(const JobResult& result, Output output, const QString& f
         std::ranges::move(dipPieces(output, result, number, files), std::back_inserter(pieces));
     }
     if (pieces.empty()) {
-        throw Error(notes.isEmpty() ? Text::tr("There is nothing to write") : notes.join(u' '), {});
+        throw Error(notes.isEmpty() ? Text::tr("There is nothing to write")
+                                    : notes.join(QStringLiteral("; ")),
+                    {});
     }
     writeTogether(pieces, progress.part(making, 1));
     commit(files, progress);

@@ -1,5 +1,6 @@
 #include "settings/Artwork.h"
 
+#include "base/ColourNote.h"
 #include "base/Sha256.h"
 #include "base/WideGamut.h"
 
@@ -17,7 +18,7 @@ ArtworkPicture artworkPicture(const QImage& image) {
     const QImage kept = wide ? inWide(image) : image.convertToFormat(QImage::Format_RGBA8888);
     Sha256 hash;
     hash.add(QByteArray::number(kept.width()) + 'x' + QByteArray::number(kept.height()) +
-             (wide ? "w" : "s"));
+             (wide ? "w" : "s") + colourNoteValue(image).toUtf8());
     const auto bytes = qsizetype(kept.width()) * kept.depth() / 8;
     for (int row = 0; row < kept.height(); ++row) {
         hash.add(QByteArrayView(kept.constScanLine(row), bytes));

@@ -75,7 +75,7 @@ double paintHead(QPainter& painter, const Traveller& traveller, std::size_t numb
                  Text::tr("Traveller for %1, %2").arg(traveller.project, traveller.date));
     QStringList order;
     for (std::size_t i = 0; i < traveller.dips.size(); ++i) {
-        order << Text::tr("%1. %2, sheet %3")
+        order << Text::tr("%1. %2, job %3")
                      .arg(i + 1)
                      .arg(traveller.dips[i].immersion.name, traveller.dips[i].job);
     }
@@ -86,8 +86,11 @@ double paintHead(QPainter& painter, const Traveller& traveller, std::size_t numb
     }
     const QRectF place(page.width() - margin - code, margin - 4, code, code);
     paintQrCode(painter, place, travellerJob(traveller));
-    const double under = ink.text({place.x() - 10, place.bottom() - 1, code + 10, 0}, wordHeight,
-                                  Text::tr("Job %1").arg(travellerJob(traveller)), Qt::AlignRight);
+    const double under =
+        ink.text({place.x() - 10, place.bottom() - 1, code + 10, 0}, wordHeight,
+                 (traveller.dips.size() > 1 ? Text::tr("All dips: %1") : Text::tr("Job %1"))
+                     .arg(travellerJob(traveller)),
+                 Qt::AlignRight);
     const QString verdict = dip.verdict.join(QStringLiteral(" • "));
     if (!verdict.isEmpty()) {
         y = ink.text({margin, std::max(y, under) + 1, page.width() - 2 * margin, 0}, wordHeight,

@@ -1,6 +1,7 @@
 #include "workbench/printing/PackDialog.h"
 
 #include "pipeline/DipCache.h"
+#include "pipeline/JobVerdict.h"
 #include "pipeline/Pipeline.h"
 #include "printing/PrintReach.h"
 #include "project/FilmSizes.h"
@@ -33,7 +34,7 @@ namespace dipwright {
 
 namespace {
 
-enum Column { Name, Copies, Columns };
+enum Column { Name, Copies, Judged, Columns };
 
 const QString rollFilm = QStringLiteral("roll"), customFilm = QStringLiteral("custom");
 
@@ -107,9 +108,10 @@ PackDialog::PackDialog(const SolverRegistry& registry, QWidget* parent)
 
 QWidget* PackDialog::makeProjects() {
     table_->setAccessibleName(tr("Projects on the film"));
-    table_->setHorizontalHeaderLabels({tr("Project"), tr("Copies")});
+    table_->setHorizontalHeaderLabels({tr("Project"), tr("Copies"), tr("Verdict")});
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    table_->horizontalHeader()->setSectionResizeMode(Judged, QHeaderView::ResizeToContents);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
@@ -239,6 +241,7 @@ void PackDialog::add(const QStringList& projects) {
         copies->setAccessibleName(tr("Copies of %1").arg(name->text()));
         connect(copies, &NumberBox::valueChanged, this, &PackDialog::changed);
         table_->setCellWidget(row, Copies, copies);
+        table_->setItem(row, Judged, new QTableWidgetItem);
     }
     changed();
 }
@@ -322,6 +325,7 @@ void PackDialog::changed() {
     laid_ = {};
     shown_->clear();
     preview_->clear();
+    showVerdicts();
     const std::vector<Wanted> projects = wanted();
     if (!projects.empty() && std::all_of(projects.begin(), projects.end(), [](const auto& one) {
             return one.dipped.result != nullptr;
@@ -402,11 +406,40 @@ void PackDialog::take(LaidOut laid) {
     const QStringList lines = filmsText(*laid_.films);
     shown_->clear();
     shown_->addItems(lines);
+    showVerdicts();
     QString told = tr("Films: %1. They are printed at true size.").arg(lines.size());
-    for (const QString& warning : filmsWarnings(*laid_.films)) {
+    for (const QString& warning : filmsWarnings(*laid_.films) + lostInFiles(*laid_.films)) {
         told += u' ' + warning + u'.';
     }
+    for (const auto& result : results()) {
+        if (adviceOf(*result) != Advice::Print) {
+            told += u'\n' + QStringLiteral("%1: %2").arg(result->project.name,
+                                                         adviceText(adviceOf(*result)));
+        }
+    }
     tell(told);
+}
+
+void PackDialog::showVerdicts() {
+    for (int row = 0; row < table_->rowCount(); ++row) {
+        QTableWidgetItem& cell = *table_->item(row, Judged);
+        const bool isLaidOut = std::size_t(row) < laid_.projects.size();
+        const QStringList lines =
+            isLaidOut ? warningLines(*laid_.projects[std::size_t(row)].dipped.result, millimetres)
+                      : QStringList{{}};
+        cell.setText(lines.first());
+        cell.setToolTip(lines.join(u'\n'));
+    }
+}
+
+std::vector<std::shared_ptr<const JobResult>> PackDialog::results() const {
+    std::vector<std::shared_ptr<const JobResult>> all;
+    for (const Wanted& project : laid_.projects) {
+        if (std::find(all.begin(), all.end(), project.dipped.result) == all.end()) {
+            all.push_back(project.dipped.result);
+        }
+    }
+    return all;
 }
 
 void PackDialog::showFilm(int number) {
@@ -430,7 +463,8 @@ void PackDialog::exportFilms() {
         [this, folder, films = laid_.films](bool) {
             QStringList told{tr("Wrote the films to %1").arg(QDir::toNativeSeparators(folder))};
             told << lostInFiles(*films);
-            tell(told.join(QStringLiteral(". ")));
+            tell(told.join(QStringLiteral(". ")) +
+                 (told.size() > 1 ? QStringLiteral(".") : QString()));
         },
         [this](std::exception_ptr failure) { showFailure(failure); }));
 }
@@ -451,7 +485,7 @@ void PackDialog::print() {
     }
     DipOutcome outcome;
     outcome.result = std::move(result);
-    auto* dialog = new PrintDialog(outcome, 0, first.path, this);
+    auto* dialog = new PrintDialog(outcome, 0, first.path, this, results());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &PrintDialog::printed, this, &PackDialog::printed);
     dialog->open();

@@ -56,6 +56,8 @@ private:
         std::shared_ptr<const PackedFilms> films;
         std::vector<SheetPreview> previews; // one for each film
     };
+    // Returns the results of the laid out projects, each once.
+    std::vector<std::shared_ptr<const JobResult>> results() const;
     static LaidOut laidOut(std::vector<Wanted> projects, const PackSettings& settings,
                            const SolverRegistry& registry, const Progress& progress);
 
@@ -69,6 +71,7 @@ private:
     void changed(); // lays out again if all projects have a result
     void layOut();
     void take(LaidOut laid);
+    void showVerdicts();
     void showFilm(int number);
     void exportFilms();
     void print();

@@ -49,7 +49,8 @@ bool isKnownAsExpired(const JobResult& result) {
 } // namespace
 
 PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
-                         const QString& projectFile, QWidget* parent)
+                         const QString& projectFile, QWidget* parent,
+                         const std::vector<std::shared_ptr<const JobResult>>& judged)
     : QDialog(parent), outcome_(outcome),
       source_(printSource(outcome.result->project, projectFile)), shown_(immersion),
       preview_(new PicturePanel(tr("Page"), {})), printer_(new QComboBox), paper_(new QComboBox),
@@ -117,7 +118,7 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
         }
     });
     resize(940, 660);
-    printVerdict();
+    showVerdicts(judged.empty() ? std::vector{outcome.result} : judged);
     showSheet(shown_);
     findPrinters();
 }
@@ -126,15 +127,18 @@ void PrintDialog::warn(const QString& sentence) {
     notice_->say(notice_->isHidden() ? sentence : sentence + u'\n' + notice_->text());
 }
 
-void PrintDialog::printVerdict() {
-    const JobResult& result = *outcome_.result;
-    QStringList lines{adviceText(adviceOf(result))};
-    for (const JobReason& reason : reasonsOf(result)) {
-        if (reason.reason.advice > Advice::Print) {
-            lines << QStringLiteral("• ") + reasonText(reason, result, millimetres);
+void PrintDialog::showVerdicts(const std::vector<std::shared_ptr<const JobResult>>& judged) {
+    QStringList lines;
+    for (const auto& result : judged) {
+        if (adviceOf(*result) != Advice::Print) {
+            QStringList found = warningLines(*result, millimetres);
+            if (judged.size() > 1) {
+                found.first() = QStringLiteral("%1: %2").arg(result->project.name, found.first());
+            }
+            lines += found;
         }
     }
-    if (adviceOf(result) != Advice::Print) {
+    if (!lines.isEmpty()) {
         notice_->say(withUnitsKept(lines.join(u'\n')));
     }
 }

@@ -26,8 +26,10 @@ class PrintDialog : public QDialog {
 public:
     // `immersion`: the dip whose sheet is shown first. `projectFile`: for the print history; empty:
     // not saved yet.
+    // `judged`: the results whose verdicts are shown, if the sheets come from several jobs.
     PrintDialog(const DipOutcome& outcome, std::size_t immersion, const QString& projectFile,
-                QWidget* parent = nullptr);
+                QWidget* parent = nullptr,
+                const std::vector<std::shared_ptr<const JobResult>>& judged = {});
     // Shows a warning about the sheets at the top.
     void warn(const QString& sentence);
 
@@ -35,7 +37,7 @@ signals:
     void printed(const QString& sentence);
 
 private:
-    void printVerdict();
+    void showVerdicts(const std::vector<std::shared_ptr<const JobResult>>& judged);
     QWidget* makeChoices();
     QWidget* makeExceptions();
     QWidget* makePreview();

@@ -83,7 +83,9 @@ void PropertyPanel::rebuild() {
     auto* form = new QFormLayout(page);
     form->setContentsMargins(10, 8, 10, 10);
     form->setVerticalSpacing(8);
-    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    // If the form wrapped rows by itself, Qt 6.4 would lay out other rows with no height as long as
+    // the form has hidden rows. addField() does it.
+    form->setRowWrapPolicy(QFormLayout::DontWrapRows);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     if (document_) {
         if (node_.part == ProjectPart::Model) {
@@ -185,8 +187,7 @@ void PropertyPanel::addField(QFormLayout& form, const PropertySpec& spec) {
     label->setBuddy(field);
     label->setToolTip(spec.help);
     QWidget* row = field;
-    // These fields need the panel's whole width. If the form wrapped such a row by itself, Qt 6.4
-    // would lay out other rows with no height as long as the form has hidden rows.
+    // These fields need the panel's whole width.
     constexpr qsizetype longWord = 18; // letters of a choice that leave no room for the label
     const bool hasLongWord =
         std::any_of(spec.words.cbegin(), spec.words.cend(),

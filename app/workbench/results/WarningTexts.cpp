@@ -26,7 +26,7 @@ QString kindText(WarningKind kind) {
     case WarningKind::NotReached:
         return Text::tr("Reached by neither dip");
     case WarningKind::TooPale:
-        return Text::tr("Too pale: more ink than allowed");
+        return Text::tr("Too pale: needs more ink than the limit");
     default:
         return markText(markOf(kind));
     }

@@ -13,6 +13,7 @@
 #include "workbench/results/ResultsPanel.h"
 #include "workbench/results/Timeline.h"
 #include "workbench/widgets/HeatScale.h"
+#include "workbench/widgets/Languages.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PictureView.h"
 #include "workbench/widgets/PlainTexts.h"
@@ -35,6 +36,7 @@
 #include <QTextBrowser>
 #include <QToolButton>
 #include <QToolTip>
+#include <QTranslator>
 
 using namespace dipwright;
 
@@ -60,6 +62,16 @@ PropertySpec specOf(const QString& path) {
     }
     return {};
 }
+
+// The program's texts are in this language until the end of its life.
+class LanguageInUse {
+public:
+    explicit LanguageInUse(const QString& code) { installLanguage(*qApp, code); }
+    ~LanguageInUse() {
+        QLocale::setDefault(QLocale::c());
+        qDeleteAll(qApp->findChildren<QTranslator*>());
+    }
+};
 
 } // namespace
 
@@ -346,6 +358,38 @@ private slots:
         QVERIFY(takesUndo());
         QTest::keyClick(box, Qt::Key_Return);
         QVERIFY(!takesUndo());
+    }
+
+    void propertyPanel_everyPage_showsEveryField_data() {
+        QTest::addColumn<QString>("language");
+        for (const Language& language : languages()) {
+            QTest::newRow(qPrintable(language.code)) << language.code;
+        }
+    }
+    // At the least width, no field may be cut off or laid out without height.
+    void propertyPanel_everyPage_showsEveryField() {
+        QFETCH(QString, language);
+        const LanguageInUse inUse(language);
+        const SolverRegistry registry;
+        PropertyPanel panel(registry);
+        QSignalSpy narrowing(&panel, &PropertyPanel::leastWidthChanging);
+        Document document(boxProject());
+        panel.setDocument(&document);
+        panel.show();
+        for (const ProjectPart part :
+             {ProjectPart::Tolerance, ProjectPart::Model, ProjectPart::Project, ProjectPart::Film,
+              ProjectPart::Process, ProjectPart::Immersion, ProjectPart::Share, ProjectPart::Ink,
+              ProjectPart::Sheet}) {
+            panel.showNode({part, 0});
+            panel.resize(narrowing.last()[0].toInt(), 4000);
+            QCoreApplication::processEvents();
+            QVERIFY2(panel.width() <= 400, qPrintable(QString::number(panel.width())));
+            for (const PropertyField* field : panel.findChildren<PropertyField*>()) {
+                QVERIFY2(!field->isVisible() ||
+                             field->height() >= field->minimumSizeHint().height(),
+                         qPrintable(field->spec().path));
+            }
+        }
     }
 
     void propertyPanel_twoEnteredNumbers_areTwoUndoSteps() {

@@ -80,9 +80,8 @@ void AdhesionTest::attachment_pastOverhang_staysFreeOrIsTrapped() {
         radius + 20; // mm, past the equator: the contact line has a radius of 22.4 mm and shrinks
     const double edge = std::sqrt(radius * radius - 400);
     // Film that crosses the contact line is free. Film that was inside the body before is trapped.
-    QVERIFY(
-        attachment(dip.body, down, 0.1, Place{edge + 0.5, 0, 0}, Place{-1.5, 0, 0}).state ==
-        solver::PointState::Free);
+    QVERIFY(attachment(dip.body, down, 0.1, Place{edge + 0.5, 0, 0}, Place{-1.5, 0, 0}).state ==
+            solver::PointState::Free);
     QVERIFY(attachment(dip.body, down, 0.1, Place{edge - 1, 0, 0}, Place{-0.5, 0, 0}).state ==
             solver::PointState::Trapped);
 }
