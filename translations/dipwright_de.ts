@@ -550,6 +550,10 @@
         <source>The film model of the paper allows only straight dips; choose the production film, or a straight path</source>
         <translation>Das Filmmodell der Veröffentlichung erlaubt nur gerade Tauchvorgänge; wählen Sie den Produktionsfilm oder einen geraden Weg</translation>
     </message>
+    <message>
+        <source>some places have several causes</source>
+        <translation>einige Stellen haben mehrere Ursachen</translation>
+    </message>
 </context>
 <context>
     <name>DipCache</name>

@@ -550,6 +550,10 @@
         <source>The film model of the paper allows only straight dips; choose the production film, or a straight path</source>
         <translation>O modelo de película do artigo só permite imersões retas; escolha a película de produção ou um percurso reto</translation>
     </message>
+    <message>
+        <source>some places have several causes</source>
+        <translation>alguns lugares têm várias causas</translation>
+    </message>
 </context>
 <context>
     <name>DipCache</name>

@@ -69,12 +69,18 @@ QString markedText(const MarkedArea& marked, double paintedArea) {
     if (!(marked.any > 0)) {
         return {};
     }
+    constexpr double clearly = 1.001;
     QStringList causes;
+    double sum = 0;
     for (std::size_t mark = 0; mark < filmMarks.size(); ++mark) {
         if (marked.each[mark] > 0) {
+            sum += marked.each[mark];
             causes.append(Text::tr("%1: %2").arg(markText(filmMarks[mark]),
                                                  squareMillimetres(marked.each[mark])));
         }
+    }
+    if (sum > clearly * marked.any) {
+        causes.append(Text::tr("some places have several causes"));
     }
     const double percent = 100 * marked.any / paintedArea;
     return Text::tr("%1 of the painted area (%2 %) is painted by film that tore, was released or "

@@ -327,9 +327,9 @@ QString rounded(double value) {
     return value < 1000 ? QLocale().toString(value, 'f', 3) : QLocale().toString(value, 'g', 3);
 }
 
-MapSubject stretchSubject(const FilmValues& values) {
+// `stretch` is the distribution that report and window give.
+MapSubject stretchSubject(const FilmValues& values, const Distribution& stretch) {
     const std::vector<float> painted = values.paintedValues();
-    const Distribution stretch = distribution(painted);
     const MapScale scale = stretchScale(painted);
     return {
         Text::tr("Stretch of the film"),
@@ -340,7 +340,7 @@ MapSubject stretchSubject(const FilmValues& values) {
                  rounded(stretch.maximum)),
         scale,
         LengthUnit::Millimetre,
-        stretch.maximum > scale.high};
+        distribution(painted).maximum > scale.high};
 }
 
 MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling) {
@@ -438,7 +438,8 @@ MapSubject toleranceSubject(const ShownDistances& told) {
 
 QImage stretchMap(const LaidFilm& laid, int longEdge) {
     const FilmValues values(laid, laid.painted().pointMeans);
-    return FilmMap(laid.film().grid, values, stretchSubject(values), longEdge).draw();
+    const MapSubject subject = stretchSubject(values, distribution(laid.painted().constraints));
+    return FilmMap(laid.film().grid, values, subject, longEdge).draw();
 }
 
 QImage wrinklingMap(const LaidFilm& laid, int longEdge) {
