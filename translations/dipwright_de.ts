@@ -8966,6 +8966,10 @@ zuerst eintaucht</translation>
         <source>Verdict</source>
         <translation>Urteil</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PaintArtwork</name>

@@ -8966,6 +8966,10 @@ desce primeiro</translation>
         <source>Verdict</source>
         <translation>Veredito</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Cancelar</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::PaintArtwork</name>

@@ -120,6 +120,9 @@ void add(Project& project, Words& words, const QCommandLineParser& parser, QText
     out << QStringLiteral("Added %1 as layer %2\n")
                .arg(project.artwork.layers.back().name)
                .arg(project.artwork.layers.size());
+    if (const QString note = colourNoteOf(project.artwork.layers.back()); !note.isEmpty()) {
+        printWarnings({note}, out);
+    }
 }
 
 void move(Artwork& artwork, Words& words, QTextStream& out) {

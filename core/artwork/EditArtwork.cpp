@@ -159,11 +159,15 @@ QStringList fontWarnings(const Artwork& artwork) {
     return warnings;
 }
 
+QString colourNoteOf(const ArtworkLayer& layer) {
+    return colourNoteText(layer.picture.image,
+                          Text::tr("The picture of the layer “%1”").arg(layer.name));
+}
+
 QStringList colourNotes(const Artwork& artwork) {
     QStringList notes;
     for (const ArtworkLayer& layer : artwork.layers) {
-        notes << colourNoteText(layer.picture.image,
-                                Text::tr("The picture of the layer “%1”").arg(layer.name));
+        notes << colourNoteOf(layer);
     }
     notes.removeAll(QString());
     return notes;

@@ -36,8 +36,10 @@ std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer);
 // and for each whose text has characters that no installed font has. Those are printed as boxes.
 // Text needs a QGuiApplication.
 QStringList fontWarnings(const Artwork& artwork);
-// Returns a sentence for each picture that has a note on how its colours were read
-// (base/ColourNote.h).
+// Returns the note on how a layer's picture was read (base/ColourNote.h), without the last full
+// stop; empty if there is none.
+QString colourNoteOf(const ArtworkLayer& layer);
+// Returns colourNoteOf() of all layers that have one.
 QStringList colourNotes(const Artwork& artwork);
 
 } // namespace dipwright

@@ -167,6 +167,9 @@ void ArtworkController::addPicture(const QString& path,
                     newLayer(LayerKind::Picture, QFileInfo(path).completeBaseName());
                 layer.picture = picture;
                 add(layer, place);
+                if (const QString note = colourNoteOf(layer); !note.isEmpty()) {
+                    messages_.notice(note + u'.');
+                }
             }
         });
 }

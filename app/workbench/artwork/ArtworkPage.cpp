@@ -384,6 +384,9 @@ void ArtworkPage::showList() {
         const ArtworkLayer& shown = artwork_.layers[std::size_t(layer)];
         QListWidgetItem* item = list_->item(rowOf(layer));
         item->setText(shown.name);
+        const QString note = colourNoteOf(shown);
+        item->setIcon(note.isEmpty() ? QIcon() : icon(QStringLiteral("warning")));
+        item->setToolTip(note);
         item->setCheckState(shown.visible ? Qt::Checked : Qt::Unchecked);
     }
     list_->setCurrentRow(selected_ < 0 ? -1 : rowOf(selected_));

@@ -220,7 +220,9 @@ QWidget* PackDialog::makeButtons() {
     export_->setToolTip(tr("Writes each film as PDF, PNG and TIFF at true size, and a list of the "
                            "pieces with their places."));
     print_ = button("packPrint", tr("&Print…"), &PackDialog::print);
-    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Return must not close
+    close_ = buttons->button(QDialogButtonBox::Close);
+    closeText_ = close_->text();
+    close_->setAutoDefault(false); // Return must not close
     connect(buttons, &QDialogButtonBox::rejected, this, &PackDialog::reject);
     return buttons;
 }
@@ -503,6 +505,7 @@ void PackDialog::tell(const QString& text) {
 void PackDialog::enable() {
     const bool isBusy = jobs_.isBusy();
     progress_->setVisible(isBusy);
+    close_->setText(isBusy ? tr("Cancel") : closeText_);
     remove_->setEnabled(!table_->selectionModel()->selectedRows().isEmpty());
     layOut_->setEnabled(table_->rowCount() > 0 && !isBusy);
     export_->setEnabled(laid_.films != nullptr && !isBusy);

@@ -90,6 +90,8 @@ private:
     QLabel* told_;
     QProgressBar* progress_;
     QPushButton *remove_ = nullptr, *layOut_ = nullptr, *export_ = nullptr, *print_ = nullptr;
+    QPushButton* close_ = nullptr; // cancels while a job runs
+    QString closeText_;
     QHash<QString, Dipped> dipped_;
     LaidOut laid_;
     int asked_ = 0;  // number of the latest layout request

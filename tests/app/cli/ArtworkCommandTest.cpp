@@ -46,6 +46,27 @@ private slots:
         QVERIFY(cli({"artwork", "list", job_}).out.contains("Number"));
     }
 
+    // A picture in an unread colour space is reported at once, and only for its own layer, although
+    // another layer's picture has the same pixels.
+    void artwork_pictureWithNote_isToldForItsLayerOnly() {
+        QFile plain(logo_);
+        QVERIFY(plain.open(QIODevice::ReadOnly));
+        constexpr int signatureAndHeader = 33; // bytes
+        QFile noted(folder_.filePath("p3.png"));
+        QVERIFY(noted.open(QIODevice::WriteOnly));
+        noted.write(plain.readAll().insert(signatureAndHeader, QByteArray::fromHex("00000004"
+                                                                                   "63494350"
+                                                                                   "0c0d0001"
+                                                                                   "6e03e3ef")));
+        noted.close();
+        const QByteArray note = "names its colour space in a cICP chunk";
+        QVERIFY(!cli({"artwork", "add", job_, "picture", logo_}).out.contains(note));
+        QVERIFY(cli({"artwork", "add", job_, "picture", noted.fileName()}).out.contains(note));
+        const QByteArray validated = cli({"validate", job_}).out;
+        QCOMPARE(validated.count(note), 1);
+        QVERIFY(validated.contains("p3"));
+    }
+
     void artwork_invalidArguments_leaveFileUnchanged() {
         QVERIFY(artwork({"add", job_, "wood"}));
         QFile file(job_);
