@@ -7,37 +7,51 @@
 
 namespace dipwright::numerics {
 
-// The most values that rootBetween() computes. A smooth function needs about three. Where rounding
-// hides the root, more would change nothing.
-inline constexpr int rootSteps = 12;
+// The most values that rootBetween() computes. A smooth function needs two or three, one with a
+// kink up to twelve.
+inline constexpr int rootSteps = 20;
 
-// A root is found where the value is this share of the difference between both ends.
+// The search ends where |value| is below this share of the difference between both ends' values.
 inline constexpr double rootFound = 1e-5;
 
-// Returns a share t from 0 to 1 at which valueAt(t) is about 0, by the method of Anderson and
-// Björck (BIT 13, 1973): regula falsi that lowers the value at an end which stays twice in
-// succession. It needs few values at a kink, too. `atStart` is the value at 0 and `atEnd` the value
-// at 1; one must be positive, the other must not.
+// Returns a share t from 0 to 1 at which valueAt(t) is about 0. The method is Chandrupatla's
+// (Advances in Engineering Software 28, 1997): inverse quadratic interpolation where the last three
+// values are monotonic enough for it, otherwise bisection. Unlike there, the first trial is linear.
+// `atStart` is the value at 0 and `atEnd` the value at 1; one must be positive, the other must not.
+// Returns the last t for which it called valueAt().
 template <typename Real, typename Value>
 DIPWRIGHT_HOST_DEVICE inline Real rootBetween(const Value& valueAt, Real atStart, Real atEnd) {
     const Real closeEnough = Real(rootFound) * std::abs(atEnd - atStart);
-    Real start(0), end(1), root(0), before(0);
-    for (int step = 0; step < rootSteps; ++step) {
-        root = start + (end - start) * (atStart / (atStart - atEnd));
+    // The newest trial and the nearest one on the other side of the root.
+    Real newest(1), other(0), atNewest = atEnd, atOther = atStart;
+    Real root = atStart / (atStart - atEnd);
+    for (int step = 1;; ++step) {
         const Real value = valueAt(root);
-        if (std::abs(value) < closeEnough) {
-            break;
+        if (std::abs(value) < closeEnough || step == rootSteps) {
+            return root;
         }
-        const bool replacesStart = (value > Real(0)) == (atStart > Real(0));
-        if (before * value > Real(0)) { // `before` is the value at the end that is replaced
-            const Real lowered = Real(1) - value / before;
-            (replacesStart ? atEnd : atStart) *= lowered > Real(0) ? lowered : Real(0.5);
+        Real dropped = newest, atDropped = atNewest;
+        if ((value > Real(0)) != (atNewest > Real(0))) {
+            dropped = other;
+            atDropped = atOther;
+            other = newest;
+            atOther = atNewest;
         }
-        (replacesStart ? start : end) = root;
-        (replacesStart ? atStart : atEnd) = value;
-        before = value;
+        newest = root;
+        atNewest = value;
+        const Real place = (newest - other) / (dropped - other);
+        const Real height = (atNewest - atOther) / (atDropped - atOther);
+        const bool isMonotonic =
+            height * height < place && (Real(1) - height) * (Real(1) - height) < Real(1) - place;
+        // The way from the newest trial to the other, as a share.
+        const Real way =
+            isMonotonic
+                ? atNewest / (atOther - atNewest) * (atDropped / (atOther - atDropped)) +
+                      (dropped - newest) / (other - newest) * (atNewest / (atDropped - atNewest)) *
+                          (atOther / (atDropped - atOther))
+                : Real(0.5);
+        root = newest + (other - newest) * way;
     }
-    return root;
 }
 
 } // namespace dipwright::numerics

@@ -3,6 +3,7 @@
 #include "common/RootBetween.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 using namespace dipwright::numerics;
@@ -33,6 +34,7 @@ private Q_SLOTS:
     void rootBetween_straightLine_needsOneValue();
     void rootBetween_curve_isFoundInFewValues();
     void rootBetween_fallingFunction_isFoundToo();
+    void rootBetween_kink_isFound_data();
     void rootBetween_kink_isFound();
     void rootBetween_rootAtStart_isTheStart();
     void rootBetween_jump_endsAtTheJump();
@@ -57,11 +59,28 @@ void RootBetweenTest::rootBetween_fallingFunction_isFoundToo() {
     QVERIFY(std::abs(search.root - 0.5) < 2e-5);
 }
 
+void RootBetweenTest::rootBetween_kink_isFound_data() {
+    QTest::addColumn<double>("depth");
+    QTest::addColumn<double>("kink");
+    for (const double depth : {1e-4, 1e-3, 1e-2}) { // mm
+        for (const double kink : {0.1, 0.5, 0.9}) {
+            QTest::addRow("%g mm, %g", depth, kink) << depth << kink;
+        }
+    }
+}
+
+// A flat face lies `depth` past the contact distance. The chord, 3 mm long, leaves it at the kink.
 void RootBetweenTest::rootBetween_kink_isFound() {
-    const Search search =
-        searched([](double share) { return share < 0.9 ? 0.02 * (share - 0.9) : share - 0.9; });
-    QVERIFY(std::abs(search.root - 0.9) < 2e-4);
-    QVERIFY(search.values < rootSteps);
+    QFETCH(double, depth);
+    QFETCH(double, kink);
+    const double root = kink + depth / 3;
+    const Search rising =
+        searched([&](double share) { return 3 * std::max(share - kink, 0.0) - depth; });
+    QVERIFY2(std::abs(rising.root - root) < 1e-3, qPrintable(QString::number(rising.root)));
+    QVERIFY(rising.values <= rootSteps);
+    const Search falling =
+        searched([&](double share) { return 3 * std::max(1 - share - kink, 0.0) - depth; });
+    QVERIFY2(std::abs(falling.root - (1 - root)) < 1e-3, qPrintable(QString::number(falling.root)));
 }
 
 void RootBetweenTest::rootBetween_rootAtStart_isTheStart() {
@@ -70,7 +89,7 @@ void RootBetweenTest::rootBetween_rootAtStart_isTheStart() {
 
 void RootBetweenTest::rootBetween_jump_endsAtTheJump() {
     const Search search = searched([](double share) { return share < 0.3 ? -1.0 : 2.0; });
-    QVERIFY(std::abs(search.root - 0.3) < 0.02);
+    QVERIFY(std::abs(search.root - 0.3) < 1e-4);
 }
 
 QTEST_GUILESS_MAIN(RootBetweenTest)
