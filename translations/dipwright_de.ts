@@ -7873,6 +7873,10 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <source>Objects that their matrix mirrors: %1, first %2. Programs read these in different ways, so they may be mirrored wrongly; apply their transforms in a modelling program</source>
         <translation>Objekte, die ihre Matrix spiegelt: %1, zuerst %2. Programme lesen solche Objekte unterschiedlich, daher können sie falsch gespiegelt sein; wenden Sie ihre Transformationen in einem Modellierprogramm an</translation>
     </message>
+    <message>
+        <source>The sizes of the file&apos;s parts do not fit together, so its scale and its mirrored objects are not known; export the model again</source>
+        <translation>Die Größen der Teile dieser Datei passen nicht zusammen; daher sind ihr Maßstab und ihre gespiegelten Objekte nicht bekannt; exportieren Sie das Modell erneut</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -8969,6 +8973,10 @@ zuerst eintaucht</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>In exported files: %1.</source>
+        <translation>In exportierten Dateien: %1.</translation>
     </message>
 </context>
 <context>
@@ -11151,8 +11159,8 @@ mm je mm</translation>
         <translation>Abdeckungsbild wird gezeichnet</translation>
     </message>
     <message>
-        <source>On the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
-        <translation>Auf dem Teil: min. %1 · Mittel %2 · 95 % unter %3 · max. %4</translation>
+        <source>Lengths of film on the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
+        <translation>Längen des Films auf dem Teil: min. %1 · Mittel %2 · 95 % unter %3 · max. %4</translation>
     </message>
     <message>
         <source>On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2</source>

@@ -7873,6 +7873,10 @@ impresso em papel-cartão rígido e impermeável</translation>
         <source>Objects that their matrix mirrors: %1, first %2. Programs read these in different ways, so they may be mirrored wrongly; apply their transforms in a modelling program</source>
         <translation>Objetos que a própria matriz espelha: %1, o primeiro é %2. Os programas leem esses objetos de maneiras diferentes, por isso eles podem estar espelhados de forma errada; aplique as transformações deles em um programa de modelagem</translation>
     </message>
+    <message>
+        <source>The sizes of the file&apos;s parts do not fit together, so its scale and its mirrored objects are not known; export the model again</source>
+        <translation>Os tamanhos das partes do arquivo não combinam; por isso não se conhecem sua escala nem seus objetos espelhados; exporte o modelo novamente</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
@@ -8969,6 +8973,10 @@ desce primeiro</translation>
     <message>
         <source>Cancel</source>
         <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>In exported files: %1.</source>
+        <translation>Nos arquivos exportados: %1.</translation>
     </message>
 </context>
 <context>
@@ -11151,8 +11159,8 @@ mm por mm</translation>
         <translation>Desenhando a imagem de cobertura</translation>
     </message>
     <message>
-        <source>On the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
-        <translation>Na peça: mín. %1 · média %2 · 95 % abaixo de %3 · máx. %4</translation>
+        <source>Lengths of film on the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
+        <translation>Comprimentos da película na peça: mín. %1 · média %2 · 95 % abaixo de %3 · máx. %4</translation>
     </message>
     <message>
         <source>On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2</source>

@@ -272,7 +272,7 @@ QString reasonText(const JobReason& reason, const JobResult& result, const Lengt
 QStringList warningLines(const JobResult& result, const LengthText& length) {
     QStringList lines{adviceText(adviceOf(result))};
     for (const JobReason& reason : reasonsOf(result)) {
-        if (reason.reason.advice > Advice::Print) {
+        if (reason.reason.advice != Advice::Print) {
             lines << QStringLiteral("• ") + reasonText(reason, result, length);
         }
     }

@@ -335,7 +335,7 @@ MapSubject stretchSubject(const FilmValues& values, const Distribution& stretch)
         Text::tr("Stretch of the film"),
         Text::tr("Mean stretch at each point: final length divided by rest length; ink side up"),
         Text::tr("stretch\nmm per mm"),
-        Text::tr("On the part: min. %1 · mean %2 · 95 % below %3 · max. %4")
+        Text::tr("Lengths of film on the part: min. %1 · mean %2 · 95 % below %3 · max. %4")
             .arg(rounded(stretch.minimum), rounded(stretch.mean), rounded(stretch.percentile95),
                  rounded(stretch.maximum)),
         scale,

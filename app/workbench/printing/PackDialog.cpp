@@ -410,14 +410,11 @@ void PackDialog::take(LaidOut laid) {
     shown_->addItems(lines);
     showVerdicts();
     QString told = tr("Films: %1. They are printed at true size.").arg(lines.size());
-    for (const QString& warning : filmsWarnings(*laid_.films) + lostInFiles(*laid_.films)) {
+    for (const QString& warning : filmsWarnings(*laid_.films)) {
         told += u' ' + warning + u'.';
     }
-    for (const auto& result : results()) {
-        if (adviceOf(*result) != Advice::Print) {
-            told += u'\n' + QStringLiteral("%1: %2").arg(result->project.name,
-                                                         adviceText(adviceOf(*result)));
-        }
+    for (const QString& lost : lostInFiles(*laid_.films)) {
+        told += u' ' + tr("In exported files: %1.").arg(lost);
     }
     tell(told);
 }

@@ -130,6 +130,7 @@ void PrintDialog::warn(const QString& sentence) {
 void PrintDialog::showVerdicts(const std::vector<std::shared_ptr<const JobResult>>& judged) {
     QStringList lines;
     for (const auto& result : judged) {
+        isKnownAsExpired_ |= isKnownAsExpired(*result);
         if (adviceOf(*result) != Advice::Print) {
             QStringList found = warningLines(*result, millimetres);
             if (judged.size() > 1) {
@@ -401,7 +402,7 @@ void PrintDialog::judge() {
     jobs_.start(std::make_unique<ValueJob<Judgement>>(
         tr("Checking the printer"),
         [sheets, request = request(),
-         expiry = isKnownAsExpired(*outcome_.result)
+         expiry = isKnownAsExpired_
                       ? QString()
                       : expiryWarning(outcome_.result->project.profiles.film)](const Progress&) {
             const auto system = printSystem();

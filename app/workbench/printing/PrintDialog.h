@@ -71,7 +71,8 @@ private:
     QProgressBar* progress_;
     QPushButton *print_, *save_;
     bool printing_ = false;
-    int judgement_ = 0; // number of the latest check
+    bool isKnownAsExpired_ = false; // the verdict shown already says that the film has expired
+    int judgement_ = 0;             // number of the latest check
     int proofing_ = 0;
     JobRunner jobs_; // destroyed first: jobs report to the members above
 };

@@ -84,7 +84,7 @@ void PropertyPanel::rebuild() {
     form->setContentsMargins(10, 8, 10, 10);
     form->setVerticalSpacing(8);
     // If the form wrapped rows by itself, Qt 6.4 would lay out other rows with no height as long as
-    // the form has hidden rows. addField() does it.
+    // the form has hidden rows. addField() puts wide fields below their labels.
     form->setRowWrapPolicy(QFormLayout::DontWrapRows);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     if (document_) {

@@ -14,7 +14,7 @@ namespace dipwright {
 // - Weights of skins are floats. assimp takes integers for floats.
 // - Each node has its own name, because assimp finds joints by their names.
 // - Nodes do not share a mesh that has a skin or weights of morph targets, because assimp stores
-//   these in the mesh. The weights of a node are those of its mesh.
+//   these in the mesh. The weights of a node are written into its mesh.
 // Without skins and weights of nodes, the document stays as it is. `binary` is the first buffer of
 // a binary file. All skins that nodes use must exist.
 QJsonObject gltfPoseForAssimp(const QJsonObject& document, const QByteArray& binary,

@@ -38,6 +38,11 @@ public:
                          "ways, so it is not applied; check the size of the model")
                     .arg(double(masterScale_)));
         }
+        if (isMisfit_) {
+            warnings.push_back(
+                Text::tr("The sizes of the file's parts do not fit together, so its scale and its "
+                         "mirrored objects are not known; export the model again"));
+        }
         if (mirrored_ > 0) {
             warnings.push_back(
                 Text::tr("Objects that their matrix mirrors: %1, first %2. Programs read these in "
@@ -59,6 +64,7 @@ private:
             const qint64 content = begin + head;
             next = begin + size;
             if (size < head || next > end) {
+                isMisfit_ = true; // assimp may read on
                 return;
             }
             if (depth < path.size() && kind == path[depth]) {
@@ -97,7 +103,8 @@ private:
 
     QByteArray bytes_;
     float masterScale_ = 1;
-    int mirrored_ = 0; // objects
+    int mirrored_ = 0;      // objects
+    bool isMisfit_ = false; // a chunk does not fit into the one round it
     QString name_, firstMirrored_;
 };
 
