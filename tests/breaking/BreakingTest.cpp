@@ -230,7 +230,7 @@ void BreakingTest::writes_killedOrFailing_areWholeAtNextStart_data() {
     row("run over results", cli, "run @job.dipw --out @out --no-certainty --threads 1");
     row("run into a new folder", cli, "run @job.dipw --out @deep/down --no-certainty --threads 1");
     row("optimize", cli,
-        "optimize @job.dipw --immersions 1 --candidates 6 --directions 6 --refined 0 --finer 1 "
+        "optimize @job.dipw --immersions 2 --candidates 6 --directions 6 --refined 0 --finer 1 "
         "--confirmed 0 --threads 1");
     row("profile set", cli, "profile set film Mine --set swell=1.2;1.2");
     row("new profile", cli, "profile set film Other --set swell=1.2;1.2");
