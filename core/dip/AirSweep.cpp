@@ -88,8 +88,8 @@ std::vector<std::uint32_t> withConnected(const SpaceGrid& grid, std::vector<std:
 
 } // namespace
 
-// Most points have a straight way up to the border, so that their air opens in their own layer, or
-// no way to it. Only the others are swept.
+// Most points have a straight way up to the border, so that their air opens in their own layer.
+// Points inside the body have no way to the border at all. Only the others are swept.
 AirSweep sweepAir(const SpaceGrid& grid, const Eigen::Vector3f& up) {
     AirSweep sweep;
     const Eigen::Vector3f last = grid.last().cast<float>();

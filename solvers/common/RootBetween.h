@@ -8,7 +8,7 @@
 namespace dipwright::numerics {
 
 // The most values that rootBetween() computes. A smooth function needs two or three, one with a
-// kink up to twelve.
+// sharp kink about twelve.
 inline constexpr int rootSteps = 20;
 
 // The search ends where |value| is below this share of the difference between both ends' values.

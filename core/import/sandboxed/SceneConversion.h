@@ -15,8 +15,8 @@ struct SceneMeaning {
     // Material colours are linear light, not sRGB, and a skin moves all points of its mesh.
     bool isGltf = false;
     PicturePlacements placements;
-    // Turns the scene's coordinates into those of the model. These are mm, with Y up, if the file
-    // states its unit and axes.
+    // Turns the scene's coordinates into the model's coordinates: mm, with Y up, if the file states
+    // its unit and axes.
     Eigen::Matrix3f frame = Eigen::Matrix3f::Identity();
 };
 

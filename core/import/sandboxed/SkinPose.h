@@ -29,9 +29,9 @@ public:
         add(root, frame);
     }
 
-    // Returns `points`, those of the mesh, after linear blend skinning: Σ weight · joint · offset ·
-    // geometric transform · point (glTF 2.0, "Skins"; FBX SDK, FbxCluster; only FBX has geometric
-    // transforms). `transform`, that of the mesh's node, applies to points without a skin.
+    // Returns the mesh's points after linear blend skinning: Σ weight · joint · offset · geometric
+    // transform · point (glTF 2.0, "Skins"; FBX SDK, FbxCluster; only FBX has geometric
+    // transforms). `transform` belongs to the mesh's node and applies to points without a skin.
     PosedMesh pose(const aiMesh& mesh, const std::vector<aiVector3D>& points, const aiNode& node,
                    const aiMatrix4x4& transform) const;
 
