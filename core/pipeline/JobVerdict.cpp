@@ -184,6 +184,26 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
     }
 }
 
+// Adds reasons for settings that do not occur in practice.
+void addUnusualReasons(ReasonList& found, const Project& project) {
+    const double speed = project.process.dipSpeed.value();
+    const double usual = std::clamp(speed, leastUsualSpeed, mostUsualSpeed);
+    if (speed != usual) {
+        found.add({Kind::UnusualSpeed, Advice::CheckFirst, speed, usual});
+    }
+    const FilmSettings& film = project.film;
+    if (film.growthRate == 0 || film.growthLimit == 0) {
+        return; // such film does not grow
+    }
+    if (film.growthRate > mostUsualGrowthRate) {
+        found.add(
+            {Kind::UnusualGrowthRate, Advice::CheckFirst, film.growthRate, mostUsualGrowthRate});
+    }
+    if (film.growthLimit > mostUsualGrowth) {
+        found.add({Kind::UnusualGrowth, Advice::CheckFirst, film.growthLimit, mostUsualGrowth});
+    }
+}
+
 // Adds reasons for how much of the body is painted: too little, or twice.
 void addAmountReasons(ReasonList& found, const JobResult& result) {
     const VerdictSettings& limits = result.project.verdict;
@@ -228,6 +248,7 @@ Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
     }
     addContrastReason(found, result);
     addOriginReasons(found, result);
+    addUnusualReasons(found, result.project);
     return std::move(found).verdict();
 }
 

@@ -264,8 +264,11 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"painted_twice", "share.enabled"},
                                KindWords{"little_painted", "verdict.least_painted"},
                                KindWords{"faint_picture", ""},
-                               KindWords{"thin_places", "body.sdf_resolution"}};
-static_assert(kindWords.size() == std::size_t(Kind::ThinPlaces) + 1);
+                               KindWords{"thin_places", "body.sdf_resolution"},
+                               KindWords{"unusual_speed", "process.dip_speed_mm_s"},
+                               KindWords{"unusual_growth_rate", "film.growth_per_s"},
+                               KindWords{"unusual_growth", "film.growth_limit"}};
+static_assert(kindWords.size() == std::size_t(Kind::UnusualGrowth) + 1);
 
 } // namespace
 

@@ -56,6 +56,9 @@ struct VerdictReason {
         FaintPicture,    // on the part's own colour, the picture keeps the share `value` of its
                          // contrast, less than `limit`
         ThinPlaces,      // `text`: places that are too thin for the distance field's cells
+        UnusualSpeed,    // the dip speed of `value` mm/s is not usual
+        UnusualGrowthRate, // the film grows by the share `value` per second, more than is usual
+        UnusualGrowth,     // the film grows by the share `value` in all, more than is usual
     };
     Kind kind;
     Advice advice = Advice::Print; // the verdict if this is the only reason
@@ -100,6 +103,10 @@ inline constexpr double spoiltPaintedOnce = 0.15;
 // (Coverage::tornBareShare()): above the first the verdict is *check first*, above the second *do
 // not print*. In ordinary dips up to 0.28 is counted where 0.06 is lost.
 inline constexpr double mostTornBare = 0.2, spoiltTornBare = 0.4;
+// The usual speed of a dip, in mm/s, and the usual growth of floating film (FilmBehaviour). The
+// verdict on other values is *check first* (docs/film-validation.md, "The verdict").
+inline constexpr double leastUsualSpeed = 0.5, mostUsualSpeed = 100;
+inline constexpr double mostUsualGrowthRate = 0.05, mostUsualGrowth = 0.5;
 // The smallest cell that a reason proposes, relative to the film's own cell. An error that
 // would need even smaller cells does not shrink in proportion to the cells.
 inline constexpr double finestCellNamed = 0.15;

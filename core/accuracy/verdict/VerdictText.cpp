@@ -172,6 +172,19 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
     case Kind::GuessedFilm:
         return Text::tr("The film's swell is guessed, not measured: the picture may be a few per "
                         "cent too large or too small. Measure the film.");
+    case Kind::UnusualSpeed:
+        return Text::tr(
+                   "The dip speed is %1 mm/s; the usual range is %2 to %3 mm/s. Check this value.")
+            .arg(QLocale().toString(reason.value), QLocale().toString(leastUsualSpeed),
+                 QLocale().toString(mostUsualSpeed));
+    case Kind::UnusualGrowthRate:
+        return Text::tr("The film grows by %1 % per second; more than %2 % is unusual. Check this "
+                        "value.")
+            .arg(shares[0], shares[1]);
+    case Kind::UnusualGrowth:
+        return Text::tr(
+                   "The film grows by %1 % in all; more than %2 % is unusual. Check this value.")
+            .arg(shares[0], shares[1]);
     case Kind::ThinPlaces:
         return reason.text;
     case Kind::ExpiredFilm:

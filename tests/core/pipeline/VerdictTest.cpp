@@ -148,6 +148,26 @@ private slots:
         QVERIFY(QString::fromUtf8(QJsonDocument(json).toJson()).contains("merged: 14"));
     }
 
+    void verdict_valuesFarFromUsual_checkFirst() {
+        using Kind = VerdictReason::Kind;
+        JobResult result = unjudged(ball(17));
+        QVERIFY(!has(result, Kind::UnusualSpeed) && !has(result, Kind::UnusualGrowthRate));
+        result.project.process.dipSpeed = MillimetresPerSecond(1000);
+        result.project.film.growthRate = 0.9;
+        result.verdict = allDipsVerdict(result, nullptr);
+        QVERIFY(has(result, Kind::UnusualSpeed));
+        QVERIFY(!has(result, Kind::UnusualGrowthRate)); // without a limit the film does not grow
+        result.project.process.dipSpeed = MillimetresPerSecond(0.01);
+        result.project.film.growthLimit = 0.9;
+        result.verdict = allDipsVerdict(result, nullptr);
+        QVERIFY(has(result, Kind::UnusualSpeed));
+        QVERIFY(has(result, Kind::UnusualGrowthRate) && has(result, Kind::UnusualGrowth));
+        QCOMPARE(reasonText({Kind::UnusualSpeed, Advice::CheckFirst, 0.01, 0.5}, millimetres),
+                 QStringLiteral(
+                     "The dip speed is 0.01 mm/s; the usual range is 0.5 to 100 mm/s. Check this "
+                     "value."));
+    }
+
     // The top of the ball lies above the overhang limit and stays bare.
     void verdict_bareMarkedZone_doNotPrint() {
         Project project = ball(33);

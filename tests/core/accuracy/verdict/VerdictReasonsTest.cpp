@@ -304,7 +304,7 @@ private slots:
 
     void verdictReason_everyKind_hasTextAndUniqueKey() {
         QStringList keys;
-        for (int kind = 0; kind <= int(VerdictReason::Kind::ExpiredFilm); ++kind) {
+        for (int kind = 0; kind <= int(VerdictReason::Kind::UnusualGrowth); ++kind) {
             const VerdictReason reason{VerdictReason::Kind(kind),
                                        Advice::Print,
                                        0.1,
