@@ -93,6 +93,7 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
     inside.clearance = Millimetres(
         widest(lostOnPage(sheet, larger(margins, {clear, clear, clear, clear}), correction)));
     const QMarginsF lost = lostOnPage(sheet, margins, correction);
+    const double lostWidth = std::round(widest(lost) * 100) / 100;
     const QRectF reach = QRectF({0, 0}, pageSize(sheet)).marginsRemoved(lost);
     const bool inks = correction.colour && correction.colour->isCmyk();
     const QRectF paper =
@@ -111,6 +112,10 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
                         where);
         }
         warnings << sentence;
+    } else if (!liesIn(cut, reach)) { // not refused: a cutter may reach farther than the printer
+        warnings << Text::tr("The printer does not reach the outer %1 mm of the paper, and a part "
+                             "of the cut contour lies there; check that the cutter reaches it")
+                        .arg(lostWidth);
     }
     const QRectF painted = paintedBox(sheet, inks ? InkedPlates::All : InkedPlates::Picture);
     if (liesIn(painted, reach)) {
@@ -119,7 +124,7 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
     const QString sentence =
         Text::tr("The printer does not reach the outer %1 mm of the paper, and the sheet has "
                  "colour there")
-            .arg(std::round(widest(lost) * 100) / 100);
+            .arg(lostWidth);
     if (!accept) {
         throw Error(
             Text::tr("%1; choose larger or borderless paper, or accept that this colour is lost")

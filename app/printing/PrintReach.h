@@ -26,8 +26,9 @@ QMarginsF unreachable(const QMarginsF& ofPrinter, const std::optional<PrinterPro
 QMarginsF clippedEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction);
 
 // Returns the sheet with its marks, ruler and job line moved clear of the paper's margins, and at
-// least the usual distance from the edges. If colour is lost, throws an Error that names `where`,
-// or adds a warning if `accept` is set.
+// least the usual distance from the edges. If colour is lost, or if the cut contour leaves the
+// paper, throws an Error that names `where`, or adds a warning if `accept` is set. Also warns of a
+// cut contour in the margins.
 Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorrection& correction,
                   bool accept, const QString& where, QStringList& warnings);
 

@@ -1,0 +1,46 @@
+// Tests what is said of sheets that leave the area that a printer reaches.
+#include "printing/PrintReach.h"
+#include "TestProfiles.h"
+#include "base/Error.h"
+#include "sheet/prepress/PrinterColour.h"
+
+#include <QtTest>
+
+using namespace dipwright;
+
+class PrintReachTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Nothing but the cut contour lies in the margins: it runs along the edge of the film.
+    void withinReach_cutContourInMargins_warnsOnce() {
+        PrinterProfile printer;
+        printer.iccProfile = simpleCmykProfile(0.002);
+        const PrinterColour colour(printer, {});
+        Sheet sheet;
+        sheet.filmWidth = sheet.filmHeight = Millimetres(100);
+        sheet.image = QImage(100, 100, QImage::Format_RGBA8888);
+        sheet.image.fill(Qt::transparent);
+        sheet.image.setPixelColor(50, 50, Qt::black);
+        sheet.settings.paper = QStringLiteral("film");
+        sheet.settings.cutLine = CutLine::Film;
+        const auto warnings = [&](const QMarginsF& margins, const PrintCorrection& correction) {
+            QStringList found;
+            withinReach(sheet, margins, correction, false, {}, found);
+            return found;
+        };
+        const PrintCorrection inks{.colour = &colour};
+        QCOMPARE(warnings({}, inks), QStringList());
+        QCOMPARE(warnings({2, 2, 2, 2}, {}), QStringList()); // without inks there is no contour
+        const QStringList found = warnings({2, 2, 2, 2}, inks);
+        QCOMPARE(found.size(), qsizetype(1));
+        QVERIFY2(found[0].contains("outer 2 mm of the paper, and a part of the cut contour"),
+                 qPrintable(found[0]));
+        PrintCorrection enlarged = inks; // the printer prints too small
+        enlarged.scaleX = enlarged.scaleY = 0.97;
+        QVERIFY_EXCEPTION_THROWN(warnings({}, enlarged), Error);
+    }
+};
+
+QTEST_MAIN(PrintReachTest)
+#include "PrintReachTest.moc"
