@@ -42,6 +42,33 @@ void limitInk(QByteArray& cmyk, double mostInk) {
     });
 }
 
+namespace {
+
+// Marks the pixels of `box` that have no tint and lie at a hard edge: beside a pixel with at least
+// a quarter of the strongest tint. A tint that fades to nothing, as at the seam of two dips, has no
+// edge that could show.
+std::vector<unsigned char> hardEdges(const QImage& tint, const QRect& box) {
+    int strongest = 0;
+    for (int y = box.top(); y <= box.bottom(); ++y) {
+        const uchar* const row = tint.constScanLine(y) + box.x();
+        strongest = std::max<int>(strongest, *std::max_element(row, row + box.width()));
+    }
+    const auto isStrong = [&](int x, int y) {
+        return box.contains(x, y) && 4 * tint.constScanLine(y)[x] >= strongest;
+    };
+    std::vector<unsigned char> edges;
+    for (int y = box.top(); y <= box.bottom(); ++y) {
+        for (int x = box.left(); x <= box.right(); ++x) {
+            edges.push_back(tint.constScanLine(y)[x] == 0 &&
+                            (isStrong(x - 1, y) || isStrong(x + 1, y) || isStrong(x, y - 1) ||
+                             isStrong(x, y + 1)));
+        }
+    }
+    return edges;
+}
+
+} // namespace
+
 QImage choked(const QImage& tint, double choke) {
     // The bare pixels around the tints count, too.
     const QRect box = markedBox(tint).adjusted(-1, -1, 1, 1).intersected(tint.rect());
@@ -49,13 +76,7 @@ QImage choked(const QImage& tint, double choke) {
         return tint;
     }
     const auto width = std::size_t(box.width());
-    std::vector<unsigned char> bare(width * std::size_t(box.height()));
-    for (int y = 0; y < box.height(); ++y) {
-        const uchar* row = tint.constScanLine(box.y() + y) + box.x();
-        std::transform(row, row + width, bare.begin() + std::ptrdiff_t(width) * y,
-                       [](uchar value) { return uchar(value == 0); });
-    }
-    const std::vector<float> distances = distancesTo(bare, box.size());
+    const std::vector<float> distances = distancesTo(hardEdges(tint, box), box.size());
     QImage smaller = blankImage(tint.size(), QImage::Format_Grayscale8);
     for (int y = 0; y < box.height(); ++y) {
         const uchar* const from = tint.constScanLine(box.y() + y) + box.x();

@@ -65,8 +65,8 @@ QStringList lostPlates(const Sheet& sheet, bool isSeparated);
 // Returns the amounts of the four inks on the bare paper around the film.
 std::array<char, 4> bareInks(const PrinterColour& colour);
 
-// Returns a copy of the plate (Grayscale8). Pixels nearer than `choke` pixels to a pixel without
-// tint have no tint in the copy.
+// Returns a copy of the plate (Grayscale8) whose hard edges lie `choke` pixels further inside.
+// Where a tint fades to nothing, as at the seam of two dips, it stays as it is.
 QImage choked(const QImage& tint, double choke);
 
 // Reduces pixels whose four inks sum to more than `most` (4: full ink of each). Cyan, magenta and

@@ -146,6 +146,7 @@ private slots:
     void spotPlates_keepNamesAndOrder();
     void writeSheetTiff_white_isANamedSample();
     void choked_white_isSmallerOnAllSides();
+    void choked_whiteThatFadesAtSeam_keepsItsFade();
     void writeSheetPdf_cmykTwice_givesTheSameBytes();
 };
 
@@ -712,6 +713,22 @@ void PrepressTest::choked_white_isSmallerOnAllSides() {
     QCOMPARE(at(100, 24), 0);
     QCOMPARE(at(100, 25), 200);
     QCOMPARE(choked(white, 0), white);
+}
+
+// The other dip prints the rest of the white there.
+void PrepressTest::choked_whiteThatFadesAtSeam_keepsItsFade() {
+    constexpr int left = 30, right = 170, fade = 18; // pixels
+    QImage white(200, 100, QImage::Format_Grayscale8);
+    white.fill(0);
+    for (int y = 20; y < 80; ++y) {
+        for (int x = left; x < right; ++x) {
+            white.scanLine(y)[x] = uchar(std::min(200, 200 * (right - x) / fade));
+        }
+    }
+    const QImage smaller = choked(white, 5);
+    const uchar* const row = smaller.constScanLine(50);
+    QCOMPARE(int(row[left + 4]), 0);
+    QVERIFY(std::equal(row + left + 5, row + right, white.constScanLine(50) + left + 5));
 }
 
 void PrepressTest::writeSheetPdf_cmykTwice_givesTheSameBytes() {
