@@ -130,7 +130,7 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
     }
     const MarkedArea& marked = dip.coverage.marked;
     found.addShare(Kind::Air, dip.coverage.trappedAir.area / surfaceArea(dip.laid.body().mesh),
-                   limits.air);
+                   limits.air, {}, seenVentCells * double(dip.laid.body().air.cell()));
     found.addShare(Kind::Pale, dip.paleArea / painted, limits.pale);
     found.addShare(Kind::Damaged,
                    (marked.of(solver::PointMark::Torn) + marked.of(solver::PointMark::LetGo)) /
@@ -152,14 +152,15 @@ void ReasonList::add(VerdictReason reason) {
     reasons_.push_back(std::move(reason));
 }
 
-void ReasonList::addShare(Kind kind, double share, double limit, std::optional<Zone> zone) {
+void ReasonList::addShare(Kind kind, double share, double limit, std::optional<Zone> zone,
+                          double most) {
     if (share > limit) {
         add({kind,
              share > doNotPrintFactor * limit ? Advice::DoNotPrint : Advice::CheckFirst,
              share,
              limit,
              {},
-             0,
+             most,
              zone});
     }
 }

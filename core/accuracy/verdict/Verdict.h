@@ -29,7 +29,8 @@ struct VerdictReason {
         Border,       // only one of the compared dips paints the share `value` of the body
         Unbalanced,   // `value` steps ended without equilibrium; `most`: the largest residual
         Refined,      // search only: the job repeats the dip with cells of `value` mm
-        Air,          // trapped air keeps the share `value` of the body's surface dry
+        Air,          // trapped air keeps the share `value` of the body's surface dry; `most`: vent
+                      // holes narrower than this may not be seen, mm
         Pale,         // the share `value` of the painted area will be too pale
         Damaged,      // film tore or was released on the share `value` of the painted area
         TornBare, // only dip of a job: the share `value` of the surface that it should paint stays
@@ -107,6 +108,8 @@ inline constexpr double mostTornBare = 0.2, spoiltTornBare = 0.4;
 // verdict on other values is *check first* (docs/film-validation.md, "The verdict").
 inline constexpr double leastUsualSpeed = 0.5, mostUsualSpeed = 100;
 inline constexpr double mostUsualGrowthRate = 0.05, mostUsualGrowth = 0.5;
+// A vent hole this many cells of the search for trapped air wide is always seen (AirPockets.h).
+inline constexpr double seenVentCells = 2;
 // The smallest cell that a reason proposes, relative to the film's own cell. An error that
 // would need even smaller cells does not shrink in proportion to the cells.
 inline constexpr double finestCellNamed = 0.15;
@@ -143,7 +146,7 @@ public:
     // Adds a reason if the share exceeds its limit. The advice is CheckFirst, or DoNotPrint if the
     // share exceeds doNotPrintFactor times the limit.
     void addShare(VerdictReason::Kind kind, double share, double limit,
-                  std::optional<Zone> zone = {});
+                  std::optional<Zone> zone = {}, double most = 0);
     // Adds a reason if the only dip of a job leaves too much bare because its film tears. `share`:
     // Coverage::tornBareShare(). Of two dips, the other may paint it, so Kind::Unreached decides.
     void addTornBare(double share);

@@ -97,8 +97,9 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
                         "the film, and the depth of the dip.");
     case Kind::Air:
         return Text::tr("Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part "
-                        "so that the air escapes, or drill a vent hole.")
-            .arg(shares[0], shares[1]);
+                        "so that the air escapes, or drill a vent hole. Vent holes narrower than "
+                        "%3 may not be seen.")
+            .arg(shares[0], shares[1], length(reason.most));
     case Kind::Pale:
         return Text::tr("%1 % of the painted area will be too pale; the limit is %2 %. The film "
                         "stretches more than the ink limit (Ink > Ink limit) can compensate. Turn "

@@ -256,6 +256,7 @@ private slots:
         QCOMPARE(int(pale.advice), advice);
         if (advice > int(Advice::Print)) {
             QCOMPARE(air.reasons.front().kind, VerdictReason::Kind::Air);
+            QVERIFY(verdictText({}, air).contains(QStringLiteral("Vent holes narrower than")));
             QCOMPARE(pale.reasons.front().kind, VerdictReason::Kind::Pale);
             QCOMPARE(torn.reasons.front().kind, VerdictReason::Kind::Damaged);
         }
