@@ -39,6 +39,7 @@ enum Status {
     Unauthorized = 401,
     NotFound = 404,
     Conflict = 409,
+    LengthRequired = 411,
     TooLarge = 413,
     Unprocessable = 422,
     TooMany = 429,
@@ -122,15 +123,21 @@ struct JobServer::Data {
                            const ContentReader& content) { submit(request, response, content); });
         server.Get("/v1/jobs/([^/]+)",
                    [this](const Request& request, Response& response) { show(request, response); });
-        server.Post("/v1/jobs/([^/]+)/cancel", [this](const Request& request, Response& response) {
-            cancel(request, response);
-        });
+        // Without reading a body: httplib waits for one even if the request has no length.
+        server.Post("/v1/jobs/([^/]+)/cancel",
+                    [this](const Request& request, Response& response, const ContentReader&) {
+                        cancel(request, response);
+                    });
         server.Delete("/v1/jobs/([^/]+)", [this](const Request& request, Response& response) {
             remove(request, response);
         });
         server.Get(
             "/v1/jobs/([^/]+)/files/(.+)",
             [this](const Request& request, Response& response) { fetch(request, response); });
+        const auto nothing = [](const Request&, Response& response, const ContentReader&) {
+            response.status = NotFound;
+        };
+        server.Post(".*", nothing).Put(".*", nothing).Patch(".*", nothing);
     }
 
     void configure() {
@@ -217,6 +224,11 @@ struct JobServer::Data {
     }
 
     void submit(const Request& request, Response& response, const ContentReader& content) {
+        if (!request.has_header("Content-Length") && !request.has_header("Transfer-Encoding")) {
+            refuse(response, LengthRequired,
+                   QStringLiteral("The request has no project; send it as the request's body"));
+            return;
+        }
         const qint64 most = spool.limits().mostBytes;
         const QString tooLarge =
             QStringLiteral("The project is larger than the server allows: %1 bytes").arg(most);

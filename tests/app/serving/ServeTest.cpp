@@ -170,6 +170,22 @@ private slots:
         client.wait(client.submit(path("ball.dipw"), "ball", {}), {});
     }
 
+    void request_withoutBody_isAnsweredAtOnce() {
+        start();
+        QElapsedTimer time;
+        time.start();
+        const auto answered = [&](const QByteArray& line) {
+            return talk(socket_, request(line, token, "\r\n"));
+        };
+        QVERIFY(answered("POST /v1/jobs?name=ball.dipw").contains(" 411 "));
+        QVERIFY(answered("POST /v1/jobs/1/cancel").contains("no job of this id"));
+        for (const char* line : {"PUT /v1/jobs", "PATCH /v1/jobs", "POST /v1/nothing"}) {
+            QVERIFY(answered(line).contains("nothing at this address"));
+        }
+        QVERIFY(time.elapsed() < 5000);
+        requireNothing();
+    }
+
     void upload_noProject_isRefused() {
         start();
         QVERIFY(talk(socket_, post(4, "text")).contains(" 422 "));
