@@ -66,9 +66,17 @@ void Console::clearBar() {
     }
 }
 
-void Console::error(const Error& error) {
+void Console::printLine(const QString& kind, const Error& error) {
     clearBar();
-    err_ << "error: " << error.sentence().simplified() << '\n' << Qt::flush;
+    err_ << kind << ": " << error.sentence().simplified() << '\n' << Qt::flush;
+}
+
+void Console::error(const Error& error) {
+    printLine(QStringLiteral("error"), error);
+}
+
+std::function<void(const Error&)> Console::warnings() {
+    return [this](const Error& error) { printLine(QStringLiteral("warning"), error); };
 }
 
 bool Console::finish() {

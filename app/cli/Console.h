@@ -8,6 +8,8 @@
 #include <QElapsedTimer>
 #include <QTextStream>
 
+#include <functional>
+
 namespace dipwright::cli {
 
 class Console {
@@ -22,6 +24,8 @@ public:
     QTextStream& out() { return out_; }
     // Prints "error: <what> (<where>)" on one line.
     void error(const Error& error);
+    // Returns a function that prints "warning: <what> (<where>)" on one line of standard error.
+    std::function<void(const Error&)> warnings();
     // Returns false if standard output did not accept all text (full disk, closed pipe).
     bool finish();
 
@@ -29,6 +33,7 @@ private:
     void report(double share, const QString& text);
     void drawBar(double share, const QString& text);
     void clearBar();
+    void printLine(const QString& kind, const Error& error);
 
     PlainOutput plainOut_, plainErr_;
     QTextStream out_;

@@ -76,8 +76,9 @@ public:
         const auto count = double(paths.size());
         std::vector<ProjectCost> projects;
         for (qsizetype i = 0; i < paths.size(); ++i) {
-            projects.push_back(costOfProject(
-                paths[i], parser, progress.part(double(i) / count, double(i + 1) / count)));
+            projects.push_back(
+                costOfProject(paths[i], parser,
+                              progress.part(double(i) / count, double(i + 1) / count), console));
         }
         progress(1, QStringLiteral("Done"));
         if (parser.isSet(csvOption)) {
@@ -89,7 +90,7 @@ public:
 
 private:
     static ProjectCost costOfProject(const QString& path, const QCommandLineParser& parser,
-                                     const Progress& progress) {
+                                     const Progress& progress, Console& console) {
         Project project = readProject(path, parser);
         if (parser.isSet(partsOption)) {
             setByOption(project, QStringLiteral("order.parts"), parser.value(partsOption),
@@ -99,7 +100,8 @@ private:
         JobOptions options;
         options.solver = parser.value(solverOption);
         options.estimatesNumericalError = false;
-        const auto kept = usableDips(project, registry, path, progress.silent());
+        const auto kept =
+            usableDips(project, registry, path, progress.silent(), console.warnings());
         const JobResult result = runJob(project, registry, options, kept.get(), progress);
         if (!packs(parser)) {
             return {project.name, jobCosts(result, project)};

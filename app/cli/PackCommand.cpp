@@ -83,7 +83,8 @@ public:
         }
         const ThreadLimit threads = threadLimit(parser);
         const Progress progress = console.progress();
-        const std::vector<JobResult> results = dipped(projects, parser, progress.part(0, 0.9));
+        const std::vector<JobResult> results =
+            dipped(projects, parser, progress.part(0, 0.9), console);
         for (const JobResult& result : results) {
             console.out() << result.project.name << QStringLiteral(": ");
             printVerdict(result, console.out());
@@ -129,8 +130,8 @@ private:
     }
 
     static std::vector<JobResult> dipped(const std::vector<PackedProject>& projects,
-                                         const QCommandLineParser& parser,
-                                         const Progress& progress) {
+                                         const QCommandLineParser& parser, const Progress& progress,
+                                         Console& console) {
         const SolverRegistry registry;
         JobOptions options;
         options.solver = parser.value(solverOption);
@@ -144,7 +145,8 @@ private:
             }
             const auto count = double(projects.size());
             const Progress part = progress.part(double(i) / count, double(i + 1) / count);
-            const auto kept = usableDips(project, registry, projects[i].path, part.silent());
+            const auto kept =
+                usableDips(project, registry, projects[i].path, part.silent(), console.warnings());
             results.push_back(runJob(project, registry, options, kept.get(), part));
         }
         return results;

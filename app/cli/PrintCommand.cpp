@@ -313,7 +313,8 @@ public:
         applyFilmImage(options, parser);
         const SolverRegistry registry;
         const Progress progress = console.progress();
-        const auto kept = usableDips(project, registry, projectPath(parser), progress.silent());
+        const auto kept = usableDips(project, registry, projectPath(parser), progress.silent(),
+                                     console.warnings());
         JobResult result = runJob(project, registry, options, kept.get(), progress.part(0, 0.8));
         for (const QString& note : result.notes) {
             console.out() << note << '\n';

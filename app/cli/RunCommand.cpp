@@ -459,7 +459,7 @@ private:
         applyRefinement(project, parser);
         if (parser.isSet(outputsOption)) {
             return runForOutputs(project, path, folder, registry, options, parser, progress,
-                                 console.out());
+                                 console);
         }
         const JobResult result = runAndWrite(project, registry, options, nullptr, folder, progress);
         printSummary(result, console.out());
@@ -472,16 +472,17 @@ private:
     static Advice runForOutputs(const Project& project, const QString& path, const QString& folder,
                                 const SolverRegistry& registry, const JobOptions& options,
                                 const QCommandLineParser& parser, const Progress& progress,
-                                QTextStream& out) {
+                                Console& console) {
         outputsNamed(project, parser.value(outputsOption)); // throws Error before the job
         // Cached films may be refined, and are judged.
-        const auto cached = options.estimatesNumericalError
-                                ? usableDips(project, registry, path, progress.silent())
-                                : nullptr;
+        const auto cached =
+            options.estimatesNumericalError
+                ? usableDips(project, registry, path, progress.silent(), console.warnings())
+                : nullptr;
         const JobResult result =
             runJob(project, registry, options, cached.get(), progress.part(0, 0.85));
-        printSummary(result, out);
-        writeOutputs(result, folder, path, parser, progress.part(0.85, 1), out);
+        printSummary(result, console.out());
+        writeOutputs(result, folder, path, parser, progress.part(0.85, 1), console.out());
         return verdictToCompare(result);
     }
 

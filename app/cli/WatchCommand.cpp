@@ -195,7 +195,8 @@ private:
         const QString results = resultFolder(QFileInfo(path).completeBaseName());
         JobOptions options;
         options.estimatesNumericalError = options.refines = true;
-        const auto kept = usableDips(project, registry_, order.project, progress.silent());
+        const auto kept =
+            usableDips(project, registry_, order.project, progress.silent(), console_.warnings());
         const JobResult result =
             runAndWrite(project, registry_, options, kept.get(), results, progress.part(0, 0.8));
         QString text;

@@ -183,8 +183,8 @@ NumericalErrorEstimate readEstimate(Reader& stored, std::size_t points) {
 } // namespace
 
 Error damagedDips(const QString& where) {
-    return {Text::tr("The file of cached dips is damaged and is ignored; the next run replaces "
-                     "it"),
+    return {Text::tr("The file of cached dips is damaged and is ignored; the next run in the "
+                     "workbench replaces it"),
             where};
 }
 

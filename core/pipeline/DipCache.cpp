@@ -1,7 +1,6 @@
 #include "pipeline/DipCache.h"
 
 #include "base/Bytes.h"
-#include "base/Error.h"
 #include "base/ProgramName.h"
 #include "base/Sha256.h"
 #include "dip/Dip.h"
@@ -265,10 +264,12 @@ std::shared_ptr<const JobResult> cachedDipsOf(const Project& project, const Solv
 }
 
 std::shared_ptr<const JobResult> usableDips(const Project& project, const SolverRegistry& registry,
-                                            const QString& path, const Progress& progress) {
+                                            const QString& path, const Progress& progress,
+                                            const std::function<void(const Error&)>& onDamage) {
     try {
         return cachedDips(project, registry, path, progress);
-    } catch (const Error&) {
+    } catch (const Error& error) {
+        onDamage(error);
         return nullptr;
     }
 }

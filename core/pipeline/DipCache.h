@@ -7,8 +7,11 @@
 // "Cached dips").
 #pragma once
 
+#include "base/Error.h"
 #include "base/Progress.h"
 #include "pipeline/JobResult.h"
+
+#include <functional>
 
 namespace dipwright {
 
@@ -37,9 +40,10 @@ std::shared_ptr<const JobResult> cachedDips(const Project& project, const Solver
 std::shared_ptr<const JobResult> cachedDipsOf(const Project& project, const SolverInfo& solver,
                                               const QString& path, const Progress& progress);
 
-// Like cachedDips(), but returns null if the file cannot be read. For callers that simulate the
-// dips again in that case.
+// Like cachedDips(), but returns null if the file cannot be read, after calling `onDamage`. For
+// callers that simulate the dips again in that case.
 std::shared_ptr<const JobResult> usableDips(const Project& project, const SolverRegistry& registry,
-                                            const QString& path, const Progress& progress);
+                                            const QString& path, const Progress& progress,
+                                            const std::function<void(const Error&)>& onDamage);
 
 } // namespace dipwright

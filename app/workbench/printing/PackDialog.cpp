@@ -357,7 +357,8 @@ PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const Pack
                 progress.part(0.9 * double(i) / count, 0.9 * double(i + 1) / count);
             const auto run = [&] {
                 const Project read = loadProject(project.path);
-                const auto kept = usableDips(read, registry, project.path, part.silent());
+                const auto kept =
+                    usableDips(read, registry, project.path, part.silent(), [](const Error&) {});
                 return std::make_shared<const JobResult>(
                     runJob(read, registry, options, kept.get(), part));
             };

@@ -98,7 +98,9 @@ void JobQueue::start(const QueuedProject& project, Entry& entry) {
         postToThread(*this, [this, key] { begin(key); });
         const Project read = loadProject(path);
         const Progress dips = progress.part(readShare, 1);
-        const auto kept = keeps ? usableDips(read, registry_, path, progress.silent()) : nullptr;
+        const auto kept =
+            keeps ? usableDips(read, registry_, path, progress.silent(), [](const Error&) {})
+                  : nullptr;
         const JobResult result = runAndWrite(read, registry_, {}, kept.get(), folder, dips);
         if (keeps) {
             try {

@@ -57,10 +57,16 @@ private slots:
 
     void cost_order_isPricedByTheProfiles() {
         const QString table = folder_.filePath("cost.csv");
+        QFile dips(folder_.filePath("job.dips")); // damaged
+        QVERIFY(dips.open(QIODevice::WriteOnly) && dips.write("no zip") > 0);
+        dips.close();
         const Outcome json =
             cli(QStringList{"cost", job_, "--parts", "10", "--json", "--csv", table} + coarse,
                 environment_);
         QVERIFY2(json.exitCode == 0, json.err);
+        QCOMPARE(json.err.count("warning: "), 1);
+        QVERIFY2(json.err.contains("cached dips is damaged"), json.err);
+        QVERIFY(dips.remove());
         const QJsonObject one = costIn(json.out, 0), ten = costIn(json.out, 1);
         QCOMPARE(one["parts"].toInt(), 1);
         QCOMPARE(ten["parts"].toInt(), 10);
