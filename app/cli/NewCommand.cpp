@@ -8,6 +8,7 @@
 #include "import/trusted/ImportModel.h"
 #include "model/ModelFormats.h"
 #include "pipeline/JobSheet.h"
+#include "pipeline/ValidateJob.h"
 #include "project/NewProject.h"
 #include "project/ProjectFile.h"
 
@@ -279,6 +280,12 @@ public:
             importInto(project, parser, console);
         } else {
             importJig(project, jig, parser, console);
+        }
+        for (const Immersion& immersion : project.immersions) {
+            requirePath(project, immersion);
+            if (const QString fault = misplacement(project, immersion); !fault.isEmpty()) {
+                console.out() << "warning: " << immersion.name << ": " << fault << '\n';
+            }
         }
         file.save(project);
         console.out() << QStringLiteral("Wrote %1\n").arg(path);

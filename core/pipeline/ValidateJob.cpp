@@ -33,11 +33,17 @@ struct PosedShape {
     solver::BodyPath path;
 };
 
-// Throws Error if the path cannot be travelled.
-PosedShape posedShape(const TexturedMesh& model, const Immersion& immersion,
-                      const ProcessSettings& process) {
-    PosedShape shape{transformed(model.mesh, poseTransform(model.mesh, immersion)), {}};
-    shape.path = bodyPath(shape.mesh, immersion, process);
+// Throws the errors of requirePath().
+PosedShape posedShape(const Project& project, const Immersion& immersion) {
+    if (!immersion.path.isStraightDown() &&
+        !solver::isProductionFilm(project.film.lattice, project.film.support)) {
+        throw Error(Text::tr("The film model of the paper allows only straight dips; choose the "
+                             "production film, or a straight path"),
+                    immersion.name);
+    }
+    const TriangleMesh& mesh = project.model->mesh;
+    PosedShape shape{transformed(mesh, poseTransform(mesh, immersion)), {}};
+    shape.path = bodyPath(shape.mesh, immersion, project.process);
     return shape;
 }
 
@@ -90,9 +96,8 @@ QString misplacementOf(const PosedShape& shape, const Project& project,
 // `query` belongs to the project's mesh.
 void checkImmersion(const Project& project, const Immersion& immersion, const SurfaceQuery& query,
                     QStringList& warnings) {
-    const TriangleMesh& mesh = project.model->mesh;
-    const Underside underside = undersideOf(mesh, query, immersion, project.process);
-    const PosedShape shape = posedShape(*project.model, immersion, project.process);
+    const PosedShape shape = posedShape(project, immersion);
+    const Underside underside = undersideOf(project.model->mesh, query, immersion, project.process);
     const Eigen::AlignedBox2d body = footprint(shape, immersion);
     if (!filmOutline(project.film).intersects(body)) {
         throw Error(beside(), immersion.name);
@@ -156,12 +161,6 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     warnings += fontWarnings(project.artwork);
     warnings += colourNotes(*project.model) + colourNotes(project.artwork);
     for (const Immersion& immersion : project.immersions) {
-        if (!immersion.path.isStraightDown() &&
-            !solver::isProductionFilm(project.film.lattice, project.film.support)) {
-            throw Error(Text::tr("The film model of the paper allows only straight dips; choose "
-                                 "the production film, or a straight path"),
-                        immersion.name);
-        }
         checkImmersion(project, immersion, query, warnings);
     }
     if (const QString expiry = expiryWarning(project.profiles.film); !expiry.isEmpty()) {
@@ -170,10 +169,13 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     return warnings;
 }
 
+void requirePath(const Project& project, const Immersion& immersion) {
+    posedShape(project, immersion);
+}
+
 QString misplacement(const Project& project, const Immersion& immersion) {
     try {
-        return misplacementOf(posedShape(*project.model, immersion, project.process), project,
-                              immersion);
+        return misplacementOf(posedShape(project, immersion), project, immersion);
     } catch (const Error& error) {
         return error.message();
     }

@@ -152,6 +152,10 @@ private slots:
             QTest::newRow(project) << QStringList{"run", path(project), "--out", path("out")};
             QTest::newRow(QByteArray("info ") + project) << QStringList{"info", path(project)};
         }
+        QTest::newRow("path that cannot be travelled")
+            << newWith({"--immersion", "name=A,path=tilt,angle=89"});
+        QTest::newRow("path with the film of the paper")
+            << newWith({"--preset", "paper-2020", "--immersion", "name=A,path=tilt,angle=20"});
         QTest::newRow("no place for the project")
             << QStringList{"new", path("nowhere/job.dipw"), "--model", path("ball.obj")};
         QTest::newRow("the film is missed") << QStringList{
