@@ -494,10 +494,10 @@ PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs
     if (!inputs.correction) {
         return film;
     }
-    const RepeatingError error(*inputs.correction, int(number) + 1);
+    const DenseError error(RepeatingError(*inputs.correction, int(number) + 1), project.film.width,
+                           project.film.height);
     const auto moved = [&](const QImage& picture) {
-        return correctedImage(picture, project.film.width, project.film.height, error,
-                              inputs.correction->strength);
+        return correctedImage(picture, error, inputs.correction->strength);
     };
     const auto movedTints = [&](const QImage& tints) {
         return moved(tints.convertToFormat(QImage::Format_RGBA8888))
@@ -510,8 +510,7 @@ PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs
         film.wanted = moved(film.wanted);
         film.stretch = stretchOfPicture(moved(pictureOfStretch(film.stretch)));
         film.inks = film.inks.each([&](const QImage& plane) {
-            return correctedImage(plane, project.film.width, project.film.height, error,
-                                  inputs.correction->strength, Resampling::Nearest);
+            return correctedImage(plane, error, inputs.correction->strength, Resampling::Nearest);
         });
     }
     return film;

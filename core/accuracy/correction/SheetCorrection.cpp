@@ -24,56 +24,10 @@ struct Text {
 
 constexpr double stepsInReach = 8; // makes the interpolation accurate to 0.2 %
 
-// The error on a grid over the sheet, interpolated bilinearly.
-class DenseError {
-public:
-    DenseError(const RepeatingError& error, double width, double height)
-        : columns_(stepsOver(width, error.reach())), rows_(stepsOver(height, error.reach())),
-          cell_(width / columns_, height / rows_),
-          values_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {
-        parallelFor(std::size_t(0), values_.size(), [&](std::size_t number) {
-            const int column = int(number) % (columns_ + 1), row = int(number) / (columns_ + 1);
-            values_[number] = error.at(
-                {width * (double(column) / columns_ - 0.5), height * (double(row) / rows_ - 0.5)});
-        });
-    }
-
-    // `right` and `down` are fractions of the width and height, 0 … 1.
-    Eigen::Vector2d at(double right, double down) const {
-        const double x = std::clamp(right, 0.0, 1.0) * columns_;
-        const double y = std::clamp(down, 0.0, 1.0) * rows_;
-        const int column = std::min(int(x), columns_ - 1), row = std::min(int(y), rows_ - 1);
-        const double u = x - column, v = y - row;
-        return (1 - v) * ((1 - u) * value(column, row) + u * value(column + 1, row)) +
-               v * ((1 - u) * value(column, row + 1) + u * value(column + 1, row + 1));
-    }
-
-    // Returns the largest change between neighbours on the grid, per mm.
-    double steepest() const {
-        double most = 0;
-        for (int row = 0; row < rows_; ++row) {
-            for (int column = 0; column < columns_; ++column) {
-                Eigen::Matrix2d slope;
-                slope << (value(column + 1, row) - value(column, row)) / cell_.x(),
-                    (value(column, row + 1) - value(column, row)) / cell_.y();
-                most = std::max(most, Eigen::JacobiSVD<Eigen::Matrix2d>(slope).singularValues()[0]);
-            }
-        }
-        return most;
-    }
-
-private:
-    static int stepsOver(double length, double reach) {
-        return std::clamp(int(std::ceil(length / (reach / stepsInReach))), 1, 500);
-    }
-    const Eigen::Vector2d& value(int column, int row) const {
-        return values_[std::size_t(row) * std::size_t(columns_ + 1) + std::size_t(column)];
-    }
-
-    int columns_, rows_;
-    Eigen::Vector2d cell_; // mm
-    std::vector<Eigen::Vector2d> values_;
-};
+// Returns the number of cells of the grid over this length, mm.
+int cellsOver(double length, double reach) {
+    return std::clamp(int(std::ceil(length / (reach / stepsInReach))), 1, 500);
+}
 
 // Interpolates the colours of an image. Places beyond the image's edges are transparent.
 class Between {
@@ -148,15 +102,45 @@ bool isCorrected(const AsBuilt& built, int dip) {
                        [dip](const BuiltPlace& place) { return place.dip == dip; });
 }
 
-double errorGradient(const RepeatingError& error, Millimetres width, Millimetres height) {
-    return DenseError(error, width.value(), height.value()).steepest();
+DenseError::DenseError(const RepeatingError& error, Millimetres width, Millimetres height)
+    : size_(width.value(), height.value()), columns_(cellsOver(size_.x(), error.reach())),
+      rows_(cellsOver(size_.y(), error.reach())),
+      values_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {
+    parallelFor(std::size_t(0), values_.size(), [&](std::size_t number) {
+        const int column = int(number) % (columns_ + 1), row = int(number) / (columns_ + 1);
+        values_[number] = error.at({size_.x() * (double(column) / columns_ - 0.5),
+                                    size_.y() * (double(row) / rows_ - 0.5)});
+    });
+}
+
+Eigen::Vector2d DenseError::at(double right, double down) const {
+    const double x = std::clamp(right, 0.0, 1.0) * columns_;
+    const double y = std::clamp(down, 0.0, 1.0) * rows_;
+    const int column = std::min(int(x), columns_ - 1), row = std::min(int(y), rows_ - 1);
+    const double u = x - column, v = y - row;
+    return (1 - v) * ((1 - u) * value(column, row) + u * value(column + 1, row)) +
+           v * ((1 - u) * value(column, row + 1) + u * value(column + 1, row + 1));
+}
+
+double DenseError::gradient() const {
+    const Eigen::Vector2d cell(size_.x() / columns_, size_.y() / rows_);
+    double most = 0;
+    for (int row = 0; row < rows_; ++row) {
+        for (int column = 0; column < columns_; ++column) {
+            Eigen::Matrix2d slope;
+            slope << (value(column + 1, row) - value(column, row)) / cell.x(),
+                (value(column, row + 1) - value(column, row)) / cell.y();
+            most = std::max(most, Eigen::JacobiSVD<Eigen::Matrix2d>(slope).singularValues()[0]);
+        }
+    }
+    return most;
 }
 
 void requirePossibleErrors(const AsBuilt& built, Millimetres width, Millimetres height,
                            const QString& where) {
     for (const int dip : {1, 2}) {
         const RepeatingError error(built, dip);
-        if (!error.isNothing() && errorGradient(error, width, height) > mostErrorGradient) {
+        if (!error.isNothing() && DenseError(error, width, height).gradient() > mostErrorGradient) {
             throw Error(
                 Text::tr("The measured errors of dip %1 contradict each other, so a correction "
                          "would fold or mirror the sheet; check the measured places, or remove "
@@ -167,8 +151,8 @@ void requirePossibleErrors(const AsBuilt& built, Millimetres width, Millimetres 
     }
 }
 
-QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres height,
-                      const RepeatingError& error, double strength, Resampling resampling) {
+QImage correctedImage(const QImage& filmImage, const DenseError& error, double strength,
+                      Resampling resampling) {
     const QImage from =
         isWide(filmImage) ? filmImage : filmImage.convertToFormat(QImage::Format_RGBA8888);
     const std::ptrdiff_t pixelBytes = PixelCode(from).bytes();
@@ -176,17 +160,16 @@ QImage correctedImage(const QImage& filmImage, Millimetres width, Millimetres he
     to.setColorSpace(from.colorSpace());
     to.setDotsPerMeterX(from.dotsPerMeterX());
     to.setDotsPerMeterY(from.dotsPerMeterY());
-    const DenseError dense(error, width.value(), height.value());
     const Between colours(from);
-    const Eigen::Array2d pixelsPerMillimetre(from.width() / width.value(),
-                                             from.height() / height.value());
+    const Eigen::Array2d pixelsPerMillimetre(from.width() / error.size().x(),
+                                             from.height() / error.size().y());
     uchar* const bits = to.bits();
     const auto stride = to.bytesPerLine();
     parallelFor(0, to.height(), [&](int row) {
         uchar* pixel = bits + row * stride;
         for (int column = 0; column < to.width(); ++column, pixel += pixelBytes) {
             const Eigen::Array2d place(column + 0.5, row + 0.5);
-            const Eigen::Array2d by = dense.at(place.x() / to.width(), place.y() / to.height());
+            const Eigen::Array2d by = error.at(place.x() / to.width(), place.y() / to.height());
             const Eigen::Array2d at = place + strength * by * pixelsPerMillimetre;
             if (resampling == Resampling::Nearest) {
                 colours.writeNearest(pixel, at.x(), at.y());

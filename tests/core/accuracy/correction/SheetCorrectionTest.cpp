@@ -172,7 +172,7 @@ private slots:
         std::mt19937 random{8};
         AsBuilt built;
         dip(built, 0.3, 0.2, random);
-        QVERIFY(errorGradient(RepeatingError(built, 1), width, height) < 0.1);
+        QVERIFY(DenseError(RepeatingError(built, 1), width, height).gradient() < 0.1);
         requirePossibleErrors(built, width, height, QStringLiteral("job"));
         requirePossibleErrors({}, width, height, QStringLiteral("job"));
     }
@@ -199,17 +199,17 @@ private slots:
             seen.off = {Millimetres(3), Millimetres(-2)};
             built.places.push_back(seen);
         }
-        const RepeatingError error(built, 1);
+        const DenseError error(RepeatingError(built, 1), width, height);
         QImage film(420, 594, QImage::Format_RGBA8888); // two pixels a millimetre
         film.fill(Qt::transparent);
         film.setPixelColor(250, 300, QColor(200, 40, 10));
-        const QImage moved = correctedImage(film, width, height, error, 1);
+        const QImage moved = correctedImage(film, error, 1);
         QCOMPARE(moved.size(), film.size());
         QVERIFY(moved.pixelColor(244, 304).alpha() > 200);
         QCOMPARE(moved.pixelColor(250, 300).alpha(), 0);
-        const QColor half = correctedImage(film, width, height, error, 0.5).pixelColor(247, 302);
+        const QColor half = correctedImage(film, error, 0.5).pixelColor(247, 302);
         QVERIFY(half.alpha() > 200 && std::abs(half.red() - 200) < 3);
-        QCOMPARE(correctedImage(film, width, height, error, 0), film);
+        QCOMPARE(correctedImage(film, error, 0), film);
         // Amounts of ink are moved, but never mixed.
         QImage inks(420, 594, QImage::Format_RGBA8888);
         for (int y = 0; y < inks.height(); ++y) {
@@ -217,7 +217,7 @@ private slots:
                 inks.setPixelColor(x, y, (x / 3 + y / 2) % 2 ? QColor(200, 40, 10) : Qt::black);
             }
         }
-        const QImage kept = correctedImage(inks, width, height, error, 0.77, Resampling::Nearest);
+        const QImage kept = correctedImage(inks, error, 0.77, Resampling::Nearest);
         QVERIFY(kept != inks);
         for (int y = 0; y < inks.height(); ++y) {
             for (int x = 0; x < inks.width(); ++x) {
