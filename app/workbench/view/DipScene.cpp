@@ -162,7 +162,10 @@ void DipScene::setProject(const Project& project, std::size_t immersion) {
     }
     if (otherModel) {
         modelBox_ = boundingBox(project.model->mesh);
-        query_ = std::make_unique<SurfaceQuery>(project.model->mesh);
+        queryBuilding_.wait();
+        queryBuilding_.run([this, model = project.model] {
+            query_ = std::make_unique<SurfaceQuery>(model->mesh);
+        });
         marks_.reset();
         zones_ = nullptr;
         preview_ = nullptr;
@@ -839,13 +842,18 @@ std::optional<Eigen::Vector3f> DipScene::modelPoint(const ViewRay& ray) const {
     return point ? std::optional(position(project_.model->mesh, *point)) : std::nullopt;
 }
 
+const SurfaceQuery* DipScene::query() const {
+    queryBuilding_.wait();
+    return query_.get();
+}
+
 std::optional<SurfacePoint> DipScene::modelSurface(const ViewRay& ray) const {
-    if (!query_) {
+    if (!project_.model) {
         return std::nullopt;
     }
     const Eigen::Isometry3f worldToModel = modelToWorld_.inverse().cast<float>();
     const RayHit hit =
-        query_->hit(worldToModel * ray.origin, worldToModel.linear() * ray.direction);
+        query()->hit(worldToModel * ray.origin, worldToModel.linear() * ray.direction);
     return hit.point.isValid() ? std::optional(hit.point) : std::nullopt;
 }
 
@@ -854,7 +862,7 @@ Eigen::Vector3f DipScene::toModel(const Eigen::Vector3f& worldPoint) const {
 }
 
 SurfacePoint DipScene::nearestSurface(const Eigen::Vector3f& modelPoint) const {
-    return query_->closest(modelPoint).point;
+    return query()->closest(modelPoint).point;
 }
 
 void DipScene::lookAt(const Eigen::Vector3f& modelPoint) {

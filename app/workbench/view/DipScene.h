@@ -4,6 +4,7 @@
 #include "cradle/Cradle.h"
 #include "dip/BodyPath.h"
 #include "marks/SurfaceMask.h"
+#include "parallel/Tasks.h"
 #include "search/CoveragePreview.h"
 #include "workbench/appearance/ArtworkPainter.h"
 #include "workbench/appearance/FinishedPartPreview.h"
@@ -102,8 +103,8 @@ public:
     // The first place of the shown model that `ray` meets, in model coordinates.
     std::optional<Eigen::Vector3f> modelPoint(const ViewRay& ray) const;
     std::optional<SurfacePoint> modelSurface(const ViewRay& ray) const;
-    // For queries of the shown model; null without a model.
-    const SurfaceQuery* query() const { return query_.get(); }
+    // For queries of the shown model; null without a model. Waits while it is being built.
+    const SurfaceQuery* query() const;
     // Points the camera at a place on the shown model, in model coordinates, and marks it.
     void lookAt(const Eigen::Vector3f& modelPoint);
     Eigen::Vector3f toWorld(const Eigen::Vector3f& modelPoint) const;
@@ -195,7 +196,8 @@ private:
     // redrawing the view does not restart a cancelled dip.
     bool asksForDeeper_ = true;
     BoundingBox modelBox_;                // of the model
-    std::unique_ptr<SurfaceQuery> query_; // for the model
+    std::unique_ptr<SurfaceQuery> query_; // for the model; query() waits for it
+    mutable Tasks queryBuilding_;         // beside the UI thread: large models take a second
     Moment moment_ = Moment::Setup;
     Eigen::Isometry3d modelToWorld_ = Eigen::Isometry3d::Identity();
     double descent_ = 0;
