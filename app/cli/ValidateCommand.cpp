@@ -93,7 +93,7 @@ void printNumericalError(const std::vector<DipNumericalError>& numericalError, Q
         if (!isAccurateEnough(one)) {
             out << "warning: " << one.immersion.name
                 << ": the numerical error of this sheet is too large; give the film smaller cells "
-                   "or more points, turn the part, or dip it twice\n";
+                   "or more points, or turn the part\n";
         }
     }
 }

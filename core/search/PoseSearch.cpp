@@ -186,6 +186,9 @@ Verdict withInkAndTears(const JudgedPose& dip, double pale, bool isOnlyDip,
     Verdict all = std::move(reasons).verdict();
     verdict.advice = all.advice;
     verdict.reasons = std::move(all.reasons);
+    for (VerdictReason& reason : verdict.reasons) {
+        reason.isOnlyDip = isOnlyDip;
+    }
     return verdict;
 }
 

@@ -109,8 +109,7 @@ QString numericalErrorSentence(const DipNumericalError& numericalError, LengthUn
                      .arg(name, distance)
                : NumericalErrorDialog::tr(
                      "%1: this sheet is not accurate enough. For 95 % of it, the numerical "
-                     "error is up to %2. Use smaller film cells or more points, turn the part, "
-                     "or dip it twice.")
+                     "error is up to %2. Use smaller film cells or more points, or turn the part.")
                      .arg(name, distance);
 }
 

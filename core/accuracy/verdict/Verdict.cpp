@@ -197,6 +197,9 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
         found.add({Kind::Tank, Advice::DoNotPrint, 0, 0, dip.tankFaults});
     }
     Verdict judged = std::move(found).verdict();
+    for (VerdictReason& reason : judged.reasons) {
+        reason.isOnlyDip = dip.isOnlyDip;
+    }
     judged.places = uncertain.places;
     judged.areaToCheck = uncertain.area;
     return judged;

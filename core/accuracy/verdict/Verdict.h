@@ -68,6 +68,7 @@ struct VerdictReason {
     QString text = {};
     double most = 0;
     std::optional<Zone> zone = {}; // set if the reason is about one zone
+    bool isOnlyDip = false;        // the job has no other dip, so a second one is possible
 };
 
 // A connected part of the painted film to check: its numerical error exceeds the limit of its zone,

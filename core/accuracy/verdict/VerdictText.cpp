@@ -44,22 +44,21 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
     case Kind::OffBy:
         if (reason.most == 0) {
             return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is "
-                            "%2. Set more points (Film > Points), turn the part, or dip it twice.")
+                            "%2. Set more points (Film > Points), or turn the part.")
                 .arg(length(reason.value), length(reason.limit));
         }
         if (cellToSet(reason.most) >= leastFilmCell) {
             return Text::tr(
                        "Numerical error: at most %1 on 95 % of the painted area; the limit "
-                       "is %2. Set cells of %3 (Film > Resolution > Cell size), turn the part, "
-                       "or dip it twice.")
+                       "is %2. Set cells of %3 (Film > Resolution > Cell size), or turn the part.")
                 .arg(length(reason.value), length(reason.limit), length(cellToSet(reason.most)));
         }
         return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
-                        "Turn the part, or dip it twice.")
+                        "Turn the part.")
             .arg(length(reason.value), length(reason.limit));
     case Kind::OffByMuch:
         return Text::tr("Numerical error: at most %1 on 95 % of the painted area; the limit is %2. "
-                        "Turn the part, dip it twice, or set much smaller cells or more points "
+                        "Turn the part, or set much smaller cells or more points "
                         "(Film > Resolution).")
             .arg(length(reason.value), length(reason.limit));
     case Kind::Step:
@@ -107,12 +106,12 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
             .arg(shares[0], shares[1]);
     case Kind::Damaged:
         return Text::tr("The film tore or was released on %1 % of the painted area; the limit is "
-                        "%2 %. Turn the part, or dip it twice.")
+                        "%2 %. Turn the part.")
             .arg(shares[0], shares[1]);
     case Kind::TornBare:
-        return Text::tr("The film tears, and up to %1 % of the surface that it should paint stays "
-                        "bare; the limit is %2 %. Turn the part, dip it twice, or use a film that "
-                        "stretches more.")
+        return Text::tr(
+                   "The film tears, and up to %1 % of the surface that it should paint stays "
+                   "bare; the limit is %2 %. Turn the part, or use a film that stretches more.")
             .arg(shares[0], shares[1]);
     case Kind::FilmEdge:
         return Text::tr("Film that paints the part lies only %1 from the film's edge; at least %2 "
@@ -196,6 +195,12 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
     }
 }
 
+// Tells whether a second dip may help.
+bool secondDipHelps(Kind kind) {
+    return kind == Kind::OffBy || kind == Kind::OffByMuch || kind == Kind::Damaged ||
+           kind == Kind::TornBare;
+}
+
 } // namespace
 
 QString adviceText(Advice advice) {
@@ -218,8 +223,10 @@ QString millimetres(double length) {
 }
 
 QString reasonText(const VerdictReason& reason, const LengthText& length) {
-    const QString text =
-        errorText(reason, length) + paintText(reason, length) + jobText(reason, length);
+    QString text = errorText(reason, length) + paintText(reason, length) + jobText(reason, length);
+    if (reason.isOnlyDip && secondDipHelps(reason.kind)) {
+        text += QLatin1Char(' ') + Text::tr("A second dip may help, too.");
+    }
     return reason.zone ? Text::tr("Zone %1: %2").arg(zoneName(*reason.zone), text) : text;
 }
 

@@ -104,8 +104,18 @@ private slots:
                 {VerdictReason::Kind::OffBy, Advice::CheckFirst, 1, 0.5, {}, cell}};
             const QString text = verdictText(QStringLiteral("Top"), needsCell);
             QCOMPARE(text.contains(QStringLiteral("Set cells of")), cell == 0.2);
-            QCOMPARE(text.contains(QStringLiteral("Turn the part, or dip it twice.")),
-                     cell == 0.09);
+            QCOMPARE(text.contains(QStringLiteral("Turn the part.")), cell == 0.09);
+        }
+    }
+
+    void verdictText_secondDip_isProposedOnlyIfThereIsNone() {
+        const auto laid = filmWith({});
+        const NumericalErrorEstimate estimate = movedBy(*laid, 0.75);
+        for (const bool isOnlyDip : {false, true}) {
+            JudgedDip dip{*laid, coverage(*laid), &estimate};
+            dip.isOnlyDip = isOnlyDip;
+            const QString text = verdictText(QStringLiteral("Top"), verdict(dip, {}, {}));
+            QCOMPARE(text.contains(QStringLiteral("second dip")), isOnlyDip);
         }
     }
 
