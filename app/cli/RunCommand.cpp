@@ -44,8 +44,19 @@ const QString clippingOption = QStringLiteral("accept-clipping");
 
 constexpr std::size_t mostPlaces = 8; // number of unreached places that are listed
 
+// Standard output is in the language of --language.
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(RunCommand)
+};
+
 QString number(double value, int decimals) {
-    return QString::number(value, 'f', decimals);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'f', decimals);
+}
+
+QString area(double value) {
+    return Text::tr("%1 mm²").arg(number(value, 0));
 }
 
 void printPlaces(const ImmersionResult& result, QTextStream& out) {
@@ -57,11 +68,12 @@ void printPlaces(const ImmersionResult& result, QTextStream& out) {
     if (result.verdict.advice <= Advice::Print) {
         return;
     }
-    const auto area = [](double value) { return QStringLiteral("%1 mm²").arg(number(value, 0)); };
     for (const PlaceToCheck& place : result.verdict.places) {
-        out << QStringLiteral("  x %1 mm, z %2 mm from the film's centre: %3\n")
+        out << "  "
+            << Text::tr("x %1 mm, z %2 mm from the film's centre: %3")
                    .arg(number(double(place.rest.x()), 0), number(double(place.rest.y()), 0),
-                        placeText(place, millimetres, area));
+                        placeText(place, millimetres, area))
+            << '\n';
     }
 }
 
@@ -73,31 +85,34 @@ void printLaws(const std::vector<LawChange>& laws, QTextStream& out) {
 
 void printTolerances(const DipTolerances& tolerances, QTextStream& out) {
     const auto listed = [](const Spread& spread) {
-        return QStringLiteral(
-                   "±%1 mm (95 %; half of the painted area within ±%2 mm, all within ±%3 mm)")
+        return Text::tr("±%1 mm (95 %; half of the painted area within ±%2 mm, all within ±%3 mm)")
             .arg(number(spread.percentile95, 2), number(spread.median, 2),
                  number(spread.maximum, 2));
     };
-    out << QStringLiteral("  colours land within %1 of their places\n")
-               .arg(listed(tolerances.spread));
+    out << "  " << Text::tr("colours land within %1 of their places").arg(listed(tolerances.spread))
+        << '\n';
     for (const Contribution& contribution : tolerances.contributions) {
-        out << QStringLiteral("    %1 ±%2 %3: %4 % of the spread, %5\n")
+        out << "    "
+            << Text::tr("%1 ±%2 %3: %4 % of the spread, %5")
                    .arg(contributorText(contribution.contributor))
-                   .arg(contribution.tolerance)
+                   .arg(QLocale().toString(contribution.tolerance))
                    .arg(contributorUnit(contribution.contributor),
-                        number(100 * contribution.share, 1), listed(contribution.spread));
+                        number(100 * contribution.share, 1), listed(contribution.spread))
+            << '\n';
         if (contribution.lost + contribution.gained >= 1) { // mm²
-            out << QStringLiteral(
-                       "      moves the border of the paint: %1 mm² less or %2 mm² more painted\n")
-                       .arg(number(contribution.lost, 0), number(contribution.gained, 0));
+            out << "      "
+                << Text::tr("moves the border of the paint: %1 mm² less or %2 mm² more painted")
+                       .arg(number(contribution.lost, 0), number(contribution.gained, 0))
+                << '\n';
         }
     }
     for (const WorstPlace& worst : tolerances.worst) {
-        out << QStringLiteral(
-                   "    ±%1 mm at x %2 mm, y %3 mm, z %4 mm on the model, largest cause: %5\n")
+        out << "    "
+            << Text::tr("±%1 mm at x %2 mm, y %3 mm, z %4 mm on the model, largest cause: %5")
                    .arg(number(worst.spread, 2), number(double(worst.place.x()), 1),
                         number(double(worst.place.y()), 1), number(double(worst.place.z()), 1),
-                        contributorText(worst.contributor));
+                        contributorText(worst.contributor))
+            << '\n';
     }
     if (tolerances.sampled) {
         out << QStringLiteral("  %1\n").arg(sampledText(*tolerances.sampled, millimetres));
@@ -112,43 +127,50 @@ void printZones(const std::vector<ZoneVerdict>& zones, QTextStream& out) {
 
 void printShare(const JobResult& result, QTextStream& out) {
     const ShareAreas& areas = result.share->areas;
-    const auto part = [&](double area) {
-        return QStringLiteral("%1 mm² (%2 %)")
-            .arg(number(area, 0), number(100 * area / areas.total(), 1));
+    const auto part = [&](double value) {
+        return Text::tr("%1 mm² (%2 %)")
+            .arg(number(value, 0), number(100 * value / areas.total(), 1));
     };
-    out << QStringLiteral("Split between the dips: %1 %2, %3 %4, overlap %5 with a width of %6 to "
-                          "%7 mm, not painted %8\n")
+    out << Text::tr("Split between the dips: %1 %2, %3 %4, overlap %5 with a width of %6 to %7 mm, "
+                    "not painted %8")
                .arg(result.immersions[0].immersion.name, part(areas.first),
                     result.immersions[1].immersion.name, part(areas.second), part(areas.both),
                     number(result.share->overlap.least, 1), number(result.share->overlap.most, 1),
-                    part(areas.none));
+                    part(areas.none))
+        << '\n';
     const std::vector<UnpaintedPlace> places = unreachedPlaces(result);
     const std::size_t listed = std::min(places.size(), mostPlaces);
     for (const UnpaintedPlace& place : std::span(places).first(listed)) {
-        out << QStringLiteral("  not reached: %1 mm² at x %2 mm, y %3 mm, z %4 mm on the model\n")
+        out << "  "
+            << Text::tr("not reached: %1 mm² at x %2 mm, y %3 mm, z %4 mm on the model")
                    .arg(number(place.area, 0), number(double(place.place.x()), 1),
-                        number(double(place.place.y()), 1), number(double(place.place.z()), 1));
+                        number(double(place.place.y()), 1), number(double(place.place.z()), 1))
+            << '\n';
     }
     if (listed < places.size()) {
-        out << QStringLiteral("  smaller places that only report.json lists: %1\n")
-                   .arg(places.size() - listed);
+        out << "  "
+            << Text::tr("smaller places that only report.json lists: %1")
+                   .arg(places.size() - listed)
+            << '\n';
     }
     const double equator = result.share->equator.cost;
-    out << QStringLiteral("Seam: %1 mm long").arg(number(result.share->cost.length, 0));
-    if (equator > 0) {
-        out << QStringLiteral(", %1 % as visible as a plain cut halfway between the poses")
-                   .arg(number(100 * result.share->cost.cost / equator, 0));
-    }
-    out << '\n';
+    const QString length = number(result.share->cost.length, 0);
+    out << (equator > 0
+                ? Text::tr("Seam: %1 mm long, %2 % as visible as a plain cut halfway between the "
+                           "poses")
+                      .arg(length, number(100 * result.share->cost.cost / equator, 0))
+                : Text::tr("Seam: %1 mm long").arg(length))
+        << '\n';
 }
 
 void printCradle(const QString& name, const Cradle& cradle, QTextStream& out) {
     if (!cradle.mesh.triangles.empty()) {
         const CradleCheck& check = cradle.check;
-        out << QStringLiteral("%1: the cradle is %2 mm from the part and %3 mm from the paint, "
-                              "supports %4 mm² of the part and may be tilted by %5°\n")
+        out << Text::tr("%1: the cradle is %2 mm from the part and %3 mm from the paint, supports "
+                        "%4 mm² of the part and may be tilted by %5°")
                    .arg(name, number(check.leastGap, 2), number(check.paintGap, 1),
-                        number(check.seatArea, 0), number(check.standing.tiltDegrees, 0));
+                        number(check.seatArea, 0), number(check.standing.tiltDegrees, 0))
+            << '\n';
     }
     for (const QString& note : cradle.notes) {
         out << QStringLiteral("  %1\n").arg(note);
@@ -157,27 +179,31 @@ void printCradle(const QString& name, const Cradle& cradle, QTextStream& out) {
 
 void printFilm(const ImmersionResult& result, QTextStream& out) {
     const DippedFilm& film = result.laid->film();
-    out << QStringLiteral("%1: %2 × %3 points, cells of %8 mm over the part, %4 steps%5, coverage "
-                          "%6 %, read-back error of the texture %7 mm (95 %)\n")
+    const QString steps =
+        film.wallSeconds > 0
+            ? Text::tr("%1 steps in %2 s").arg(film.steps).arg(number(film.wallSeconds, 2))
+            : Text::tr("%1 steps").arg(film.steps);
+    out << Text::tr(
+               "%1: %2 × %3 points, cells of %4 mm over the part, %5, coverage %6 %, read-back "
+               "error of the texture %7 mm (95 %)")
                .arg(result.immersion.name)
                .arg(film.grid.columns)
                .arg(film.grid.rows)
-               .arg(film.steps)
-               .arg(film.wallSeconds > 0
-                        ? QStringLiteral(" in %1 s").arg(number(film.wallSeconds, 2))
-                        : QString(),
+               .arg(number(film.grid.leastSpacing(), 2), steps,
                     number(100 * result.coverage->share, 1),
-                    number(result.readBack->percentile95, 3), number(film.grid.leastSpacing(), 2));
+                    number(result.readBack->percentile95, 3))
+        << '\n';
 }
 
 void printSummary(const JobResult& result, QTextStream& out) {
-    out << QStringLiteral("Solver: %1 %2 on %3\n")
-               .arg(result.solver.name, result.solver.version, result.solver.device);
-    const bool isMeasured = hasMeasuredSwell(result.project.film, result.project.profiles);
-    out << QStringLiteral("Film: swell %1\n")
-               .arg(isMeasured ? QStringLiteral("measured on %1")
-                                     .arg(result.project.profiles.film->measured.date)
-                               : QStringLiteral("guessed"));
+    out << Text::tr("Solver: %1 %2 on %3")
+               .arg(result.solver.name, result.solver.version, result.solver.device)
+        << '\n';
+    out << (hasMeasuredSwell(result.project.film, result.project.profiles)
+                ? Text::tr("Film: swell measured on %1")
+                      .arg(result.project.profiles.film->measured.date)
+                : Text::tr("Film: swell guessed"))
+        << '\n';
     for (const QString& note : result.notes) {
         out << note << '\n';
     }
@@ -201,16 +227,17 @@ void printSummary(const JobResult& result, QTextStream& out) {
         printZones(result.tolerances->zones, out);
     }
     if (const std::optional<SmallerFilm> smaller = smallerFilm(result)) {
-        out << QStringLiteral(
-                   "%1 % of the film is used; the smaller size %2 (%3 × %4 mm) is large enough\n")
+        out << Text::tr(
+                   "%1 % of the film is used; the smaller size %2 (%3 × %4 mm) is large enough")
                    .arg(number(100 * filmUsed(result), 0), smaller->format,
-                        number(smaller->width.value(), 0), number(smaller->height.value(), 0));
+                        number(smaller->width.value(), 0), number(smaller->height.value(), 0))
+            << '\n';
     }
     if (result.mask) {
         out << maskText(maskedAreas(*result.mask)) << '\n';
     }
-    out << QStringLiteral("Coverage by all dips: %1 %\n")
-               .arg(number(100 * result.coverageTotal, 1));
+    out << Text::tr("Coverage by all dips: %1 %").arg(number(100 * result.coverageTotal, 1))
+        << '\n';
     if (const auto costs = jobCosts(result, result.project); tellsCost(costs)) {
         out << costSentence(costs.back()) << '\n';
     }
@@ -377,7 +404,8 @@ public:
         syntax.addOption(
             {languageOption,
              QStringLiteral(
-                 "The language of the traveller, the job line and the notes: en, de or pt_BR."),
+                 "The language of the traveller, the job line, the notes and the output: en, de "
+                 "or pt_BR."),
              QStringLiteral("CODE")});
         declareThreads(syntax);
     }
@@ -463,7 +491,7 @@ private:
         }
         const JobResult result = runAndWrite(project, registry, options, nullptr, folder, progress);
         printSummary(result, console.out());
-        console.out() << QStringLiteral("Wrote %1\n").arg(folder);
+        console.out() << Text::tr("Wrote %1").arg(folder) << '\n';
         return verdictToCompare(result);
     }
 
@@ -495,10 +523,11 @@ private:
         const Progress progress = console.progress();
         std::vector<Advice> verdicts;
         for (qsizetype number = 0; number < projects.size(); ++number) {
-            console.out() << QStringLiteral("Project %1 of %2: %3\n")
+            console.out() << Text::tr("Project %1 of %2: %3")
                                  .arg(number + 1)
                                  .arg(projects.size())
-                                 .arg(projects[number]);
+                                 .arg(projects[number])
+                          << '\n';
             const auto count = double(projects.size());
             try {
                 verdicts.push_back(runOne(

@@ -3,6 +3,8 @@
 #include "pipeline/InkOptions.h"
 #include "pipeline/JobVerdict.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 
 namespace dipwright::cli {
@@ -45,13 +47,17 @@ bool isWorse(Advice verdict, Advice required) {
 
 namespace {
 
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Verdict)
+};
+
 // Prints what helps where ink does not suffice.
 void printInkOptions(const JobResult& result, QTextStream& out) {
     const std::optional<InkOptions> found = inkOptions(result, {});
     if (!found) {
         return;
     }
-    out << QStringLiteral("  Ink now: %1\n").arg(reachText(found->now));
+    out << "  " << Text::tr("Ink now: %1").arg(reachText(found->now)) << '\n';
     for (const InkOption& option : found->options) {
         const QString setting =
             option.remedy == InkRemedy::OtherPose ? QStringLiteral("optimize")

@@ -103,6 +103,20 @@ private slots:
         QVERIFY(!QImage(path("told/immersion-1/tolerance.png")).isNull());
     }
 
+    void run_languageOption_translatesTheOutput() {
+        const Outcome done = cli(QStringList{"run", path("single.dipw"), "--out", path("german"),
+                                             "--no-certainty", "--language", "de"} +
+                                 quickly);
+        QVERIFY2(done.exitCode == 0, done.err);
+        for (const char* words :
+             {"Quellung geschätzt", "NICHT BEURTEILT", "Punkte", " geschrieben"}) {
+            QVERIFY2(done.out.contains(words), words);
+        }
+        for (const char* words : {"Film: swell", "points", "Coverage", "Wrote"}) {
+            QVERIFY2(!done.out.contains(words), done.out);
+        }
+    }
+
     void run_severalProjects_continuesAfterFailure() {
         const Outcome all =
             cli(QStringList{"run", path("ball.dipw"), path("missing.dipw"), path("ball.dipw"),
