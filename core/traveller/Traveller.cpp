@@ -272,14 +272,16 @@ QString pathStep(const TravellerDip& dip, std::size_t number) {
     QStringList keys;
     for (std::size_t pose = 0; pose < poses.size(); ++pose) {
         const Eigen::Vector3d &place = poses[pose].place, &turn = angles[pose];
-        keys << Text::tr("%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)")
+        keys << Text::tr("%1 s: %2 mm to the right, %3 mm towards the upper edge, %4 mm up, turned "
+                         "by %5°, %6° and %7°")
                     .arg(plain(poses[pose].time.value()), plain(place.x()), plain(place.y()),
                          plain(place.z()), plain(turn.x()), plain(turn.y()), plain(turn.z()));
     }
     return Text::tr("Dip the part along its path in %1 s (motion-%2.csv begins at the waiting "
                     "height). Each pose gives the time, the position of the part's centre relative "
-                    "to the film's centre on the water (to the right; towards the upper edge; up), "
-                    "and the turn about these axes relative to the rotation at the end: %3")
+                    "to the film's centre on the water, and the turn relative to the rotation at "
+                    "the end: about the axis to the right, then about the axis towards the upper "
+                    "edge, then about the upward axis. %3")
         .arg(plain(dip.motion.dipTime().value()))
         .arg(number + 1)
         .arg(keys.join(QStringLiteral(" · ")));

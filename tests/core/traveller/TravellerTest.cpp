@@ -4,6 +4,7 @@
 #include "geometry/Shapes.h"
 #include "sheet/page/Sheet.h"
 #include "traveller/PosePicture.h"
+#include "traveller/TankTasks.h"
 
 #include <QProcess>
 #include <QStandardPaths>
@@ -83,6 +84,20 @@ private slots:
             QVERIFY2(first.contains(QString::fromUtf8(words)), words);
         }
         QVERIFY(pages.back().contains(QStringLiteral("Dip 2 of 2: Above")));
+    }
+
+    void tankTasks_path_saysPlacesAndTurnsInWords() {
+        Traveller onPath = traveller();
+        const Eigen::Quaterniond tilted(Eigen::AngleAxisd(30 * pi / 180, Eigen::Vector3d::UnitX()));
+        onPath.dips.front().motion.path = {{Seconds(0), {12, 0, 20}, tilted},
+                                           {Seconds(6), {0, 0, -40}}};
+        const std::vector<TankTask> tasks = tankTasks(onPath);
+        const auto dip = std::ranges::find(tasks, TankStep::Dip, &TankTask::step);
+        QVERIFY(dip != tasks.end());
+        QVERIFY2(dip->text.contains(
+                     QStringLiteral("2 s: 8 mm to the right, 0 mm towards the upper edge, 0 mm up, "
+                                    "turned by 20°, 0° and 0°")),
+                 qPrintable(dip->text));
     }
 
     void travellerPdf_code_isTheJobNumber() {
