@@ -22,17 +22,6 @@ QString filmFile(std::size_t number, const char* suffix) {
     return QStringLiteral("film-%1.%2").arg(number + 1).arg(QLatin1String(suffix));
 }
 
-// Returns the names of all files that an earlier run may have written.
-QStringList filmFiles() {
-    QStringList files{reportFile};
-    for (int number = 0; number < mostFilms; ++number) {
-        for (const char* suffix : {"pdf", "png", "tif"}) {
-            files << filmFile(std::size_t(number), suffix);
-        }
-    }
-    return files;
-}
-
 bool runsAlongHeight(QSizeF size, FeedDirection feed) {
     return (size.height() >= size.width()) == (feed == FeedDirection::ShortEdgeFirst);
 }
@@ -142,6 +131,16 @@ QStringList lostInFiles(const PackedFilms& films) {
         }
     }
     return lost;
+}
+
+QStringList filmFiles() {
+    QStringList files{reportFile};
+    for (int number = 0; number < mostFilms; ++number) {
+        for (const char* suffix : {"pdf", "png", "tif"}) {
+            files << filmFile(std::size_t(number), suffix);
+        }
+    }
+    return files;
 }
 
 void checkFilmsFolder(const QString& folder) {

@@ -44,6 +44,8 @@ QStringList filmsWarnings(const PackedFilms& films);
 // knows no printer.
 QStringList lostInFiles(const PackedFilms& films);
 
+// Returns the names of all files that writeFilms() may write or replace.
+QStringList filmFiles();
 // Throws Error if writeFilms() cannot write into `folder`. Call it before the work begins.
 void checkFilmsFolder(const QString& folder);
 // Writes film-N.pdf, .png and .tif for each film, and films.json, into `folder`

@@ -8,14 +8,11 @@
 #include "workbench/inspection/ProfileName.h"
 #include "workbench/jobs/StartJob.h"
 #include "workbench/jobs/WriteFiles.h"
+#include "workbench/widgets/ReplaceQuestion.h"
 
 #include <QDate>
 #include <QDir>
 #include <QFileDialog>
-#include <QFileInfo>
-#include <QLocale>
-#include <QMessageBox>
-#include <QPushButton>
 
 #include <algorithm>
 #include <array>
@@ -198,7 +195,11 @@ void FilmWatchController::save(const QString& name) {
 void FilmWatchController::savePages() {
     const QString folder = QFileDialog::getExistingDirectory(
         &window_, tr("Save the pages for the film and the card to a folder"));
-    if (folder.isEmpty() || !mayReplacePages(folder)) {
+    QStringList files;
+    for (const auto& [kind, file] : pageFiles) {
+        files << file;
+    }
+    if (folder.isEmpty() || !mayReplace(folder, files, tr("Save pages to print"), &window_)) {
         return;
     }
     const Document* document = session_.document();
@@ -213,28 +214,6 @@ void FilmWatchController::savePages() {
                   "100 mm."),
                folder,
                [page](const QString& target, const Progress&) { writePages(page, target); });
-}
-
-bool FilmWatchController::mayReplacePages(const QString& folder) {
-    QStringList existing;
-    for (const auto& [kind, file] : pageFiles) {
-        if (QFileInfo::exists(QDir(folder).filePath(file))) {
-            existing << file;
-        }
-    }
-    if (existing.isEmpty()) {
-        return true;
-    }
-    QMessageBox question(
-        QMessageBox::Warning, tr("Save pages to print"),
-        tr("%1 already contains %2.")
-            .arg(QDir::toNativeSeparators(folder), QLocale().createSeparatedList(existing)),
-        QMessageBox::Cancel, &window_);
-    question.setObjectName(QStringLiteral("replaceQuestion"));
-    QPushButton* replace = question.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
-    question.setDefaultButton(QMessageBox::Cancel);
-    question.exec();
-    return question.clickedButton() == replace;
 }
 
 void FilmWatchController::exportFilm() {

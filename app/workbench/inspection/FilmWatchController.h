@@ -28,7 +28,6 @@ private:
     void askProfile();
     void save(const QString& profile);
     void savePages();
-    bool mayReplacePages(const QString& folder); // asks if there are any
     void exportFilm();
     WatchNotes notes() const;
 

@@ -11,6 +11,7 @@
 #include "workbench/project/NewProjectDialog.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
+#include "workbench/widgets/ReplaceQuestion.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -450,8 +451,9 @@ void PackDialog::showFilm(int number) {
 }
 
 void PackDialog::exportFilms() {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Export films to a folder"));
-    if (folder.isEmpty()) {
+    const QString title = tr("Export films to a folder");
+    const QString folder = QFileDialog::getExistingDirectory(this, title);
+    if (folder.isEmpty() || !mayReplace(folder, filmFiles(), title, this)) {
         return;
     }
     jobs_.start(std::make_unique<ValueJob<bool>>(

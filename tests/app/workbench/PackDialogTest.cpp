@@ -15,6 +15,7 @@
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QLabel>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QStandardPaths>
@@ -133,6 +134,25 @@ private slots:
         QCOMPARE(files.filter(QStringLiteral(".pdf")).size(), 1);
         const QString pdf = films.filePath(files.filter(QStringLiteral(".pdf")).front());
         QVERIFY(std::abs(pdfPage(pdf).width() - 210) < 0.1);
+
+        QFile kept(pdf);
+        QVERIFY(kept.open(QIODevice::WriteOnly) && kept.write("kept") == 4);
+        kept.close();
+        answerWithFile(films.path());
+        QTimer waiting;
+        bool isAsked = false;
+        connect(&waiting, &QTimer::timeout, this, [&isAsked] {
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+                isAsked = box->objectName() == QLatin1String("replaceQuestion");
+                box->reject();
+            }
+        });
+        waiting.start(50);
+        write->click();
+        waiting.stop();
+        QVERIFY(isAsked);
+        QVERIFY(write->isEnabled()); // no job has started
+        QCOMPARE(QFileInfo(pdf).size(), qint64(4));
 
         part<QPushButton>(dialog, "packPrint")->click();
         QTRY_VERIFY(QApplication::activeModalWidget() != nullptr);
