@@ -196,10 +196,9 @@ Project projectArgument(const QCommandLineParser& parser) {
     return readProject(projectPath(parser), parser);
 }
 
-void declareProjects(CommandSyntax& syntax) {
-    syntax.addPositionalArgument(
-        QStringLiteral("JOB.dipw"),
-        QStringLiteral("The project. Several projects are processed one after the other."));
+void declareProjects(CommandSyntax& syntax, const QString& whatHappens) {
+    syntax.addPositionalArgument(QStringLiteral("JOB.dipw"),
+                                 QStringLiteral("The project. ") + whatHappens);
     declareSettings(syntax);
 }
 

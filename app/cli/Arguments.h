@@ -81,8 +81,9 @@ void applySettings(Project& project, const QCommandLineParser& parser);
 void declareProject(CommandSyntax& syntax);
 QString projectPath(const QCommandLineParser& parser);
 Project projectArgument(const QCommandLineParser& parser);
-// Does the same for commands that take several projects. Throws UsageError if no project is given.
-void declareProjects(CommandSyntax& syntax);
+// Does the same for commands that take several projects. `whatHappens` says what they do with
+// several. Throws UsageError if no project is given.
+void declareProjects(CommandSyntax& syntax, const QString& whatHappens);
 QStringList projectPaths(const QCommandLineParser& parser);
 Project readProject(const QString& path, const QCommandLineParser& parser);
 

@@ -171,7 +171,8 @@ public:
             QStringLiteral(
                 "The action. Layers are numbered from 1, the lowest. A new layer goes on top, in "
                 "the middle of the part's front. `base` sets what lies below all layers: a colour, "
-                "for example #ffffff, which prints no ink, or `own`, the model's own appearance."));
+                "for example #ffffff, which prints no ink, or `own`, the model's own appearance."),
+            QStringLiteral("ACTION"));
         syntax.addOption(
             {setOption,
              QStringLiteral(

@@ -7,7 +7,7 @@ void fill(QCommandLineParser& parser, const CommandSyntax& syntax) {
         parser.addOption(option);
     }
     for (const CommandSyntax::Argument& argument : syntax.arguments) {
-        parser.addPositionalArgument(argument.name, argument.description);
+        parser.addPositionalArgument(argument.heading, argument.description, argument.name);
     }
 }
 

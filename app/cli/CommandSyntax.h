@@ -10,16 +10,17 @@ namespace dipwright::cli {
 
 struct CommandSyntax {
     // In `name`, alternatives are separated by |: "list | show KIND NAME". Words in capitals stand
-    // for the user's own words.
+    // for the user's own words. `heading` stands for a long name in the help's list of arguments.
     struct Argument {
-        QString name, description;
+        QString name, description, heading;
     };
     std::vector<QCommandLineOption> options; // in the order in which the help lists them
     std::vector<Argument> arguments;
 
     void addOption(const QCommandLineOption& option) { options.push_back(option); }
-    void addPositionalArgument(const QString& name, const QString& description) {
-        arguments.push_back({name, description});
+    void addPositionalArgument(const QString& name, const QString& description,
+                               const QString& heading = {}) {
+        arguments.push_back({name, description, heading.isEmpty() ? name : heading});
     }
 };
 

@@ -44,7 +44,8 @@ public:
     }
 
     void declare(CommandSyntax& syntax) const override {
-        declareProjects(syntax);
+        declareProjects(syntax,
+                        QStringLiteral("Several projects are processed one after the other."));
         syntax.addOption({partsOption,
                           QStringLiteral("The number of good parts of the order, instead of the "
                                          "project's (order.parts)."),

@@ -204,7 +204,8 @@ public:
             QStringLiteral("film FILE… | part FILE… | fit FILE… | built FILE…"),
             QStringLiteral("The photos. For `film`: the page of “calibrate film” floats on the "
                            "water, and the card of “calibrate card” lies beside it in each photo. "
-                           "Otherwise: photos of a dipped part."));
+                           "Otherwise: photos of a dipped part."),
+            QStringLiteral("FILE"));
         syntax.addOption(
             {outOption, QStringLiteral("The folder for the results. It is made if it is missing."),
              QStringLiteral("DIR")});

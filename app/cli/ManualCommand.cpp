@@ -18,8 +18,10 @@ public:
     bool needsFiles() const override { return false; }
     void declare(CommandSyntax& syntax) const override {
         syntax.addPositionalArgument(
-            formArgument, QStringLiteral("The format: a page for man, or a script for a shell, for "
-                                         "example: source <(dipwright-cli manual bash)."));
+            formArgument,
+            QStringLiteral("The format: a page for man, or a script for a shell, for "
+                           "example: source <(dipwright-cli manual bash)."),
+            QStringLiteral("FORMAT"));
     }
     void run(const QCommandLineParser& parser, Console& console) const override {
         const QString form = positionalArgument(parser, formArgument);

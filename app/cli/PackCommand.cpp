@@ -48,7 +48,9 @@ public:
     }
 
     void declare(CommandSyntax& syntax) const override {
-        declareProjects(syntax);
+        declareProjects(syntax,
+                        QStringLiteral("Several projects share the films. JOB.dipw:3 packs three "
+                                       "copies of a project."));
         const auto value = [&](const QString& name, const char* words, const char* kind) {
             syntax.addOption({name, QString::fromUtf8(words), QString::fromLatin1(kind)});
         };

@@ -200,7 +200,8 @@ public:
                 "The action. KIND is printer, film or tank. `set` changes a profile or "
                 "makes a new one. `use` copies a profile into a project. `wedge` computes "
                 "how ink thins from the readings of a step wedge (`calibrate wedge`) "
-                "and saves the result in a film profile."));
+                "and saves the result in a film profile."),
+            QStringLiteral("ACTION"));
         syntax.addOption({setOption,
                           QStringLiteral("For `set`: sets a value by its path in the profile, for "
                                          "example scale=1.004;0.997. May be repeated."),

@@ -337,7 +337,8 @@ public:
     }
 
     void declare(CommandSyntax& syntax) const override {
-        declareProjects(syntax);
+        declareProjects(syntax,
+                        QStringLiteral("Several projects are processed one after the other."));
         syntax.addOption({outOption,
                           QStringLiteral("The folder for the results. Several projects get one "
                                          "subfolder each. Earlier results are replaced."),

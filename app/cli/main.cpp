@@ -28,13 +28,17 @@ void printHelp(const std::vector<std::unique_ptr<Command>>& commands, QTextStrea
            "required.\n";
 }
 
-// Returns the parser's help text. In its usage line, the command's name follows the program's name.
+// Returns the parser's help text. In its usage, the command's name follows the program's name, and
+// each action has a line.
 QString commandHelp(const QCommandLineParser& parser, const QString& name) {
     const QString text = parser.helpText();
     const auto end = text.indexOf(QLatin1Char('\n'));
-    const QString usage = text.left(end).section(QStringLiteral("[options]"), 1);
-    return QStringLiteral("Usage: dipwright-cli %1 [options]%2%3\n")
-        .arg(name, usage, text.mid(end).trimmed().prepend(QStringLiteral("\n\n")));
+    const QString program = QStringLiteral("dipwright-cli %1 [options]").arg(name);
+    QString usage = text.left(end).section(QStringLiteral("[options]"), 1);
+    if (!usage.contains(QLatin1Char('['))) { // optional words stay on one line
+        usage.replace(QLatin1String(" | "), QStringLiteral("\n       %1 ").arg(program));
+    }
+    return QStringLiteral("Usage: %1%2\n\n%3\n").arg(program, usage, text.mid(end).trimmed());
 }
 
 // Rejects empty option values, for example from a shell variable that is not set.

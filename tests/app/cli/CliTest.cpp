@@ -68,6 +68,10 @@ private slots:
             QVERIFY2(own.out.contains(command) && own.out.contains("--help"), own.out);
             QVERIFY(own.err.isEmpty());
         }
+        const QByteArray actions = cli({"artwork", "--help"}).out;
+        QVERIFY2(actions.contains("\n       dipwright-cli artwork [options] move JOB.dipw N TO\n"),
+                 actions);
+        QVERIFY2(actions.contains("\n  ACTION             The action."), actions);
         const Outcome version = cli({"--version"});
         QCOMPARE(version.exitCode, 0);
         QVERIFY(QRegularExpression("^dipwright-cli \\d+\\.\\d+\\.\\d+\n$")
