@@ -1,6 +1,7 @@
 #include "cli/InspectPart.h"
 #include "model/TexturedMesh.h"
 
+#include "base/MinusSign.h"
 #include "cli/Arguments.h"
 #include "disk/SmallFile.h"
 #include "import/trusted/ReadPhotos.h"
@@ -26,7 +27,7 @@ constexpr qint64 mostTableBytes = 4 << 20; // size limit of a table of pairs or 
 void printAccuracy(const std::vector<PlacePair>& pairs, const PartView& view, QTextStream& out) {
     const PartFigures& figures = view.figures;
     const auto number = [](double value, int decimals) {
-        return QString::number(value, 'f', decimals);
+        return withMinusSign(QString::number(value, 'f', decimals));
     };
     out << QStringLiteral("Camera: focal length %1 ± %2 half diagonals, distortion k1 %3\n")
                .arg(number(view.focalLength.value, 4), number(view.focalLength.off, 4),

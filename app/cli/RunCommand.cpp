@@ -4,6 +4,7 @@
 #include "project/Profiles.h"
 
 #include "base/Error.h"
+#include "base/MinusSign.h"
 #include "cost/CostText.h"
 #include "dip/FilmUnderBody.h"
 #include "marks/SurfaceMask.h"
@@ -52,7 +53,7 @@ struct Text {
 QString number(double value, int decimals) {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(value, 'f', decimals);
+    return withMinusSign(locale.toString(value, 'f', decimals));
 }
 
 QString area(double value) {

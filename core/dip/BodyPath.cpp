@@ -1,6 +1,7 @@
 #include "dip/BodyPath.h"
 
 #include "base/Error.h"
+#include "base/MinusSign.h"
 #include "dip/PathMoves.h"
 #include "dip/Pose.h"
 
@@ -182,7 +183,9 @@ Eigen::Vector3d waterVelocity(const DipPath& path) {
 
 QString pathText(const DipPath& path) {
     const QLocale locale;
-    const auto degrees = [&](Degrees angle) { return locale.toString(angle.value(), 'g', 4); };
+    const auto degrees = [&](Degrees angle) {
+        return withMinusSign(locale.toString(angle.value(), 'g', 4));
+    };
     QStringList words;
     switch (path.kind) {
     case PathKind::Straight:
@@ -208,7 +211,8 @@ QString pathText(const DipPath& path) {
     }
     if (path.waterSpeed != MillimetresPerSecond(0)) {
         words << Text::tr("water at %1 mm/s, heading %2°")
-                     .arg(locale.toString(path.waterSpeed.value(), 'g', 4), degrees(path.heading));
+                     .arg(withMinusSign(locale.toString(path.waterSpeed.value(), 'g', 4)),
+                          degrees(path.heading));
     }
     if (path.kind != PathKind::Poses && path.slowSpeed) {
         words << Text::tr("slow at the beginning and the end");

@@ -1,5 +1,6 @@
 #include "inspection/FilmFitFiles.h"
 
+#include "base/MinusSign.h"
 #include "disk/FolderTransaction.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
@@ -141,8 +142,9 @@ QString digits(double value, int decimals) {
 QStringList fitCells(const FittedQuantity& found) {
     const FitQuantity quantity = found.unknown.quantity;
     const auto number = [&](double value) {
-        return std::isfinite(value) ? QLocale().toString(value, 'f', decimalsOf(quantity))
-                                    : QStringLiteral("∞");
+        return std::isfinite(value)
+                   ? withMinusSign(QLocale().toString(value, 'f', decimalsOf(quantity)))
+                   : QStringLiteral("∞");
     };
     const QString unit = fitQuantityUnit(quantity);
     const QString name =
@@ -176,7 +178,7 @@ QStringList fitSentences(const FilmFit& fit) {
                            .arg(fitQuantityText(fit.quantities[std::size_t(row)].unknown.quantity),
                                 fitQuantityText(
                                     fit.quantities[std::size_t(column)].unknown.quantity),
-                                QLocale().toString(correlation, 'f', 2));
+                                withMinusSign(QLocale().toString(correlation, 'f', 2)));
             }
         }
     }

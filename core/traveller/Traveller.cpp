@@ -1,5 +1,6 @@
 #include "traveller/Traveller.h"
 
+#include "base/MinusSign.h"
 #include "project/Profiles.h"
 #include "sheet/page/QrCode.h"
 #include "sheet/page/Sheet.h"
@@ -41,7 +42,7 @@ QString plain(double number, int decimals = 1) {
             text.chop(locale.decimalPoint().size());
         }
     }
-    return text;
+    return withMinusSign(text);
 }
 
 QString secondsText(const std::optional<Seconds>& time) {

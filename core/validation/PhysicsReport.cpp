@@ -1,5 +1,7 @@
 #include "validation/PhysicsValidation.h"
 
+#include "base/MinusSign.h"
+
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QPainter>
@@ -16,8 +18,9 @@ struct Text {
 };
 
 QString error(const PhysicsResult& result, double value) {
-    return result.inMillimetres ? QStringLiteral("%1 mm").arg(value, 0, 'f', 3)
-                                : QStringLiteral("%1 %").arg(value * 100, 0, 'f', 3);
+    const auto number = [](double shown) { return withMinusSign(QString::number(shown, 'f', 3)); };
+    return result.inMillimetres ? QStringLiteral("%1 mm").arg(number(value))
+                                : QStringLiteral("%1 %").arg(number(value * 100));
 }
 
 // Seven colours that colour-blind readers can tell apart (after Okabe and Ito).

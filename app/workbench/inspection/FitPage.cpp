@@ -1,5 +1,6 @@
 #include "workbench/inspection/FitPage.h"
 
+#include "base/MinusSign.h"
 #include "workbench/widgets/Icons.h"
 
 #include <QHBoxLayout>
@@ -170,9 +171,10 @@ void FitPage::showCorrelations() {
         correlations_->setItem(row, 0,
                                cell(QStringLiteral("%1  %2").arg(row + 1).arg(name), false));
         for (int column = 0; column < row; ++column) {
-            correlations_->setItem(
-                row, column + 1,
-                cell(QLocale().toString(fitted_->fit.correlation(row, column), 'f', 2), true));
+            correlations_->setItem(row, column + 1,
+                                   cell(withMinusSign(QLocale().toString(
+                                            fitted_->fit.correlation(row, column), 'f', 2)),
+                                        true));
         }
     }
     fitHeight(*correlations_);

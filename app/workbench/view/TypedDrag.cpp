@@ -1,5 +1,6 @@
 #include "workbench/view/TypedDrag.h"
 
+#include "base/MinusSign.h"
 #include "base/TypedNumber.h"
 
 #include <QKeyEvent>
@@ -13,7 +14,7 @@ TypedDrag::TypedDrag(DipView& view, QObject* parent) : QObject(parent), view_(vi
         typed_.clear();
     });
     connect(&view, &DipView::rotationDragged, this, [this](int, double degrees) {
-        show(QLocale().toString(degrees, 'f', 1) + QStringLiteral("°"));
+        show(withMinusSign(QLocale().toString(degrees, 'f', 1)) + QStringLiteral("°"));
     });
     connect(&view, &DipView::moveDragged, this,
             [this](int, double millimetres) { show(shownLength(millimetres, unit_)); });

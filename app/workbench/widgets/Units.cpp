@@ -1,5 +1,6 @@
 #include "workbench/widgets/Units.h"
 
+#include "base/MinusSign.h"
 #include "base/Units.h"
 
 #include <QCoreApplication>
@@ -94,8 +95,8 @@ int unitDecimals(Unit unit, LengthUnit length) {
 }
 
 QString shownNumber(double value, Unit unit, LengthUnit length, int moreDecimals) {
-    return QLocale().toString(value * shownPerStored(unit, length), 'f',
-                              unitDecimals(unit, length) + moreDecimals) +
+    return withMinusSign(QLocale().toString(value * shownPerStored(unit, length), 'f',
+                                            unitDecimals(unit, length) + moreDecimals)) +
            unitSuffix(unit, length);
 }
 
@@ -110,7 +111,7 @@ QString shownPlace(const Eigen::Vector3f& place, LengthUnit length) {
     const int decimals = unitDecimals(Unit::Length, length) - 1;
     const double side = shownPerStored(Unit::Length, length);
     const auto coordinate = [&](float value) {
-        return QLocale().toString(double(value) * side, 'f', decimals);
+        return withMinusSign(QLocale().toString(double(value) * side, 'f', decimals));
     };
     return QStringLiteral("x %1; y %2; z %3%4")
         .arg(coordinate(place.x()), coordinate(place.y()), coordinate(place.z()),

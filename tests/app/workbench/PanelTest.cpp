@@ -293,9 +293,9 @@ private slots:
         QCOMPARE(shownArea(645.16, LengthUnit::Millimetre), QStringLiteral("645 mm²"));
         QCOMPARE(shownArea(645.16, LengthUnit::Inch), QStringLiteral("1.000 in²"));
         QCOMPARE(shownPlace({25.4f, -12.7f, 0}, LengthUnit::Millimetre),
-                 QStringLiteral("x 25.4; y -12.7; z 0.0 mm"));
+                 QStringLiteral("x 25.4; y −12.7; z 0.0 mm"));
         QCOMPARE(shownPlace({25.4f, -12.7f, 0}, LengthUnit::Inch),
-                 QStringLiteral("x 1.000; y -0.500; z 0.000 in"));
+                 QStringLiteral("x 1.000; y −0.500; z 0.000 in"));
     }
 
     void timeline_clickBesideHandle_movesHandle() {
