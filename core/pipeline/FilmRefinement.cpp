@@ -58,16 +58,24 @@ FilmSettings filmOf(const ImmersionResult& dip, const Project& project) {
     return film;
 }
 
+QStringList refinementRemarks(const JobResult& result) {
+    QStringList remarks;
+    for (const ImmersionResult& dip : result.immersions) {
+        if (dip.refinement > 1) {
+            remarks.append(Text::tr("%1: the film's cells were reduced to %2 mm.")
+                               .arg(dip.immersion.name,
+                                    millimetresText(dip.laid->film().grid.leastSpacing())));
+        }
+    }
+    return remarks;
+}
+
 QStringList refinementNotes(const JobResult& result) {
-    QStringList notes;
+    QStringList notes = refinementRemarks(result);
     const FilmSettings& settings = result.project.film;
     for (const ImmersionResult& dip : result.immersions) {
         const DippedFilm& film = dip.laid->film();
         const double own = film.grid.leastSpacing();
-        if (dip.refinement > 1) {
-            notes.append(Text::tr("%1: the film's cells were reduced to %2 mm.")
-                             .arg(dip.immersion.name, millimetresText(own)));
-        }
         if (!dip.refinementFailure.isEmpty()) {
             notes.append(Text::tr("%1: the dip could not be repeated with smaller cells: %2")
                              .arg(dip.immersion.name, dip.refinementFailure));

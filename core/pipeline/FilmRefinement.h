@@ -22,7 +22,9 @@ std::optional<double> nextRefinement(const ImmersionResult& dip, const Verdict& 
 // Returns the film settings of a dip: the project's, with the cells that were used.
 FilmSettings filmOf(const ImmersionResult& dip, const Project& project);
 
-// Returns sentences for the user: which dips were refined, and what would need more work.
+// Returns sentences for the user: which dips were refined. The user need not do anything.
+QStringList refinementRemarks(const JobResult& result);
+// Returns these sentences and those about what would need more work.
 QStringList refinementNotes(const JobResult& result);
 
 } // namespace dipwright

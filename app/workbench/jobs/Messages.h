@@ -39,7 +39,7 @@ signals:
     void said(const QString& sentence, int milliseconds);
     // A warning, shown until it is closed; empty: closes the last one.
     void noticed(const QString& text);
-    void informed(const QString& text); // good news, shown until it is closed
+    void informed(const QString& text); // a remark, shown until it is closed
     void failed(const QString& title, const QString& sentence);
     void askedToRead(const QString& title, const QString& who, const QStringList& files,
                      const std::function<void()>& allowed);

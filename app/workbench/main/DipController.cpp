@@ -1,5 +1,6 @@
 #include "workbench/main/DipController.h"
 
+#include "pipeline/FilmRefinement.h"
 #include "pipeline/JobCost.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
@@ -152,7 +153,12 @@ void DipController::takeResult() {
     for (const QString& note : result.notes) {
         messages_.log(note);
     }
-    messages_.notice(result.notes.join(QLatin1Char('\n')));
+    const QString notes = result.notes.join(QLatin1Char('\n'));
+    if (result.notes == refinementRemarks(result)) {
+        messages_.inform(notes);
+    } else {
+        messages_.notice(notes);
+    }
     messages_.log(adviceText(adviceOf(result)));
     for (const JobReason& reason : reasonsOf(result)) {
         messages_.log(reasonText(reason, result, millimetres));

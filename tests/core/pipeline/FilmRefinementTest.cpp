@@ -82,6 +82,7 @@ private slots:
         QVERIFY(dip.laid->film().grid.leastSpacing() <
                 coarse_->immersions[0].laid->film().grid.leastSpacing());
         QCOMPARE(refined_->project, turtle_); // the settings stay
+        QVERIFY(refinementRemarks(*coarse_).isEmpty() && !refinementRemarks(*refined_).isEmpty());
         QVERIFY2(notesContain(*refined_, "cells were reduced to"),
                  qPrintable(refined_->notes.join(u' ')));
         QVERIFY(dip.sheet.job.hash != coarse_->immersions[0].sheet.job.hash);
