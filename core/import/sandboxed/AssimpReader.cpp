@@ -12,6 +12,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
+#include <QtEndian>
 
 #include <assimp/BaseImporter.h>
 #include <assimp/Importer.hpp>
@@ -236,6 +237,39 @@ bool swapsTexture(const QByteArray& fbx) {
            fbx.contains(QByteArray("UVSwapS\4\0\0\0boolS\0\0\0\0S\0\0\0\0I\1\0\0\0", 30));
 }
 
+// Returns the number of a property of an FBX file; 0 if there is none. `bytes` begins after the
+// property's name. In binary files, texts come before the number: S, their length, and the text.
+double fbxNumber(QByteArray bytes) {
+    constexpr qsizetype head = 5;
+    while (bytes.startsWith('S') && bytes.size() >= head) {
+        bytes.remove(0, head + qFromLittleEndian<quint32>(bytes.constData() + 1));
+    }
+    if (bytes.startsWith('D') && bytes.size() > qsizetype(sizeof(double))) {
+        return qFromLittleEndian<double>(bytes.constData() + 1);
+    }
+    if (bytes.startsWith('F') && bytes.size() > qsizetype(sizeof(float))) {
+        return double(qFromLittleEndian<float>(bytes.constData() + 1));
+    }
+    const QByteArray line = bytes.left(bytes.indexOf('\n'));
+    return line.mid(std::max(line.lastIndexOf(':'), line.lastIndexOf(',')) + 1)
+        .trimmed()
+        .toDouble();
+}
+
+// Whether a blend shape of an FBX file moves points. assimp 5.2.5 does not pass on the weights of
+// most blend shapes.
+bool usesBlendShapes(const QByteArray& fbx) {
+    constexpr QByteArrayView name = "DeformPercent";
+    constexpr qsizetype longest = 80; // bytes between the name and the number's end
+    for (qsizetype at = fbx.indexOf(name, 1); at > 0; at = fbx.indexOf(name, at + 1)) {
+        const bool isAnimation = fbx[at - 1] == '|';
+        if (!isAnimation && fbxNumber(fbx.mid(at + name.size(), longest)) != 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 // Returns SceneMeaning::frame.
 Eigen::Matrix3f frameOf(const QString& format, const aiScene& scene, const ModelSource& source) {
     if (format == QStringLiteral("fbx")) {
@@ -294,6 +328,11 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
         warnings.push_back(Text::tr(
             "The model moves, scales or rotates a texture, which is not shown correctly; apply "
             "the transform to the texture coordinates in a modelling program"));
+    }
+    if (format == QStringLiteral("fbx") && usesBlendShapes(source.bytes)) {
+        warnings.push_back(
+            Text::tr("The model's blend shapes are not applied, so it has its shape without them; "
+                     "apply them in a modelling program"));
     }
     warnings.removeDuplicates(); // several materials may have the same fault
     return model;

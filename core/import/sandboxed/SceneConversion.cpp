@@ -303,7 +303,7 @@ private:
                   const SkinPose& skins) {
         const auto firstPosition = std::uint32_t(model_.mesh.positions.size());
         std::vector<aiVector3D> points(mesh.mVertices, mesh.mVertices + mesh.mNumVertices);
-        if (isGltf_) { // assimp 5.2.5 gives most morph targets of FBX files the weight 1
+        if (isGltf_) { // assimp 5.2.5 does not pass on most weights of FBX files
             morph(points, mesh);
         }
         const PosedMesh posed = skins.pose(mesh, points, node, transform);

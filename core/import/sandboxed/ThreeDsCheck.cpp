@@ -64,7 +64,7 @@ private:
             const qint64 content = begin + head;
             next = begin + size;
             if (size < head || next > end) {
-                isMisfit_ = true; // assimp may read on
+                isMisfit_ = true;
                 return;
             }
             if (depth < path.size() && kind == path[depth]) {

@@ -513,7 +513,8 @@ QByteArray textured3ds(const Chunks3ds& further) {
                                                  further.scene));
 }
 
-QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes, double unit) {
+QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes, double unit,
+                                double deformPercent) {
     constexpr qint32 version = 7400;
     FbxNode fileVersion{"FBXVersion"};
     fileVersion.add(version);
@@ -543,7 +544,12 @@ QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& a
     modelVersion.add(qint32(232));
     model.children = {modelVersion};
     FbxNode objects{"Objects"};
-    objects.children = {geometry, model};
+    FbxNode weight{"DeformPercent"};
+    weight.add(deformPercent);
+    FbxNode shape{"Deformer"};
+    shape.add(qint64(300)).add(QByteArray("\0\1SubDeformer", 13)).add("BlendShapeChannel");
+    shape.children = {weight};
+    objects.children = {geometry, model, shape};
     FbxNode toModel{"C"}, toRoot{"C"};
     toModel.add("OO").add(qint64(100)).add(qint64(200));
     toRoot.add("OO").add(qint64(200)).add(qint64(0));

@@ -135,11 +135,13 @@ private Q_SLOTS:
     void threeDs_movedTexture_isALoss();
     void threeDs_masterScale_isALoss_data();
     void threeDs_masterScale_isALoss();
+    void threeDs_chunkPastItsParent_isRefusedOrALoss();
     void threeDs_mirroringMatrix_isALoss_data();
     void threeDs_mirroringMatrix_isALoss();
     void fbx_unitAndAxes_areFollowed_data();
     void fbx_unitAndAxes_areFollowed();
     void fbx_impossibleAxes_areRefused();
+    void fbx_blendShapes_areALossIfTheyMovePoints();
     void fbx_swappedTexture_isALoss_data();
     void fbx_swappedTexture_isALoss();
     void obj_someCoordinatesMissing_isALoss();
@@ -502,6 +504,20 @@ void OddModelsTest::threeDs_masterScale_isALoss() {
     QVERIFY(imported.report.box.sizes().isApprox(Eigen::Vector3f(10, 10, 10), 1e-5F));
 }
 
+// assimp 5.2.5 refuses all of these files.
+void OddModelsTest::threeDs_chunkPastItsParent_isRefusedOrALoss() {
+    const QByteArray last = chunk3ds(0x4160, QByteArray(48, '\0')); // of its mesh and object
+    const QByteArray file =
+        textured3ds({.mesh = last, .scene = chunk3ds(0x7001, QByteArray(300, '\0'))});
+    for (const quint32 more : {1, 6, 20, 200}) {
+        QByteArray past = file;
+        qToLittleEndian(quint32(last.size()) + more, past.data() + file.indexOf(last) + 2);
+        const QString path = write(QStringLiteral("past.3ds"), past);
+        QVERIFY(!refusal(path).isEmpty() ||
+                warningsOf(importModel(path, {}, {})).contains(QStringLiteral("do not fit")));
+    }
+}
+
 void OddModelsTest::threeDs_mirroringMatrix_isALoss_data() {
     QTest::addColumn<float>("x"); // length of the first axis
     QTest::addColumn<bool>("isLoss");
@@ -573,6 +589,27 @@ void OddModelsTest::fbx_impossibleAxes_areRefused() {
           tetrahedronBinaryFbx(zUp, qQNaN())}) {
         const QString sentence = refusal(write(QStringLiteral("axes.fbx"), file));
         QVERIFY2(sentence.contains(QStringLiteral("GlobalSettings")), qPrintable(sentence));
+    }
+}
+
+void OddModelsTest::fbx_blendShapes_areALossIfTheyMovePoints() {
+    const auto text = [](const QByteArray& property) {
+        return texturedFbx({}).replace("Objects: {",
+                                       "Objects: {\n Deformer: 7000, \"SubDeformer::c\", "
+                                       "\"BlendShapeChannel\" {\n" +
+                                           property + "\n }");
+    };
+    const auto losses = [&](const QByteArray& file) {
+        return importModel(write(QStringLiteral("shapes.fbx"), file), {}, {}).report.losses;
+    };
+    QCOMPARE(losses(text("DeformPercent: 0")), QStringList());
+    QCOMPARE(losses(text("P: \"d|DeformPercent\", \"Number\", \"\", \"A\",50")), QStringList());
+    QCOMPARE(losses(tetrahedronBinaryFbx()), QStringList());
+    for (const QByteArray& file :
+         {text("DeformPercent: 50"), text("P: \"DeformPercent\", \"Number\", \"\", \"A\",0.5"),
+          tetrahedronBinaryFbx({}, 1, -20)}) {
+        const QString found = losses(file).join(u'|');
+        QVERIFY2(found.contains(QStringLiteral("blend shapes")), qPrintable(found));
     }
 }
 
