@@ -325,7 +325,11 @@ private:
         }
         const QString path = projectPath(parser);
         ProjectFile file(path); // locks the project against other writers before it is read
-        const Project project = projectArgument(parser);
+        // The values of --set apply only to the search: the poses are written into the project as
+        // it was.
+        Project stored = loadProject(path);
+        Project project = stored;
+        applySettings(project, parser);
         checkWritable(path); // fails now instead of after the search
         const SearchSettings settings = settingsOf(parser, project);
         std::vector<SearchShard> parts;
@@ -345,9 +349,6 @@ private:
         if (!result.isComplete) {
             throw Cancelled();
         }
-        // The values of --set apply only to the search, so the poses are written into the project
-        // as it is stored.
-        Project stored = loadProject(path);
         stored.immersions = result.ranking.front().immersions;
         file.save(stored);
         if (solver.solver.id == chosen.id) { // no other solver took over

@@ -309,6 +309,19 @@ TriangleMesh meshForRating(const TriangleMesh& mesh, const CancelToken& cancelTo
         .mesh;
 }
 
+// The model, reduced for rating, and its colours: made at the same time.
+struct PreparedModel {
+    PreparedModel(const TexturedMesh& model, const CancelToken& cancelToken) {
+        Tasks aside;
+        aside.run([&] { forRating = meshForRating(model.mesh, cancelToken); });
+        colours.emplace(model);
+        aside.wait();
+    }
+
+    TriangleMesh forRating;
+    std::optional<SurfaceColours> colours;
+};
+
 // Returns the weight of each triangle of the preview, by the place of the model that is nearest to
 // its centre.
 std::vector<float> triangleWeights(const SearchSubject& subject, const CoveragePreview& preview,
@@ -388,13 +401,13 @@ enum Resolution : std::uint8_t { Coarse, Finer, Own, Final };
 
 class Search {
 public:
-    // `appearance`: the colours of the subject's model, used only here. `dipsOwn`: whether run()
+    // `model`: that of the subject, used only here. `dipsOwn`: whether run()
     // will be called, which needs the dips of the job's own poses.
     Search(const SearchSubject& subject, const SearchSettings& settings,
-           const solver::SolverModule& module, const Progress& progress,
-           const SurfaceColours& appearance, bool dipsOwn)
+           const solver::SolverModule& module, const Progress& progress, const PreparedModel& model,
+           bool dipsOwn)
         : subject_(subject), settings_(settings), module_(module), progress_(progress),
-          body_(subject, settings.aims.zoneWeights, appearance),
+          body_(subject, settings.aims.zoneWeights, *model.colours),
           coarse_(dipsOf(coarseDetail, progress.part(0, fieldShare))),
           common_(commonPath(subject)) {
         if (settings.paths || !common_.isStraightDown()) {
@@ -406,9 +419,8 @@ public:
             own_.resize(subject.immersions.size());
             aside.run([this] { coarse_.dip(subject_.immersions, own_, [](std::size_t) {}); });
         }
-        preview_ = std::make_unique<const CoveragePreview>(
-            meshForRating(subject.model->mesh, progress.cancelToken));
-        weights_ = triangleWeights(subject, *preview_, settings, appearance);
+        preview_ = std::make_unique<const CoveragePreview>(model.forRating);
+        weights_ = triangleWeights(subject, *preview_, settings, *model.colours);
         candidates_ =
             poseCandidates(*preview_, weights_, subject.film, subject.process, settings, progress);
         aside.wait();
@@ -1196,7 +1208,8 @@ SearchResult searchPoses(const SearchSubject& subject, const SearchSettings& set
                          const solver::SolverModule& module, const std::vector<SearchShard>& parts,
                          const SearchWatch& watch, const Progress& progress) {
     requireValid(settings);
-    Search search(subject, settings, module, progress, SurfaceColours(*subject.model), true);
+    Search search(subject, settings, module, progress,
+                  PreparedModel(*subject.model, progress.cancelToken), true);
     if (!parts.empty()) {
         search.take(parts, searchKey(subject, settings));
     }
@@ -1211,7 +1224,8 @@ SearchShard searchShard(const SearchSubject& subject, const SearchSettings& sett
     part.key = searchKey(subject, settings);
     part.number = number;
     part.count = count;
-    part.poses = Search(subject, settings, module, progress, SurfaceColours(*subject.model), false)
+    part.poses = Search(subject, settings, module, progress,
+                        PreparedModel(*subject.model, progress.cancelToken), false)
                      .part(number, count);
     return part;
 }
