@@ -4340,6 +4340,105 @@
     </message>
 </context>
 <context>
+    <name>RunCommand</name>
+    <message>
+        <source>Project %1 of %2: %3</source>
+        <translation>Projekt %1 von %2: %3</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Coverage by all dips: %1 %</source>
+        <translation>Abdeckung durch alle Tauchvorgänge: %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of the film is used; the smaller size %2 (%3 × %4 mm) is large enough</source>
+        <translation>%1 % des Films werden genutzt; das kleinere Format %2 (%3 × %4 mm) ist groß genug</translation>
+    </message>
+    <message>
+        <source>Film: swell guessed</source>
+        <translation>Film: Quellung geschätzt</translation>
+    </message>
+    <message>
+        <source>Film: swell measured on %1</source>
+        <translation>Film: Quellung gemessen am %1</translation>
+    </message>
+    <message>
+        <source>Solver: %1 %2 on %3</source>
+        <translation>Solver: %1 %2 auf %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 × %3 points, cells of %4 mm over the part, %5, coverage %6 %, read-back error of the texture %7 mm (95 %)</source>
+        <translation>%1: %2 × %3 Punkte, Zellen von %4 mm über dem Teil, %5, Abdeckung %6 %, Rücklesefehler der Textur %7 mm (95 %)</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
+    </message>
+    <message>
+        <source>%1 steps in %2 s</source>
+        <translation>%1 Schritte in %2 s</translation>
+    </message>
+    <message>
+        <source>%1: the cradle is %2 mm from the part and %3 mm from the paint, supports %4 mm² of the part and may be tilted by %5°</source>
+        <translation>%1: Die Halterung ist %2 mm vom Teil und %3 mm von der Farbe entfernt, stützt %4 mm² des Teils und darf um %5° gekippt werden</translation>
+    </message>
+    <message>
+        <source>Seam: %1 mm long</source>
+        <translation>Naht: %1 mm lang</translation>
+    </message>
+    <message>
+        <source>Seam: %1 mm long, %2 % as visible as a plain cut halfway between the poses</source>
+        <translation>Naht: %1 mm lang, %2 % so sichtbar wie ein einfacher Schnitt auf halbem Weg zwischen den Lagen</translation>
+    </message>
+    <message>
+        <source>smaller places that only report.json lists: %1</source>
+        <translation>kleinere Stellen, die nur report.json nennt: %1</translation>
+    </message>
+    <message>
+        <source>not reached: %1 mm² at x %2 mm, y %3 mm, z %4 mm on the model</source>
+        <translation>nicht erreicht: %1 mm² bei x %2 mm, y %3 mm, z %4 mm auf dem Modell</translation>
+    </message>
+    <message>
+        <source>Split between the dips: %1 %2, %3 %4, overlap %5 with a width of %6 to %7 mm, not painted %8</source>
+        <translation>Aufteilung auf die Tauchvorgänge: %1 %2, %3 %4, Überlappung %5 mit einer Breite von %6 bis %7 mm, nicht bemalt %8</translation>
+    </message>
+    <message>
+        <source>%1 mm² (%2 %)</source>
+        <translation>%1 mm² (%2 %)</translation>
+    </message>
+    <message>
+        <source>±%1 mm at x %2 mm, y %3 mm, z %4 mm on the model, largest cause: %5</source>
+        <translation>±%1 mm bei x %2 mm, y %3 mm, z %4 mm auf dem Modell, größte Ursache: %5</translation>
+    </message>
+    <message>
+        <source>moves the border of the paint: %1 mm² less or %2 mm² more painted</source>
+        <translation>verschiebt den Rand der bemalten Fläche: %1 mm² weniger oder %2 mm² mehr bemalt</translation>
+    </message>
+    <message>
+        <source>%1 ±%2 %3: %4 % of the spread, %5</source>
+        <translation>%1 ±%2 %3: %4 % der Streuung, %5</translation>
+    </message>
+    <message>
+        <source>colours land within %1 of their places</source>
+        <translation>Farben landen innerhalb von %1 um ihre Stellen</translation>
+    </message>
+    <message>
+        <source>±%1 mm (95 %; half of the painted area within ±%2 mm, all within ±%3 mm)</source>
+        <translation>±%1 mm (95 %; die Hälfte der bemalten Fläche innerhalb von ±%2 mm, alles innerhalb von ±%3 mm)</translation>
+    </message>
+    <message>
+        <source>x %1 mm, z %2 mm from the film&apos;s centre: %3</source>
+        <translation>x %1 mm, z %2 mm von der Mitte des Films: %3</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+</context>
+<context>
     <name>Separation</name>
     <message>
         <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
@@ -4847,6 +4946,14 @@
 <context>
     <name>Traveller</name>
     <message>
+        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis. %3</source>
+        <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Jede Lage nennt die Zeit, den Ort der Teilmitte gegenüber der Filmmitte auf dem Wasser und die Drehung gegenüber der Drehung am Ende: um die Achse nach rechts, dann um die Achse zum oberen Rand, dann um die Achse nach oben. %3</translation>
+    </message>
+    <message>
+        <source>%1 s: %2 mm to the right, %3 mm towards the upper edge, %4 mm up, turned by %5°, %6° and %7°</source>
+        <translation>%1 s: %2 mm nach rechts, %3 mm zum oberen Rand, %4 mm nach oben, gedreht um %5°, %6° und %7°</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -5007,16 +5114,8 @@
         <translation>Nach Tauchvorgang %1 soll das Teil so aussehen (von der unteren Kante, der rechten Kante und von unten gesehen)</translation>
     </message>
     <message>
-        <source>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</source>
-        <translation>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</translation>
-    </message>
-    <message>
         <source>The part at the end of the dip, when its rotation about fixed axes is X %1°, then Y %2°, then Z %3°. Dashed blue line: water at the end.</source>
         <translation>Das Teil am Ende des Tauchvorgangs; seine Drehung um feste Achsen ist dann X %1°, danach Y %2°, danach Z %3°. Gestrichelte blaue Linie: Wasser am Ende.</translation>
-    </message>
-    <message>
-        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water (to the right; towards the upper edge; up), and the turn about these axes relative to the rotation at the end: %3</source>
-        <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Jede Lage nennt die Zeit, den Ort der Teilmitte gegenüber der Filmmitte auf dem Wasser (nach rechts; zum oberen Rand; nach oben) und die Drehung um diese Achsen gegenüber der Drehung am Ende: %3</translation>
     </message>
     <message>
         <source>Tape the masked surface</source>
@@ -5157,6 +5256,38 @@
 <context>
     <name>Verdict</name>
     <message>
+        <source>Ink now: %1</source>
+        <translation>Farbe jetzt: %1</translation>
+    </message>
+    <message>
+        <source>A second dip may help, too.</source>
+        <translation>Auch ein zweiter Tauchvorgang kann helfen.</translation>
+    </message>
+    <message>
+        <source>The film tears, and up to %1 % of the surface that it should paint stays bare; the limit is %2 %. Turn the part, or use a film that stretches more.</source>
+        <translation>Der Film reißt, und bis zu %1 % der Fläche, die er bedrucken soll, bleiben frei; die Grenze ist %2 %. Drehen Sie das Teil oder nehmen Sie einen Film, der sich weiter dehnt.</translation>
+    </message>
+    <message>
+        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the part.</source>
+        <translation>Der Film riss oder löste sich auf %1 % der bemalten Fläche; die Grenze ist %2 %. Drehen Sie das Teil.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, or set much smaller cells or more points (Film &gt; Resolution).</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Drehen Sie das Teil oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Auflösung).</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part.</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Drehen Sie das Teil.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set cells of %3 (Film &gt; Resolution &gt; Cell size), or turn the part.</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie Zellen von %3 (Film &gt; Auflösung &gt; Zellgröße) oder drehen Sie das Teil.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), or turn the part.</source>
+        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte) oder drehen Sie das Teil.</translation>
+    </message>
+    <message>
         <source>Not judged</source>
         <translation>Nicht beurteilt</translation>
     </message>
@@ -5225,10 +5356,6 @@
         <translation>%1 % der bemalten Fläche werden zu blass; die Grenze ist %2 %. Der Film dehnt sich mehr, als das Tintenlimit (Farbe &gt; Tintenlimit) ausgleichen kann. Drehen Sie das Teil oder wählen Sie hellere Farben.</translation>
     </message>
     <message>
-        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the part, or dip it twice.</source>
-        <translation>Der Film riss oder löste sich auf %1 % der bemalten Fläche; die Grenze ist %2 %. Drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
-    </message>
-    <message>
         <source>%1 % of the part is painted by neither dip; the limit is %2 %. Turn the part in one of the dips.</source>
         <translation>%1 % des Teils werden von keinem Tauchvorgang bemalt; die Grenze ist %2 %. Drehen Sie das Teil in einem der Tauchvorgänge.</translation>
     </message>
@@ -5243,14 +5370,6 @@
     <message>
         <source>%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film reaches it.</source>
         <translation>%1 % der Zone sind nicht bemalt; die Grenze ist %2 %. Drehen Sie das Teil so, dass Film die Zone erreicht.</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
-        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie mehr Punkte (Film &gt; Punkte), drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, or dip it twice.</source>
-        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
     </message>
     <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Most of this error comes from the length of the steps: set a smaller step (Dipping &gt; Step).</source>
@@ -5269,14 +5388,6 @@
         <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche.</translation>
     </message>
     <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set cells of %3 (Film &gt; Resolution &gt; Cell size), turn the part, or dip it twice.</source>
-        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Setzen Sie Zellen von %3 (Film &gt; Auflösung &gt; Zellgröße), drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Resolution).</source>
-        <translation>Numerischer Fehler: höchstens %1 auf 95 % der bemalten Fläche; die Grenze ist %2. Drehen Sie das Teil, tauchen Sie es zweimal oder setzen Sie viel kleinere Zellen oder mehr Punkte (Film &gt; Auflösung).</translation>
-    </message>
-    <message>
         <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and unpainted. Set smaller cells (Film &gt; Resolution).</source>
         <translation>Der Rand der bemalten Fläche ist unsicher: Mit anderen Zellen oder Schritten wechseln %1 % des Teils zwischen bemalt und unbemalt. Setzen Sie kleinere Zellen (Film &gt; Auflösung).</translation>
     </message>
@@ -5291,10 +5402,6 @@
     <message>
         <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest cause that the results list under Tolerances, or turn the part.</source>
         <translation>Handhabung und numerischer Fehler zusammen: höchstens ±%1 auf 95 % der bemalten Fläche; die Grenze ist ±%2. Verringern Sie die größte Ursache, die die Ergebnisse unter „Toleranzen“ nennen, oder drehen Sie das Teil.</translation>
-    </message>
-    <message>
-        <source>The film tears, and up to %1 % of the surface that it should paint stays bare; the limit is %2 %. Turn the part, dip it twice, or use a film that stretches more.</source>
-        <translation>Der Film reißt, und bis zu %1 % der Fläche, die er bedrucken soll, bleiben frei; die Grenze ist %2 %. Drehen Sie das Teil, tauchen Sie es zweimal, oder nehmen Sie einen Film, der sich weiter dehnt.</translation>
     </message>
     <message>
         <source>The dip paints only %1 % of the part; the limit is %2 %. Check the depth and the pose.</source>
@@ -7237,14 +7344,6 @@
         <source>Wrote film.pdf and card.pdf to %1. Print them at 100 %; the rulers must measure 100 mm.</source>
         <translation>film.pdf und card.pdf wurden in %1 gespeichert. Drucken Sie sie mit 100 %; die Lineale müssen 100 mm messen.</translation>
     </message>
-    <message>
-        <source>%1 already contains %2.</source>
-        <translation>%1 enthält bereits %2.</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Ersetzen</translation>
-    </message>
 </context>
 <context>
     <name>dipwright::FinishedPartPreview</name>
@@ -7497,6 +7596,10 @@ auf steifen, wasserfesten Karton gedruckt</translation>
 </context>
 <context>
     <name>dipwright::ImportModel</name>
+    <message>
+        <source>The model&apos;s blend shapes are not applied, so it has its shape without them; apply them in a modelling program</source>
+        <translation>Die Blendshapes des Modells werden nicht angewendet, deshalb hat es seine Form ohne sie; wenden Sie sie in einem Modellierprogramm an</translation>
+    </message>
     <message>
         <source>Reading the model</source>
         <translation>Modell wird gelesen</translation>
@@ -8516,6 +8619,10 @@ auf steifen, wasserfesten Karton gedruckt</translation>
 <context>
     <name>dipwright::NumericalErrorDialog</name>
     <message>
+        <source>%1: this sheet is not accurate enough. For 95 % of it, the numerical error is up to %2. Use smaller film cells or more points, or turn the part.</source>
+        <translation>%1: Dieses Blatt ist nicht genau genug. Für 95 % davon beträgt der numerische Fehler bis zu %2. Nehmen Sie kleinere Filmzellen oder mehr Punkte, oder drehen Sie das Teil.</translation>
+    </message>
+    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -8586,10 +8693,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>%1: this sheet is accurate enough. For 95 % of it, the numerical error is at most %2.</source>
         <translation>%1: Dieses Blatt ist genau genug. Für 95 % davon beträgt der numerische Fehler höchstens %2.</translation>
-    </message>
-    <message>
-        <source>%1: this sheet is not accurate enough. For 95 % of it, the numerical error is up to %2. Use smaller film cells or more points, turn the part, or dip it twice.</source>
-        <translation>%1: Dieses Blatt ist nicht genau genug. Für 95 % davon beträgt der numerische Fehler bis zu %2. Nehmen Sie kleinere Filmzellen oder mehr Punkte, drehen Sie das Teil oder tauchen Sie es zweimal.</translation>
     </message>
 </context>
 <context>
@@ -11005,6 +11108,17 @@ Ergebnisse: %2</translation>
     <message>
         <source>The CAD file was not read, because it made the file reader crash; save it again as STEP (AP214 or AP242) in the CAD program</source>
         <translation>Die CAD-Datei wurde nicht gelesen, weil sie das Leseprogramm zum Absturz brachte; speichern Sie sie im CAD-Programm neu als STEP (AP214 oder AP242)</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ReplaceQuestion</name>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 already contains %2.</source>
+        <translation>%1 enthält bereits %2.</translation>
     </message>
 </context>
 <context>

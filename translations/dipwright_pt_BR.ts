@@ -4340,6 +4340,105 @@
     </message>
 </context>
 <context>
+    <name>RunCommand</name>
+    <message>
+        <source>Project %1 of %2: %3</source>
+        <translation>Projeto %1 de %2: %3</translation>
+    </message>
+    <message>
+        <source>Wrote %1</source>
+        <translation>%1 gravado</translation>
+    </message>
+    <message>
+        <source>Coverage by all dips: %1 %</source>
+        <translation>Cobertura por todas as imersões: %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of the film is used; the smaller size %2 (%3 × %4 mm) is large enough</source>
+        <translation>%1 % da película são usados; o formato menor %2 (%3 × %4 mm) é grande o bastante</translation>
+    </message>
+    <message>
+        <source>Film: swell guessed</source>
+        <translation>Película: inchamento estimado</translation>
+    </message>
+    <message>
+        <source>Film: swell measured on %1</source>
+        <translation>Película: inchamento medido em %1</translation>
+    </message>
+    <message>
+        <source>Solver: %1 %2 on %3</source>
+        <translation>Solucionador: %1 %2 em %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 × %3 points, cells of %4 mm over the part, %5, coverage %6 %, read-back error of the texture %7 mm (95 %)</source>
+        <translation>%1: %2 × %3 pontos, células de %4 mm sobre a peça, %5, cobertura %6 %, erro de releitura da textura %7 mm (95 %)</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 passos</translation>
+    </message>
+    <message>
+        <source>%1 steps in %2 s</source>
+        <translation>%1 passos em %2 s</translation>
+    </message>
+    <message>
+        <source>%1: the cradle is %2 mm from the part and %3 mm from the paint, supports %4 mm² of the part and may be tilted by %5°</source>
+        <translation>%1: o berço fica a %2 mm da peça e a %3 mm da tinta, apoia %4 mm² da peça e pode ser tombado em %5°</translation>
+    </message>
+    <message>
+        <source>Seam: %1 mm long</source>
+        <translation>Emenda: %1 mm de comprimento</translation>
+    </message>
+    <message>
+        <source>Seam: %1 mm long, %2 % as visible as a plain cut halfway between the poses</source>
+        <translation>Emenda: %1 mm de comprimento, %2 % tão visível quanto um corte simples a meio caminho entre as poses</translation>
+    </message>
+    <message>
+        <source>smaller places that only report.json lists: %1</source>
+        <translation>lugares menores que só report.json lista: %1</translation>
+    </message>
+    <message>
+        <source>not reached: %1 mm² at x %2 mm, y %3 mm, z %4 mm on the model</source>
+        <translation>não alcançado: %1 mm² em x %2 mm, y %3 mm, z %4 mm no modelo</translation>
+    </message>
+    <message>
+        <source>Split between the dips: %1 %2, %3 %4, overlap %5 with a width of %6 to %7 mm, not painted %8</source>
+        <translation>Divisão entre as imersões: %1 %2, %3 %4, sobreposição %5 com largura de %6 a %7 mm, não pintado %8</translation>
+    </message>
+    <message>
+        <source>%1 mm² (%2 %)</source>
+        <translation>%1 mm² (%2 %)</translation>
+    </message>
+    <message>
+        <source>±%1 mm at x %2 mm, y %3 mm, z %4 mm on the model, largest cause: %5</source>
+        <translation>±%1 mm em x %2 mm, y %3 mm, z %4 mm no modelo, maior causa: %5</translation>
+    </message>
+    <message>
+        <source>moves the border of the paint: %1 mm² less or %2 mm² more painted</source>
+        <translation>desloca a borda da área pintada: %1 mm² a menos ou %2 mm² a mais pintados</translation>
+    </message>
+    <message>
+        <source>%1 ±%2 %3: %4 % of the spread, %5</source>
+        <translation>%1 ±%2 %3: %4 % da dispersão, %5</translation>
+    </message>
+    <message>
+        <source>colours land within %1 of their places</source>
+        <translation>as cores caem a até %1 dos seus lugares</translation>
+    </message>
+    <message>
+        <source>±%1 mm (95 %; half of the painted area within ±%2 mm, all within ±%3 mm)</source>
+        <translation>±%1 mm (95 %; metade da área pintada dentro de ±%2 mm, tudo dentro de ±%3 mm)</translation>
+    </message>
+    <message>
+        <source>x %1 mm, z %2 mm from the film&apos;s centre: %3</source>
+        <translation>x %1 mm, z %2 mm do centro da película: %3</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+</context>
+<context>
     <name>Separation</name>
     <message>
         <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
@@ -4847,6 +4946,14 @@
 <context>
     <name>Traveller</name>
     <message>
+        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis. %3</source>
+        <translation>Mergulhe a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Cada pose dá o tempo, a posição do centro da peça em relação ao centro da película na água e o giro em relação à rotação no fim: em torno do eixo para a direita, depois do eixo para a borda superior, depois do eixo para cima. %3</translation>
+    </message>
+    <message>
+        <source>%1 s: %2 mm to the right, %3 mm towards the upper edge, %4 mm up, turned by %5°, %6° and %7°</source>
+        <translation>%1 s: %2 mm para a direita, %3 mm para a borda superior, %4 mm para cima, girada em %5°, %6° e %7°</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1 s</translation>
     </message>
@@ -5007,16 +5114,8 @@
         <translation>Após a imersão %1 a peça deve ficar assim (vista da borda inferior, da borda direita e de baixo)</translation>
     </message>
     <message>
-        <source>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</source>
-        <translation>%1 s: (%2; %3; %4) mm, (%5°; %6°; %7°)</translation>
-    </message>
-    <message>
         <source>The part at the end of the dip, when its rotation about fixed axes is X %1°, then Y %2°, then Z %3°. Dashed blue line: water at the end.</source>
         <translation>A peça no fim da imersão, quando sua rotação em torno de eixos fixos é X %1°, depois Y %2°, depois Z %3°. Linha azul tracejada: água no fim.</translation>
-    </message>
-    <message>
-        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water (to the right; towards the upper edge; up), and the turn about these axes relative to the rotation at the end: %3</source>
-        <translation>Mergulhe a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Cada pose dá o tempo, a posição do centro da peça em relação ao centro da película na água (para a direita; para a borda superior; para cima) e o giro em torno desses eixos em relação à rotação no fim: %3</translation>
     </message>
     <message>
         <source>Tape the masked surface</source>
@@ -5157,6 +5256,38 @@
 <context>
     <name>Verdict</name>
     <message>
+        <source>Ink now: %1</source>
+        <translation>Tinta agora: %1</translation>
+    </message>
+    <message>
+        <source>A second dip may help, too.</source>
+        <translation>Uma segunda imersão também pode ajudar.</translation>
+    </message>
+    <message>
+        <source>The film tears, and up to %1 % of the surface that it should paint stays bare; the limit is %2 %. Turn the part, or use a film that stretches more.</source>
+        <translation>O filme se rasga, e até %1 % da superfície que ele deve pintar ficam sem tinta; o limite é %2 %. Gire a peça ou use um filme que se estique mais.</translation>
+    </message>
+    <message>
+        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the part.</source>
+        <translation>A película rasgou ou se soltou em %1 % da área pintada; o limite é %2 %. Gire a peça.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, or set much smaller cells or more points (Film &gt; Resolution).</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Gire a peça ou ponha células bem menores ou mais pontos (Película &gt; Resolução).</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part.</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Gire a peça.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set cells of %3 (Film &gt; Resolution &gt; Cell size), or turn the part.</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha células de %3 (Película &gt; Resolução &gt; Tamanho das células) ou gire a peça.</translation>
+    </message>
+    <message>
+        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), or turn the part.</source>
+        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha mais pontos (Película &gt; Pontos) ou gire a peça.</translation>
+    </message>
+    <message>
         <source>Not judged</source>
         <translation>Não avaliado</translation>
     </message>
@@ -5225,10 +5356,6 @@
         <translation>%1 % da área pintada ficarão claros demais; o limite é %2 %. A película estica mais do que o limite de tinta (Tinta &gt; Limite de tinta) consegue compensar. Gire a peça ou escolha cores mais claras.</translation>
     </message>
     <message>
-        <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the part, or dip it twice.</source>
-        <translation>A película rasgou ou se soltou em %1 % da área pintada; o limite é %2 %. Gire a peça ou mergulhe-a duas vezes.</translation>
-    </message>
-    <message>
         <source>%1 % of the part is painted by neither dip; the limit is %2 %. Turn the part in one of the dips.</source>
         <translation>%1 % da peça não são pintados por nenhuma das imersões; o limite é %2 %. Gire a peça em uma das imersões.</translation>
     </message>
@@ -5243,14 +5370,6 @@
     <message>
         <source>%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film reaches it.</source>
         <translation>%1 % da zona não são pintados; o limite é %2 %. Gire a peça de modo que a película alcance a zona.</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set more points (Film &gt; Points), turn the part, or dip it twice.</source>
-        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha mais pontos (Película &gt; Pontos), gire a peça ou mergulhe-a duas vezes.</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, or dip it twice.</source>
-        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Gire a peça ou mergulhe-a duas vezes.</translation>
     </message>
     <message>
         <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Most of this error comes from the length of the steps: set a smaller step (Dipping &gt; Step).</source>
@@ -5269,14 +5388,6 @@
         <translation>Erro numérico: no máximo %1 em 95 % da área pintada.</translation>
     </message>
     <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Set cells of %3 (Film &gt; Resolution &gt; Cell size), turn the part, or dip it twice.</source>
-        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Ponha células de %3 (Película &gt; Resolução &gt; Tamanho das células), gire a peça ou mergulhe-a duas vezes.</translation>
-    </message>
-    <message>
-        <source>Numerical error: at most %1 on 95 % of the painted area; the limit is %2. Turn the part, dip it twice, or set much smaller cells or more points (Film &gt; Resolution).</source>
-        <translation>Erro numérico: no máximo %1 em 95 % da área pintada; o limite é %2. Gire a peça, mergulhe-a duas vezes ou ponha células bem menores ou mais pontos (Película &gt; Resolução).</translation>
-    </message>
-    <message>
         <source>The border of the painted area is uncertain: with other cells or steps, %1 % of the part changes between painted and unpainted. Set smaller cells (Film &gt; Resolution).</source>
         <translation>A borda da área pintada é incerta: com outras células ou passos, %1 % da peça mudam entre pintado e não pintado. Ponha células menores (Película &gt; Resolução).</translation>
     </message>
@@ -5291,10 +5402,6 @@
     <message>
         <source>Handling and numerical error together: at most ±%1 on 95 % of the painted area; the limit is ±%2. Reduce the largest cause that the results list under Tolerances, or turn the part.</source>
         <translation>Manuseio e erro numérico juntos: no máximo ±%1 em 95 % da área pintada; o limite é ±%2. Reduza a maior causa que os resultados listam em “Tolerâncias”, ou gire a peça.</translation>
-    </message>
-    <message>
-        <source>The film tears, and up to %1 % of the surface that it should paint stays bare; the limit is %2 %. Turn the part, dip it twice, or use a film that stretches more.</source>
-        <translation>O filme se rasga, e até %1 % da superfície que ele deve pintar ficam sem tinta; o limite é %2 %. Gire a peça, mergulhe-a duas vezes ou use um filme que se estique mais.</translation>
     </message>
     <message>
         <source>The dip paints only %1 % of the part; the limit is %2 %. Check the depth and the pose.</source>
@@ -7237,14 +7344,6 @@
         <source>Wrote film.pdf and card.pdf to %1. Print them at 100 %; the rulers must measure 100 mm.</source>
         <translation>film.pdf e card.pdf foram salvos em %1. Imprima-os a 100 %; as réguas devem medir 100 mm.</translation>
     </message>
-    <message>
-        <source>%1 already contains %2.</source>
-        <translation>%1 já contém %2.</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Substituir</translation>
-    </message>
 </context>
 <context>
     <name>dipwright::FinishedPartPreview</name>
@@ -7497,6 +7596,10 @@ impresso em papel-cartão rígido e impermeável</translation>
 </context>
 <context>
     <name>dipwright::ImportModel</name>
+    <message>
+        <source>The model&apos;s blend shapes are not applied, so it has its shape without them; apply them in a modelling program</source>
+        <translation>As blend shapes do modelo não são aplicadas, por isso ele fica com a forma sem elas; aplique-as em um programa de modelagem</translation>
+    </message>
     <message>
         <source>Reading the model</source>
         <translation>Lendo o modelo</translation>
@@ -8516,6 +8619,10 @@ impresso em papel-cartão rígido e impermeável</translation>
 <context>
     <name>dipwright::NumericalErrorDialog</name>
     <message>
+        <source>%1: this sheet is not accurate enough. For 95 % of it, the numerical error is up to %2. Use smaller film cells or more points, or turn the part.</source>
+        <translation>%1: esta folha não é exata o bastante. Em 95 % dela, o erro numérico chega a %2. Use células menores ou mais pontos na película, ou gire a peça.</translation>
+    </message>
+    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -8586,10 +8693,6 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>%1: this sheet is accurate enough. For 95 % of it, the numerical error is at most %2.</source>
         <translation>%1: esta folha é exata o bastante. Em 95 % dela, o erro numérico é de no máximo %2.</translation>
-    </message>
-    <message>
-        <source>%1: this sheet is not accurate enough. For 95 % of it, the numerical error is up to %2. Use smaller film cells or more points, turn the part, or dip it twice.</source>
-        <translation>%1: esta folha não é exata o bastante. Em 95 % dela, o erro numérico chega a %2. Use células menores ou mais pontos na película, gire a peça ou mergulhe-a duas vezes.</translation>
     </message>
 </context>
 <context>
@@ -11005,6 +11108,17 @@ Resultados: %2</translation>
     <message>
         <source>The CAD file was not read, because it made the file reader crash; save it again as STEP (AP214 or AP242) in the CAD program</source>
         <translation>O arquivo CAD não foi lido, porque fez o leitor falhar; salve-o de novo como STEP (AP214 ou AP242) no programa CAD</translation>
+    </message>
+</context>
+<context>
+    <name>dipwright::ReplaceQuestion</name>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Substituir</translation>
+    </message>
+    <message>
+        <source>%1 already contains %2.</source>
+        <translation>%1 já contém %2.</translation>
     </message>
 </context>
 <context>
