@@ -241,6 +241,19 @@ double shadowStep(const TriangleMesh& posed) {
     return std::max(double(boundingBox(posed).diagonal().norm()) / 12, 0.5);
 }
 
+double riseOnPath(const solver::BodyPath& path, const TriangleMesh& posed) {
+    if (path.isStraightDown()) {
+        return 0;
+    }
+    double deepest = 0, rise = 0;
+    for (const PathMoment& moment : momentsOf(path, shadowStep(posed))) {
+        const double depth = -lowestPoint(posed, moment.poseToWorld);
+        deepest = std::max(deepest, depth);
+        rise = deepest > 0 ? std::max(rise, (deepest - depth) / deepest) : 0;
+    }
+    return rise;
+}
+
 Eigen::AlignedBox2d shadowOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
                                  ShadowOf part) {
     Eigen::AlignedBox2d shadow;

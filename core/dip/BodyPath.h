@@ -50,6 +50,11 @@ solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
 solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& modelToPose,
                              const Immersion& immersion);
 
+// Returns how far the body comes up again on its path: how much its lowest point rises, as a share
+// of its greatest depth before. 0: it never rises; 1: it comes up to the water, more: above it.
+// `posed` is the body in its pose frame.
+double riseOnPath(const solver::BodyPath& path, const TriangleMesh& posed);
+
 // Returns how far a body travels at most, mm, between two moments at which its shadow is computed.
 double shadowStep(const TriangleMesh& posed);
 // The part of a body whose shadow is computed.

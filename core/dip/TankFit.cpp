@@ -1,6 +1,7 @@
 #include "dip/TankFit.h"
 
 #include "dip/Pose.h"
+#include "film/FilmGrid.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -82,9 +83,9 @@ Eigen::Vector3d pathOriginInTank(const Immersion& immersion, Seconds time) {
            time.value() * waterVelocity(immersion.path);
 }
 
-QStringList tankFaults(const std::optional<TankProfile>& profile, const ProcessSettings& process,
-                       const Immersion& immersion, const TriangleMesh& posed,
-                       const solver::BodyPath& path) {
+QStringList tankFaults(const std::optional<TankProfile>& profile, const FilmSettings& film,
+                       const ProcessSettings& process, const Immersion& immersion,
+                       const TriangleMesh& posed, const solver::BodyPath& path) {
     if (!profile) {
         return {};
     }
@@ -92,12 +93,20 @@ QStringList tankFaults(const std::optional<TankProfile>& profile, const ProcessS
     const Demand demand = path.isStraightDown() ? straightDemand(posed, immersion, process)
                                                 : demandOnPath(path, posed, immersion, process);
     QStringList faults;
+    constexpr double rounding = 1e-6; // relative
     const Eigen::Vector2d half(tank.width.value() / 2, tank.length.value() / 2);
+    const solver::FilmGrid floating = filmGrid(film);
+    if (floating.width / 2 > half.x() * (1 + rounding) ||
+        floating.depth / 2 > half.y() * (1 + rounding)) {
+        faults << Text::tr("The film is %1 × %2 mm large on the water, but the tank “%3” only %4 × "
+                           "%5 mm; use a smaller film")
+                      .arg(number(floating.width), number(floating.depth), tank.name,
+                           number(tank.width.value()), number(tank.length.value()));
+    }
     if (!Eigen::AlignedBox2d(-half, half).contains(demand.outline)) {
         faults << Text::tr("The part reaches past the edge of the tank “%1”; move or turn the part")
                       .arg(tank.name);
     }
-    constexpr double rounding = 1e-6; // relative
     const auto exceeds = [](double value, const auto& limit) {
         return limit && value > limit->value() * (1 + rounding);
     };

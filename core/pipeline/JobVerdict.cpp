@@ -229,7 +229,7 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
                    const SurfaceMask* mask) {
     return verdict({*dip.laid, *dip.coverage, dip.numericalError.get(),
                     dip.inkShortfall.value_or(dip.texture->shortfallArea), zones,
-                    tankFaults(project.profiles.tank, project.process, dip.immersion,
+                    tankFaults(project.profiles.tank, project.film, project.process, dip.immersion,
                                dip.body->mesh, dip.body->path)
                         .join(QStringLiteral(". ")),
                     mask, project.immersions.size() == 1, takesInk(dip, project),

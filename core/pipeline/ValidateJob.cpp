@@ -1,6 +1,7 @@
 #include "pipeline/ValidateJob.h"
 
 #include "accuracy/correction/SheetCorrection.h"
+#include "accuracy/verdict/Verdict.h"
 #include "artwork/EditArtwork.h"
 #include "base/Error.h"
 #include "dip/FilmFit.h"
@@ -83,8 +84,8 @@ QString misplacementOf(const PosedShape& shape, const Project& project,
     if (!film.intersects(body)) {
         return beside();
     }
-    QStringList faults =
-        tankFaults(project.profiles.tank, project.process, immersion, shape.mesh, shape.path);
+    QStringList faults = tankFaults(project.profiles.tank, project.film, project.process, immersion,
+                                    shape.mesh, shape.path);
     if (!film.contains(body)) {
         faults.prepend(
             Text::tr("The part reaches past the film's edge; move or turn the part, or %1")
@@ -107,6 +108,12 @@ void checkImmersion(const Project& project, const Immersion& immersion, const Su
     const solver::FilmGrid grid = filmUnderBody(project.film, underside, immersion.offset);
     if (const QString wrong = misplacementOf(shape, project, immersion); !wrong.isEmpty()) {
         warnings.append(Text::tr("%1: %2").arg(immersion.name, wrong));
+    }
+    if (const double rise = riseOnPath(shape.path, shape.mesh); rise > mostRise) {
+        using Kind = VerdictReason::Kind;
+        const QString text =
+            reasonText({Kind::Rises, Advice::CheckFirst, rise, mostRise}, millimetres);
+        warnings.append(Text::tr("%1: %2").arg(immersion.name, text));
     }
     if (body.sizes().maxCoeff() < grid.leastSpacingX()) {
         throw Error(

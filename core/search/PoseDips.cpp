@@ -112,7 +112,7 @@ std::exception_ptr failureOf(const std::function<void()>& work) {
 
 QString tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
                      const solver::BodyPath& path, const Immersion& immersion) {
-    return tankFaults(subject.tank, subject.process, immersion, posed, path)
+    return tankFaults(subject.tank, subject.film, subject.process, immersion, posed, path)
         .join(QStringLiteral(". "));
 }
 

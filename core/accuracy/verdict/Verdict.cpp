@@ -1,6 +1,7 @@
 #include "accuracy/verdict/Verdict.h"
 
 #include "accuracy/verdict/PlacesToCheck.h"
+#include "dip/BodyPath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +140,10 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
     if (dip.isOnlyDip) {
         found.addTornBare(dip.coverage.tornBareShare());
     }
+    if (const double rise = riseOnPath(dip.laid.body().path, dip.laid.body().mesh);
+        rise > mostRise) {
+        found.add({Kind::Rises, Advice::CheckFirst, rise, mostRise});
+    }
     const double edge = edgeDistance(dip.laid);
     if (edge < limits.edge.value()) {
         found.add({Kind::FilmEdge, edgeIsOnBody(dip.laid) ? Advice::DoNotPrint : Advice::CheckFirst,
@@ -252,6 +257,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"damaged", "verdict.damaged"},
                                KindWords{"torn_bare", ""},
                                KindWords{"film_edge", "verdict.edge_mm"},
+                               KindWords{"rises", ""},
                                KindWords{"tank", ""},
                                KindWords{"no_ink", ""},
                                KindWords{"lost_plates", ""},

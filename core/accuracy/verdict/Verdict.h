@@ -36,6 +36,7 @@ struct VerdictReason {
         TornBare, // only dip of a job: the share `value` of the surface that it should paint stays
                   // bare because the film tears before
         FilmEdge, // film that paints the body lies only `value` mm from the film's edge
+        Rises,    // the path lifts the part again by the share `value` of its depth
         Tank,     // `text`: the limits of the tank or its machine that the dip exceeds
         NoInk,    // the sheet takes no ink
         LostPlates, // `text`: the plates that the project's printer cannot print
@@ -111,6 +112,8 @@ inline constexpr double leastUsualSpeed = 0.5, mostUsualSpeed = 100;
 inline constexpr double mostUsualGrowthRate = 0.05, mostUsualGrowth = 0.5;
 // A vent hole this many cells of the search for trapped air wide is always seen (AirPockets.h).
 inline constexpr double seenVentCells = 2;
+// Limit for riseOnPath(); above it the verdict is *check first*.
+inline constexpr double mostRise = 0.5;
 // The smallest cell that a reason proposes, relative to the film's own cell. An error that
 // would need even smaller cells does not shrink in proportion to the cells.
 inline constexpr double finestCellNamed = 0.15;

@@ -117,6 +117,11 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("Film that paints the part lies only %1 from the film's edge; at least %2 "
                         "are required. Use a larger film, or move the part to the film's centre.")
             .arg(length(reason.value), length(reason.limit));
+    case Kind::Rises:
+        return Text::tr("The path lifts the part again by more than %1 % of its depth. Film that "
+                        "the part carries out of the water is not simulated. Lower the part "
+                        "without lifting it, or make a test dip.")
+            .arg(shares[1]);
     case Kind::NoInk:
         return Text::tr("The sheet has no ink: its picture is white or transparent. Check the "
                         "texture and the artwork.");

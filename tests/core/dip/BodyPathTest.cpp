@@ -272,6 +272,23 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(bodyPath(posedBox(), immersion, ProcessSettings()), Error);
     }
 
+    // The rise counts relative to the depth of 12 mm before it.
+    void riseOnPath_pathThatLiftsThePart_isPositive() {
+        const auto rise = [](const std::vector<PathKey>& keys) {
+            Immersion immersion = onPath(PathKind::Poses, 0);
+            immersion.path.keys = keys;
+            return riseOnPath(bodyPath(posedBox(), immersion, ProcessSettings()), posedBox());
+        };
+        QCOMPARE(rise({key(0, 0), key(4, 12), key(8, 12), key(12, std::nullopt)}), 0.0);
+        QVERIFY(std::abs(rise({key(0, 0), key(4, 12), key(8, 9), key(12, std::nullopt)}) - 0.25) <
+                1e-3);
+        QVERIFY(std::abs(rise({key(0, 0), key(4, 12), key(8, -6), key(12, std::nullopt)}) - 1.5) <
+                1e-3);
+        const Immersion tilted = throughPoses();
+        QCOMPARE(riseOnPath(bodyPath(posedBox(), tilted, toDepth(20)), posedBox()), 0.0);
+        QCOMPARE(riseOnPath({}, posedBox()), 0.0);
+    }
+
     void bodyPath_farTravel_isRefused() {
         Immersion immersion = onPath(PathKind::Straight, 0);
         immersion.path.waterSpeed = MillimetresPerSecond(200);

@@ -11,6 +11,7 @@ using namespace dipwright;
 namespace {
 
 struct TankDip {
+    FilmSettings film;
     ProcessSettings process;
     Immersion immersion;
     std::optional<TankProfile> tank;
@@ -32,7 +33,7 @@ TankDip boxInTank() {
 QString faults(const TankDip& dip) {
     const TriangleMesh mesh = boxMesh({40, 20, 30});
     const TriangleMesh posed = transformed(mesh, poseTransform(mesh, dip.immersion));
-    return tankFaults(dip.tank, dip.process, dip.immersion, posed,
+    return tankFaults(dip.tank, dip.film, dip.process, dip.immersion, posed,
                       bodyPath(posed, dip.immersion, dip.process))
         .join(u'\n');
 }
@@ -50,6 +51,20 @@ private slots:
         QVERIFY(faults(dip).contains(QStringLiteral("past the edge of the tank “Bath”")));
         dip.tank.reset();
         QCOMPARE(faults(dip), QString());
+    }
+
+    // The film swells on the water: by 10 % in width and 20 % in height.
+    void tankFaults_filmLargerThanTheTank_areTold() {
+        TankDip dip = boxInTank();
+        dip.film.width = Millimetres(360);
+        dip.film.height = Millimetres(500);
+        dip.film.swellX = 1.1;
+        dip.film.swellY = 1.2;
+        QCOMPARE(faults(dip), QString());
+        dip.film.width = Millimetres(370);
+        QVERIFY2(
+            faults(dip).contains(QStringLiteral("film is 407.0 × 600.0 mm large on the water")),
+            qPrintable(faults(dip)));
     }
 
     void tankFaults_straightDip_comparesDepthReachAndSpeed() {
@@ -110,6 +125,7 @@ private slots:
     // A box that enters tilted covers more of the water until it is level.
     void tankFaults_tiltedEntry_comparesTheWholePath() {
         TankDip dip = boxInTank();
+        dip.film.width = Millimetres(41);
         dip.tank->width = Millimetres(41);
         QCOMPARE(faults(dip), QString());
         dip.immersion.path.kind = PathKind::Tilt;
