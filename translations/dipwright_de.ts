@@ -558,8 +558,8 @@
 <context>
     <name>DipCache</name>
     <message>
-        <source>The file of cached dips is damaged and is ignored; the next run replaces it</source>
-        <translation>Die Datei der zwischengespeicherten Tauchvorgänge ist beschädigt und wird nicht verwendet; der nächste Lauf ersetzt sie</translation>
+        <source>The file of cached dips is damaged and is ignored; the next run in the workbench replaces it</source>
+        <translation>Die Datei der zwischengespeicherten Tauchvorgänge ist beschädigt und wird nicht verwendet; der nächste Lauf im Fenster ersetzt sie</translation>
     </message>
     <message>
         <source>The dips cannot be cached: %1</source>
@@ -4836,6 +4836,10 @@
 <context>
     <name>TankFit</name>
     <message>
+        <source>The film is %1 × %2 mm large on the water, but the tank “%3” only %4 × %5 mm; use a smaller film</source>
+        <translation>Der Film ist auf dem Wasser %1 × %2 mm groß, das Becken „%3“ aber nur %4 × %5 mm; nehmen Sie einen kleineren Film</translation>
+    </message>
+    <message>
         <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
         <translation>Das Teil ragt über den Rand des Beckens „%1“ hinaus; das Teil verschieben oder drehen</translation>
     </message>
@@ -5256,6 +5260,26 @@
 <context>
     <name>Verdict</name>
     <message>
+        <source>Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part so that the air escapes, or drill a vent hole. Vent holes narrower than %3 may not be seen.</source>
+        <translation>Eingeschlossene Luft hält %1 % des Teils trocken; die Grenze ist %2 %. Drehen Sie das Teil so, dass die Luft entweicht, oder bohren Sie ein Entlüftungsloch. Entlüftungslöcher unter %3 Breite werden vielleicht nicht erkannt.</translation>
+    </message>
+    <message>
+        <source>The film grows by %1 % in all; more than %2 % is unusual. Check this value.</source>
+        <translation>Der Film wächst insgesamt um %1 %; mehr als %2 % ist unüblich. Prüfen Sie diesen Wert.</translation>
+    </message>
+    <message>
+        <source>The film grows by %1 % per second; more than %2 % is unusual. Check this value.</source>
+        <translation>Der Film wächst um %1 % je Sekunde; mehr als %2 % ist unüblich. Prüfen Sie diesen Wert.</translation>
+    </message>
+    <message>
+        <source>The dip speed is %1 mm/s; the usual range is %2 to %3 mm/s. Check this value.</source>
+        <translation>Die Tauchgeschwindigkeit ist %1 mm/s; üblich sind %2 bis %3 mm/s. Prüfen Sie diesen Wert.</translation>
+    </message>
+    <message>
+        <source>The path lifts the part again by more than %1 % of its depth. Film that the part carries out of the water is not simulated. Lower the part without lifting it, or make a test dip.</source>
+        <translation>Der Weg hebt das Teil wieder um mehr als %1 % seiner Tiefe. Film, den das Teil aus dem Wasser zieht, wird nicht simuliert. Senken Sie das Teil, ohne es zu heben, oder tauchen Sie zur Probe.</translation>
+    </message>
+    <message>
         <source>Ink now: %1</source>
         <translation>Farbe jetzt: %1</translation>
     </message>
@@ -5346,10 +5370,6 @@
     <message>
         <source>The film does not paint the part. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
         <translation>Der Film bemalt das Teil nicht. Prüfen Sie die Einheit des Modells, seinen Platz über dem Film und die Tauchtiefe.</translation>
-    </message>
-    <message>
-        <source>Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part so that the air escapes, or drill a vent hole.</source>
-        <translation>Eingeschlossene Luft hält %1 % des Teils trocken; die Grenze ist %2 %. Drehen Sie das Teil so, dass die Luft entweicht, oder bohren Sie ein Entlüftungsloch.</translation>
     </message>
     <message>
         <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than the ink limit (Ink &gt; Ink limit) can compensate. Turn the part, or choose lighter colours.</source>
@@ -10252,6 +10272,10 @@ Dehnung</translation>
 <context>
     <name>dipwright::Printing</name>
     <message>
+        <source>The printer does not reach the outer %1 mm of the paper, and a part of the cut contour lies there; check that the cutter reaches it</source>
+        <translation>Der Drucker erreicht die äußeren %1 mm des Papiers nicht, und ein Teil der Schneidkontur liegt dort; prüfen Sie, ob der Schneider sie erreicht</translation>
+    </message>
+    <message>
         <source>The sheet could not be sent to the printer: %1</source>
         <translation>Das Blatt konnte nicht an den Drucker gesendet werden: %1</translation>
     </message>
@@ -10485,7 +10509,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>At the printer profile&apos;s scale, the cut contour reaches past the edge of the paper</source>
-        <translation>Beim Maßstab des Druckerprofils reicht die Schnittkontur über den Rand des Papiers hinaus</translation>
+        <translation>Beim Maßstab des Druckerprofils reicht die Schneidkontur über den Rand des Papiers hinaus</translation>
     </message>
     <message>
         <source>%1; choose larger paper, or accept that a part of it is lost</source>

@@ -558,8 +558,8 @@
 <context>
     <name>DipCache</name>
     <message>
-        <source>The file of cached dips is damaged and is ignored; the next run replaces it</source>
-        <translation>O arquivo de imersões em cache está danificado e é ignorado; a próxima execução o substitui</translation>
+        <source>The file of cached dips is damaged and is ignored; the next run in the workbench replaces it</source>
+        <translation>O arquivo de imersões em cache está danificado e é ignorado; a próxima execução na janela o substitui</translation>
     </message>
     <message>
         <source>The dips cannot be cached: %1</source>
@@ -4836,6 +4836,10 @@
 <context>
     <name>TankFit</name>
     <message>
+        <source>The film is %1 × %2 mm large on the water, but the tank “%3” only %4 × %5 mm; use a smaller film</source>
+        <translation>Na água, o filme mede %1 × %2 mm, mas o tanque “%3” só %4 × %5 mm; use um filme menor</translation>
+    </message>
+    <message>
         <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
         <translation>A peça ultrapassa a borda do tanque “%1”; mova ou gire a peça</translation>
     </message>
@@ -5256,6 +5260,26 @@
 <context>
     <name>Verdict</name>
     <message>
+        <source>Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part so that the air escapes, or drill a vent hole. Vent holes narrower than %3 may not be seen.</source>
+        <translation>Ar preso mantém secos %1 % da peça; o limite é %2 %. Gire a peça para que o ar saia, ou faça um furo de respiro. Furos de respiro mais estreitos que %3 podem não ser vistos.</translation>
+    </message>
+    <message>
+        <source>The film grows by %1 % in all; more than %2 % is unusual. Check this value.</source>
+        <translation>O filme cresce %1 % no total; mais de %2 % é incomum. Verifique este valor.</translation>
+    </message>
+    <message>
+        <source>The film grows by %1 % per second; more than %2 % is unusual. Check this value.</source>
+        <translation>O filme cresce %1 % por segundo; mais de %2 % é incomum. Verifique este valor.</translation>
+    </message>
+    <message>
+        <source>The dip speed is %1 mm/s; the usual range is %2 to %3 mm/s. Check this value.</source>
+        <translation>A velocidade da imersão é %1 mm/s; o usual é de %2 a %3 mm/s. Verifique este valor.</translation>
+    </message>
+    <message>
+        <source>The path lifts the part again by more than %1 % of its depth. Film that the part carries out of the water is not simulated. Lower the part without lifting it, or make a test dip.</source>
+        <translation>O percurso levanta a peça de novo em mais de %1 % da sua profundidade. Filme que a peça leva para fora da água não é simulado. Abaixe a peça sem levantá-la, ou faça uma imersão de teste.</translation>
+    </message>
+    <message>
         <source>Ink now: %1</source>
         <translation>Tinta agora: %1</translation>
     </message>
@@ -5346,10 +5370,6 @@
     <message>
         <source>The film does not paint the part. Check the model&apos;s unit, its place over the film, and the depth of the dip.</source>
         <translation>A película não pinta a peça. Verifique a unidade do modelo, o lugar dele sobre a película e a profundidade da imersão.</translation>
-    </message>
-    <message>
-        <source>Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part so that the air escapes, or drill a vent hole.</source>
-        <translation>Ar preso mantém secos %1 % da peça; o limite é %2 %. Gire a peça para que o ar saia, ou faça um furo de respiro.</translation>
     </message>
     <message>
         <source>%1 % of the painted area will be too pale; the limit is %2 %. The film stretches more than the ink limit (Ink &gt; Ink limit) can compensate. Turn the part, or choose lighter colours.</source>
@@ -10251,6 +10271,10 @@ estiramento</translation>
 </context>
 <context>
     <name>dipwright::Printing</name>
+    <message>
+        <source>The printer does not reach the outer %1 mm of the paper, and a part of the cut contour lies there; check that the cutter reaches it</source>
+        <translation>A impressora não alcança os %1 mm externos do papel, e uma parte do contorno de corte fica ali; verifique se a máquina de corte o alcança</translation>
+    </message>
     <message>
         <source>The sheet could not be sent to the printer: %1</source>
         <translation>A folha não pôde ser enviada à impressora: %1</translation>
