@@ -4950,6 +4950,10 @@
 <context>
     <name>Traveller</name>
     <message>
+        <source>The cradle is marked with the number of this dip and the number of its sheet, %1. At the end of the path, its arrow points to the film&apos;s upper edge.</source>
+        <translation>Auf der Halterung stehen die Nummer dieses Tauchvorgangs und die Nummer seines Blatts, %1. Am Ende des Wegs zeigt ihr Pfeil zur oberen Kante des Films.</translation>
+    </message>
+    <message>
         <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis. %3</source>
         <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Jede Lage nennt die Zeit, den Ort der Teilmitte gegenüber der Filmmitte auf dem Wasser und die Drehung gegenüber der Drehung am Ende: um die Achse nach rechts, dann um die Achse zum oberen Rand, dann um die Achse nach oben. %3</translation>
     </message>

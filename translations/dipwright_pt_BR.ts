@@ -4950,6 +4950,10 @@
 <context>
     <name>Traveller</name>
     <message>
+        <source>The cradle is marked with the number of this dip and the number of its sheet, %1. At the end of the path, its arrow points to the film&apos;s upper edge.</source>
+        <translation>O berço traz o número desta imersão e o número da sua folha, %1. No fim do percurso, a seta aponta para a borda superior da película.</translation>
+    </message>
+    <message>
         <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis. %3</source>
         <translation>Mergulhe a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Cada pose dá o tempo, a posição do centro da peça em relação ao centro da película na água e o giro em relação à rotação no fim: em torno do eixo para a direita, depois do eixo para a borda superior, depois do eixo para cima. %3</translation>
     </message>

@@ -142,12 +142,19 @@ QString poseText(const TravellerDip& dip) {
 }
 
 QString cradleText(const TravellerDip& dip) {
-    const QStringList words{
-        dip.hasCradle ? Text::tr("The cradle is marked with the number of this dip and the number "
-                                 "of its sheet, %1. Its arrow points to the film's upper edge.")
-                            .arg(dip.job)
-                      : Text::tr("There is no cradle for this dip. Hold the part as drawn.")};
-    return (words + dip.cradleNotes).join(QStringLiteral(" "));
+    if (!dip.hasCradle) {
+        return (QStringList(Text::tr("There is no cradle for this dip. Hold the part as drawn.")) +
+                dip.cradleNotes)
+            .join(QStringLiteral(" "));
+    }
+    const QString text =
+        dip.motion.path.empty()
+            ? Text::tr("The cradle is marked with the number of this dip and the number of its "
+                       "sheet, %1. Its arrow points to the film's upper edge.")
+            : Text::tr("The cradle is marked with the number of this dip and the number of its "
+                       "sheet, %1. At the end of the path, its arrow points to the film's upper "
+                       "edge.");
+    return (QStringList(text.arg(dip.job)) + dip.cradleNotes).join(QStringLiteral(" "));
 }
 
 double paintPoses(QPainter& painter, const TravellerDip& dip, double top) {
