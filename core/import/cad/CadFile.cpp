@@ -11,10 +11,12 @@
 #include <TCollection_HAsciiString.hxx>
 #include <XCAFApp_Application.hxx>
 
+#include <array>
 #include <cstdio>
 #include <new>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace dipwright {
 namespace {
@@ -34,6 +36,44 @@ bool isIges(const QByteArray& bytes) {
     constexpr qsizetype sectionColumn = 72;
     return bytes.size() > sectionColumn &&
            (bytes[sectionColumn] == 'S' || bytes[sectionColumn] == 'F');
+}
+
+// Returns the columns of an IGES file, one entry for each of its lines. The lines end with CR, LF
+// or both, or have no ends. They may be followed by blanks.
+std::vector<QByteArray> igesLines(QByteArray bytes) {
+    constexpr qsizetype columns = 80;
+    std::vector<QByteArray> lines;
+    for (const QByteArray& text : bytes.replace('\r', '\n').split('\n')) {
+        for (qsizetype first = 0; first < text.size(); first += columns) {
+            lines.push_back(text.mid(first, columns));
+        }
+    }
+    return lines;
+}
+
+// Throws Error if an IGES file does not have the lines that its end states. Its last line, the
+// terminate section, has the numbers of lines of the four other sections: S0000001G0000004D…
+void requireWhole(const QByteArray& bytes, const QString& path) {
+    constexpr qsizetype sectionColumn = 72;
+    constexpr qsizetype statedColumns = 8; // of each section
+    const QByteArray sections = "SGDP";
+    std::array<qint64, 4> counts{};
+    QByteArray end;
+    for (const QByteArray& line : igesLines(bytes)) {
+        const char letter = line.size() > sectionColumn ? line[sectionColumn] : ' ';
+        if (const qsizetype section = sections.indexOf(letter); section >= 0) {
+            ++counts[std::size_t(section)];
+        } else if (letter == 'T') {
+            end = line;
+        }
+    }
+    for (qsizetype section = 0; section < sections.size(); ++section) {
+        const QByteArray stated = end.mid(section * statedColumns, statedColumns);
+        if (stated.left(1) != sections.mid(section, 1) ||
+            stated.mid(1).trimmed().toLongLong() != counts[std::size_t(section)]) {
+            throwDamagedCad(Text::tr("it is incomplete or damaged"), path);
+        }
+    }
 }
 
 template <typename Reader>
@@ -79,6 +119,7 @@ void readIges(const QByteArray& bytes, const QString& path, CadDocument& result)
 #if defined(Q_OS_WIN)
     throwDamagedCad(Text::tr("IGES cannot be read on Windows"), path);
 #else
+    requireWhole(bytes, path);
     IGESCAFControl_Reader reader;
     chooseContents(reader);
     QByteArray content = bytes;

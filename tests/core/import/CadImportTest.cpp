@@ -194,6 +194,11 @@ private slots:
         QTest::newRow("half") << whole.left(whole.size() / 2) << ".step";
         QTest::newRow("IGES text") << QByteArray(500, 'x') << ".igs";
         QTest::newRow("IGES header") << wholeIges.left(500) << ".igs";
+        const qsizetype lastLine = wholeIges.trimmed().lastIndexOf('\n') + 1;
+        QTest::newRow("IGES without its end") << wholeIges.left(lastLine) << ".igs";
+        const qsizetype lineBefore = wholeIges.lastIndexOf('\n', lastLine - 2) + 1;
+        QTest::newRow("IGES without a line")
+            << wholeIges.left(lineBefore) + wholeIges.mid(lastLine) << ".igs";
         QTest::newRow("zeroes") << QByteArray(5000, '\0') << ".igs";
         QByteArray noSurfaces = whole;
         QTest::newRow("no faces") << noSurfaces.replace("ADVANCED_FACE", "ADVANCED_FAKE")
@@ -209,6 +214,26 @@ private slots:
         const QString sentence = refusal(file.fileName());
         QVERIFY(!sentence.isEmpty());
         QVERIFY2(!sentence.contains(QLatin1String("crash")), qPrintable(sentence));
+    }
+
+    void import_igesWithOtherLineEnds_isWhole_data() {
+        QTest::addColumn<QByteArray>("end");
+        QTest::newRow("CR LF") << QByteArray("\r\n");
+        QTest::newRow("CR") << QByteArray("\r");
+        QTest::newRow("none") << QByteArray();
+        QTest::newRow("blanks") << QByteArray("     \n");
+    }
+    void import_igesWithOtherLineEnds_isWhole() {
+        QFETCH(const QByteArray, end);
+        writeBracket(path("ends.igs"));
+        QFile file(path("ends.igs"));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QByteArray bytes = file.readAll();
+        bytes.replace('\n', end);
+        file.resize(0);
+        file.write(bytes);
+        file.close();
+        QVERIFY(import(path("ends.igs")).report.closed);
     }
 
     void import_assemblyThatDoubles_isRefused() {
