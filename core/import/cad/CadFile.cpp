@@ -3,13 +3,17 @@
 #include "base/Error.h"
 
 #include <QCoreApplication>
+#include <QSet>
 
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_CheckIterator.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XCAFApp_Application.hxx>
+#include <XSControl_TransferReader.hxx>
 
 #include <array>
 #include <cstdio>
@@ -141,6 +145,27 @@ void readIges(const QByteArray& bytes, const QString& path, CadDocument& result)
 #endif
 }
 
+// Whether the entity describes dimensions or how the file is shown. These are not used, and often
+// have types that OpenCASCADE does not know.
+bool isLeftOut(const Handle(Standard_Transient) & entity) {
+    const QByteArray type(entity.IsNull() ? "" : entity->DynamicType()->Name());
+    return type.startsWith("StepVisual_") || type.startsWith("StepDimTol_");
+}
+
+// Returns the number of entities that OpenCASCADE could not read from the file or turn into shapes.
+int failedEntities(XSControl_WorkSession& session) {
+    QSet<int> numbers;
+    for (const Interface_CheckIterator& checks :
+         {session.ModelCheckList(false), session.TransferReader()->LastCheckList()}) {
+        for (checks.Start(); checks.More(); checks.Next()) {
+            if (checks.Value()->HasFailed() && !isLeftOut(checks.Value()->Entity())) {
+                numbers.insert(checks.Number());
+            }
+        }
+    }
+    return int(numbers.size());
+}
+
 // Units under the names that everybody knows.
 QString plainUnit(const QString& unit) {
     return unit == QLatin1String("millimetre") || unit == QLatin1String("millimeter")
@@ -172,6 +197,7 @@ CadDocument cadDocument(const QByteArray& bytes, const QString& path) {
         throwDamagedCad(Text::tr("it is neither STEP nor IGES"), path);
     }
     result.unit = plainUnit(result.unit);
+    result.failedEntities = failedEntities(*result.session);
     return result;
 }
 

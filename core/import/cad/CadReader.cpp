@@ -33,6 +33,12 @@ UntrustedModel read(const QString& path, UntrustedFiles& files, const Tessellati
     progress(0.5, Text::tr("Reading the CAD file"));
     const CadFaces faces = cadFaces(document, path);
     UntrustedModel model;
+    if (document.failedEntities > 0) {
+        model.warnings.append(
+            Text::tr("Entities of the CAD file that cannot be read, so that faces or parts may be "
+                     "missing: %1")
+                .arg(document.failedEntities));
+    }
     CadFacts facts;
     facts.unit = document.unit;
     model.mesh = cadTriangles(faces, tessellation, facts.tessellation, model.warnings, path,

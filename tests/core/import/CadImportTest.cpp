@@ -90,6 +90,7 @@ private slots:
         QVERIFY(bracket.report.volume > 0);
         QTEST(bracket.report.cad->unit, "unit");
         QVERIFY2(bracket.report.remarks().isEmpty(), qPrintable(bracket.report.remarks()));
+        QCOMPARE(bracket.report.losses, QStringList());
     }
 
     void import_bracket_keepsNamesAndColours_data() {
@@ -214,6 +215,28 @@ private slots:
         const QString sentence = refusal(file.fileName());
         QVERIFY(!sentence.isEmpty());
         QVERIFY2(!sentence.contains(QLatin1String("crash")), qPrintable(sentence));
+    }
+
+    void import_brokenEntity_isALoss_data() {
+        QTest::addColumn<QByteArray>("entity");
+        QTest::addColumn<QByteArray>("changed");
+        QTest::newRow("surface") << QByteArray("PLANE(") << QByteArray("PLAIN(");
+        QTest::newRow("face") << QByteArray("ADVANCED_FACE(") << QByteArray("ADVANCED_FAKE(");
+    }
+    void import_brokenEntity_isALoss() {
+        QFETCH(const QByteArray, entity);
+        QFETCH(const QByteArray, changed);
+        QFile whole(step_);
+        QVERIFY(whole.open(QIODevice::ReadOnly));
+        QByteArray bytes = whole.readAll();
+        bytes.replace(bytes.indexOf(entity), entity.size(), changed);
+        QFile file(path("broken.step"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        QVERIFY(import(step_).report.losses.isEmpty());
+        const QString losses = import(file.fileName()).report.losses.join(u' ');
+        QVERIFY2(losses.startsWith(QLatin1String("Entities of the CAD file")), qPrintable(losses));
     }
 
     void import_igesWithOtherLineEnds_isWhole_data() {
