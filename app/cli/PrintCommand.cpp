@@ -84,6 +84,8 @@ Sheet blankSheet(const Project& project) {
     blank.filmWidth = project.film.width;
     blank.filmHeight = project.film.height;
     blank.settings = project.sheet;
+    blank.job.project = project.name;
+    blank.job.immersion = project.immersions.front().name; // errors name it
     return blank;
 }
 

@@ -159,13 +159,17 @@ QRect roomOf(const PackingFilm& film, QSize size, DotsPerInch resolution) {
                   -pixels.of(film.edges.right()), -pixels.of(film.edges.bottom()));
 }
 
-void refuseLarge(const PieceToPack& piece, QSize size, const QRect& room) {
+void refuseLarge(const PieceToPack& piece, QSize size, const QRect& room, bool isRoll) {
     const double unit = Pixels(piece.sheet.settings.resolution).unit();
     const auto mm = [unit](int pixels) { return QString::number(pixels / unit, 'f', 1); };
-    throw Error(Text::tr("With its marks, this job's sheet needs %1 × %2 mm, but the film has only "
-                         "%3 × %4 mm inside its edges; use a larger film")
-                    .arg(mm(size.width()), mm(size.height()), mm(room.width()), mm(room.height())),
-                nameOf(piece));
+    const QString reason =
+        isRoll ? Text::tr("With its marks, this job's sheet needs %1 × %2 mm, but the roll has "
+                          "only %3 × %4 mm inside its edges; use a larger roll or a smaller film")
+               : Text::tr("With its marks, this job's sheet needs %1 × %2 mm, but the film has "
+                          "only %3 × %4 mm inside its edges; use a larger film");
+    throw Error(
+        reason.arg(mm(size.width()), mm(size.height()), mm(room.width()), mm(room.height())),
+        nameOf(piece));
 }
 
 PlannedFilm plannedFilm(const std::vector<PackPlace>& places,
@@ -287,7 +291,7 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
         plan.inked.push_back(inked);
         const QSize size = layoutOf(piece, inked.size(), film).size;
         if (!fits({size, piece.turning}, room.size())) {
-            refuseLarge(piece, size, room);
+            refuseLarge(piece, size, room, film.isRoll);
         }
         for (int copy = 1; copy <= piece.copies; ++copy) {
             items.push_back({size + between, piece.turning});

@@ -337,6 +337,19 @@ private slots:
                  sheet.image.size());
     }
 
+    void planFilms_sheetTooLargeForRoll_namesTheRollAndTheJob() {
+        PackingFilm roll;
+        roll.isRoll = roll.wholeSheets = true;
+        roll.size = {100, 2000};
+        try {
+            planFilms({part("Button", {90, 120, 30, 30})}, roll);
+            QFAIL("the sheet was not refused");
+        } catch (const Error& error) {
+            QVERIFY2(error.sentence().contains("the roll has only"), qPrintable(error.sentence()));
+            QVERIFY2(error.where().contains("Button"), qPrintable(error.where()));
+        }
+    }
+
     // A film that is too large for memory gives the same files as a film in memory.
     void filmSheet_madeInRows_givesTheSameFiles() {
         std::vector<PieceToPack> parts{part("Turned", {40, 50, 20, 30}),
