@@ -89,8 +89,9 @@ Sheet blankSheet(const Project& project) {
     return blank;
 }
 
-// Checks the file's options before the computation. A TIFF has the pixels of the whole page.
+// Checks the file and its options before the computation. A TIFF has the pixels of the whole page.
 void checkFileFirst(const QString& path, const Project& project, const PrintRequest& request) {
+    checkWritable(path);
     fileRequest(request);
     const Sheet blank = blankSheet(project);
     const QSizeF page = pageSize(blank);
@@ -208,6 +209,9 @@ QString proofFile(const QCommandLineParser& parser, bool hasTwoSheets, const Pri
         throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile; "
                                    "choose one with --profile"),
                     proof);
+    }
+    if (!proof.isEmpty()) {
+        checkWritable(proof); // fails now instead of after the computation
     }
     return proof;
 }

@@ -503,7 +503,8 @@ private:
                                 const SolverRegistry& registry, const JobOptions& options,
                                 const QCommandLineParser& parser, const Progress& progress,
                                 Console& console) {
-        outputsNamed(project, parser.value(outputsOption)); // throws Error before the job
+        // throws Error before the job
+        checkOutputsFolder(folder, outputsNamed(project, parser.value(outputsOption)));
         // Cached films may be refined, and are judged.
         const auto cached =
             options.estimatesNumericalError

@@ -4,6 +4,7 @@
 #include "base/JsonText.h"
 #include "base/Sha256.h"
 #include "disk/AtomicFile.h"
+#include "disk/FolderTransaction.h"
 #include "disk/PlainFile.h"
 #include "pipeline/WriteResults.h"
 #include "printing/PrintFile.h"
@@ -188,6 +189,14 @@ QStringList foreignFiles(const QString& folder, const std::vector<Output>& outpu
         }
     }
     return foreign;
+}
+
+void checkOutputsFolder(const QString& folder, const std::vector<Output>& outputs) {
+    QStringList files;
+    for (const Output output : outputs) {
+        files += outputFiles(output);
+    }
+    FolderTransaction(folder, files);
 }
 
 std::vector<OutputStatus> makeOutputs(const JobResult& result, const OutputRequest& request,

@@ -42,6 +42,9 @@ std::vector<OutputStatus> outputStates(const QString& folder, const std::vector<
 // although they were changed since. Reads all their files.
 QStringList foreignFiles(const QString& folder, const std::vector<Output>& outputs);
 
+// Throws Error if files cannot be written into the folder. Call it before the job.
+void checkOutputsFolder(const QString& folder, const std::vector<Output>& outputs);
+
 // Makes the outputs one after the other. The files of one output are replaced together or not at
 // all, but print files one by one. An output that fails does not stop the others. Equal results
 // give equal files. Throws Cancelled; outputs that were finished before stay. Reentrant for

@@ -500,6 +500,17 @@ private slots:
         QVERIFY2(dipped.contains("NOT JUDGED") && dipped.contains("steps in"), dipped);
     }
 
+    void run_targetThatCannotBeWritten_isRefusedBeforeTheDip() {
+        const Outcome run = cli({"run", path("single.dipw"), "--out", path("ball.obj/results"),
+                                 "--outputs", "Everything"});
+        QCOMPARE(run.exitCode, 1);
+        QVERIFY2(run.out.isEmpty() && run.err.contains("is not a folder"), run.out + run.err);
+        const Outcome print = cli({"print", path("single.dipw"), "--to", path("missing/a.pdf")});
+        QCOMPARE(print.exitCode, 1);
+        QVERIFY2(print.out.isEmpty() && print.err.contains("cannot be written"),
+                 print.out + print.err);
+    }
+
     void run_verdictWorseThanRequired_exitCodeIsThree() {
         const QStringList quick{"run",   path("single.dipw"),   "--out", path("required"),
                                 "--set", "film.size_mm=100x100"};
