@@ -296,14 +296,22 @@ void writeOutputs(const JobResult& result, const QString& folder, const QString&
                                 project, parser.isSet(overwriteOption),
                                 parser.isSet(clippingOption)};
     int failed = 0;
+    QStringList earlier;
     for (const OutputStatus& status : makeOutputs(result, request, progress)) {
         out << statusText(status) << '\n';
-        failed += status.state == OutputState::Failed ? 1 : 0;
+        if (status.state == OutputState::Failed) {
+            ++failed;
+            earlier += status.files;
+        }
     }
     if (failed > 0) {
+        const QString remaining =
+            QStringLiteral("; these files in the folder may be from an earlier run: ") +
+            earlier.join(QStringLiteral(", "));
         throw Error(QStringLiteral("%1 of %2 outputs failed; the reasons are listed above")
-                        .arg(failed)
-                        .arg(request.outputs.size()),
+                            .arg(failed)
+                            .arg(request.outputs.size()) +
+                        (earlier.isEmpty() ? QString() : remaining),
                     folder);
     }
 }

@@ -11,8 +11,10 @@
 #include "project/Project.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QHash>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -81,6 +83,15 @@ QStringList existingFiles(const QString& folder, Output output) {
     return files;
 }
 
+// Returns when each existing file of the output was changed last.
+QHash<QString, QDateTime> changesOf(const QString& folder, Output output) {
+    QHash<QString, QDateTime> changes;
+    for (const QString& file : existingFiles(folder, output)) {
+        changes[file] = QFileInfo(QDir(folder).filePath(file)).lastModified();
+    }
+    return changes;
+}
+
 OutputStatus stateIn(const QString& folder, const QJsonObject& record, Output output,
                      const QString& state) {
     OutputStatus status;
@@ -142,6 +153,7 @@ OutputStatus made(const JobResult& result, Output output, const OutputRequest& r
                   const Progress& progress) {
     OutputStatus status;
     status.output = output;
+    const QHash<QString, QDateTime> before = changesOf(request.folder, output);
     try {
         const QStringList foreign = foreignFiles(request.folder, {output});
         if (!foreign.isEmpty() && !request.overwrites) {
@@ -159,6 +171,10 @@ OutputStatus made(const JobResult& result, Output output, const OutputRequest& r
     } catch (const Error& error) {
         status.state = OutputState::Failed;
         status.reason = error.sentence();
+        status.files = existingFiles(request.folder, output);
+        const QHash<QString, QDateTime> after = changesOf(request.folder, output);
+        status.files.removeIf(
+            [&](const QString& file) { return before.value(file) != after.value(file); });
     }
     return status;
 }

@@ -23,7 +23,8 @@ struct OutputStatus {
     OutputState state = OutputState::NotMade;
     QString reason;    // why it failed
     QStringList notes; // sentences for the user on a finished output
-    QStringList files; // relative to the folder
+    // Relative to the folder. If the output failed: files that are there, but were not written now.
+    QStringList files;
 };
 
 struct OutputRequest {

@@ -511,6 +511,20 @@ private slots:
                  print.out + print.err);
     }
 
+    void run_failedOutput_namesTheFilesOfAnEarlierRun() {
+        const QStringList outputs =
+            QStringList{"run",         path("single.dipw"), "--out",
+                        path("mixed"), "--outputs",         "sheet_png,report"} +
+            quickly;
+        QCOMPARE(cli(outputs).exitCode, 0);
+        QFile report(path("mixed/report.json"));
+        QVERIFY(report.open(QIODevice::Append) && report.write(" ") == 1);
+        report.close();
+        const Outcome failed = cli(outputs);
+        QCOMPARE(failed.exitCode, 1);
+        QVERIFY2(failed.err.contains("from an earlier run: report.json ("), failed.err);
+    }
+
     void run_verdictWorseThanRequired_exitCodeIsThree() {
         const QStringList quick{"run",   path("single.dipw"),   "--out", path("required"),
                                 "--set", "film.size_mm=100x100"};
