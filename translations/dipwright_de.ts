@@ -7621,6 +7621,14 @@ auf steifen, wasserfesten Karton gedruckt</translation>
 <context>
     <name>dipwright::ImportModel</name>
     <message>
+        <source>Entities of the CAD file that cannot be read, so that faces or parts may be missing: %1</source>
+        <translation>Elemente der CAD-Datei, die nicht gelesen werden können, sodass Flächen oder Teile fehlen können: %1</translation>
+    </message>
+    <message>
+        <source>it is incomplete or damaged</source>
+        <translation>sie ist unvollständig oder beschädigt</translation>
+    </message>
+    <message>
         <source>The model&apos;s blend shapes are not applied, so it has its shape without them; apply them in a modelling program</source>
         <translation>Die Blendshapes des Modells werden nicht angewendet, deshalb hat es seine Form ohne sie; wenden Sie sie in einem Modellierprogramm an</translation>
     </message>
@@ -11706,6 +11714,10 @@ mm je mm</translation>
 </context>
 <context>
     <name>dipwright::Sheet</name>
+    <message>
+        <source>With its marks, this job&apos;s sheet needs %1 × %2 mm, but the roll has only %3 × %4 mm inside its edges; use a larger roll or a smaller film</source>
+        <translation>Mit seinen Marken braucht das Blatt dieses Auftrags %1 × %2 mm, die Rolle hat innerhalb ihrer Ränder aber nur %3 × %4 mm; verwenden Sie eine größere Rolle oder einen kleineren Film</translation>
+    </message>
     <message>
         <source>The sheet&apos;s PDF cannot be written: %1</source>
         <translation>Das PDF des Blatts kann nicht geschrieben werden: %1</translation>

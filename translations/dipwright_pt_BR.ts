@@ -7621,6 +7621,14 @@ impresso em papel-cartão rígido e impermeável</translation>
 <context>
     <name>dipwright::ImportModel</name>
     <message>
+        <source>Entities of the CAD file that cannot be read, so that faces or parts may be missing: %1</source>
+        <translation>Entidades do arquivo CAD que não podem ser lidas, de modo que podem faltar faces ou peças: %1</translation>
+    </message>
+    <message>
+        <source>it is incomplete or damaged</source>
+        <translation>ele está incompleto ou danificado</translation>
+    </message>
+    <message>
         <source>The model&apos;s blend shapes are not applied, so it has its shape without them; apply them in a modelling program</source>
         <translation>As blend shapes do modelo não são aplicadas, por isso ele fica com a forma sem elas; aplique-as em um programa de modelagem</translation>
     </message>
@@ -11706,6 +11714,10 @@ mm por mm</translation>
 </context>
 <context>
     <name>dipwright::Sheet</name>
+    <message>
+        <source>With its marks, this job&apos;s sheet needs %1 × %2 mm, but the roll has only %3 × %4 mm inside its edges; use a larger roll or a smaller film</source>
+        <translation>Com suas marcas, a folha deste trabalho precisa de %1 × %2 mm, mas o rolo só tem %3 × %4 mm dentro de suas bordas; use um rolo maior ou uma película menor</translation>
+    </message>
     <message>
         <source>The sheet&apos;s PDF cannot be written: %1</source>
         <translation>O PDF da folha não pode ser gravado: %1</translation>
