@@ -4836,8 +4836,8 @@
 <context>
     <name>TankFit</name>
     <message>
-        <source>The film is %1 × %2 mm large on the water, but the tank “%3” only %4 × %5 mm; use a smaller film</source>
-        <translation>Der Film ist auf dem Wasser %1 × %2 mm groß, das Becken „%3“ aber nur %4 × %5 mm; nehmen Sie einen kleineren Film</translation>
+        <source>The film measures %1 × %2 mm on the water, but the tank “%3” only %4 × %5 mm; use a smaller film</source>
+        <translation>Der Film misst auf dem Wasser %1 × %2 mm, das Becken „%3“ aber nur %4 × %5 mm; nehmen Sie einen kleineren Film</translation>
     </message>
     <message>
         <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
@@ -4955,11 +4955,11 @@
     </message>
     <message>
         <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis. %3</source>
-        <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Jede Lage nennt die Zeit, den Ort der Teilmitte gegenüber der Filmmitte auf dem Wasser und die Drehung gegenüber der Drehung am Ende: um die Achse nach rechts, dann um die Achse zum oberen Rand, dann um die Achse nach oben. %3</translation>
+        <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Jede Lage nennt die Zeit, den Ort der Teilmitte gegenüber der Filmmitte auf dem Wasser und die Drehung gegenüber der Drehung am Ende: um die Achse nach rechts, dann um die Achse zur oberen Kante, dann um die Achse nach oben. %3</translation>
     </message>
     <message>
         <source>%1 s: %2 mm to the right, %3 mm towards the upper edge, %4 mm up, turned by %5°, %6° and %7°</source>
-        <translation>%1 s: %2 mm nach rechts, %3 mm zum oberen Rand, %4 mm nach oben, gedreht um %5°, %6° und %7°</translation>
+        <translation>%1 s: %2 mm nach rechts, %3 mm zur oberen Kante, %4 mm nach oben, gedreht um %5°, %6° und %7°</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -5281,7 +5281,7 @@
     </message>
     <message>
         <source>The path lifts the part again by more than %1 % of its depth. Film that the part carries out of the water is not simulated. Lower the part without lifting it, or make a test dip.</source>
-        <translation>Der Weg hebt das Teil wieder um mehr als %1 % seiner Tiefe. Film, den das Teil aus dem Wasser zieht, wird nicht simuliert. Senken Sie das Teil, ohne es zu heben, oder tauchen Sie zur Probe.</translation>
+        <translation>Der Weg hebt das Teil wieder um mehr als %1 % seiner Tiefe. Film, den das Teil aus dem Wasser zieht, wird nicht simuliert. Senken Sie das Teil, ohne es zu heben, oder machen Sie einen Tauchvorgang zur Probe.</translation>
     </message>
     <message>
         <source>Ink now: %1</source>
@@ -11149,12 +11149,12 @@ Ergebnisse: %2</translation>
 <context>
     <name>dipwright::ReplaceQuestion</name>
     <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Ersetzen</translation>
+        <source>%1 already contains %2. Replace them?</source>
+        <translation>%1 enthält bereits %2. Ersetzen?</translation>
     </message>
     <message>
-        <source>%1 already contains %2.</source>
-        <translation>%1 enthält bereits %2.</translation>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
     </message>
 </context>
 <context>

@@ -1747,7 +1747,7 @@
     </message>
     <message>
         <source>Fins or pins of the model, %1 mm² in all, are at most %2 mm thick. The film may miss them, because the cells of the distance field are %3 mm. Increase the resolution of the distance field, or make these places thicker.</source>
-        <translation>Aletas ou pinos do modelo, %1 mm² ao todo, têm no máximo %2 mm de espessura. O filme pode não encontrá-los, porque as células do campo de distância têm %3 mm. Aumente a resolução do campo de distância ou torne esses pontos mais espessos.</translation>
+        <translation>Aletas ou pinos do modelo, %1 mm² ao todo, têm no máximo %2 mm de espessura. A película pode não encontrá-los, porque as células do campo de distância têm %3 mm. Aumente a resolução do campo de distância ou torne esses pontos mais espessos.</translation>
     </message>
 </context>
 <context>
@@ -4836,8 +4836,8 @@
 <context>
     <name>TankFit</name>
     <message>
-        <source>The film is %1 × %2 mm large on the water, but the tank “%3” only %4 × %5 mm; use a smaller film</source>
-        <translation>Na água, o filme mede %1 × %2 mm, mas o tanque “%3” só %4 × %5 mm; use um filme menor</translation>
+        <source>The film measures %1 × %2 mm on the water, but the tank “%3” only %4 × %5 mm; use a smaller film</source>
+        <translation>Na água, a película mede %1 × %2 mm, mas o tanque “%3” só %4 × %5 mm; use uma película menor</translation>
     </message>
     <message>
         <source>The part reaches past the edge of the tank “%1”; move or turn the part</source>
@@ -4955,7 +4955,7 @@
     </message>
     <message>
         <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis. %3</source>
-        <translation>Mergulhe a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Cada pose dá o tempo, a posição do centro da peça em relação ao centro da película na água e o giro em relação à rotação no fim: em torno do eixo para a direita, depois do eixo para a borda superior, depois do eixo para cima. %3</translation>
+        <translation>Mergulhar a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Cada pose dá o tempo, a posição do centro da peça em relação ao centro da película na água e o giro em relação à rotação no fim: em torno do eixo para a direita, depois do eixo para a borda superior, depois do eixo para cima. %3</translation>
     </message>
     <message>
         <source>%1 s: %2 mm to the right, %3 mm towards the upper edge, %4 mm up, turned by %5°, %6° and %7°</source>
@@ -5269,11 +5269,11 @@
     </message>
     <message>
         <source>The film grows by %1 % in all; more than %2 % is unusual. Check this value.</source>
-        <translation>O filme cresce %1 % no total; mais de %2 % é incomum. Verifique este valor.</translation>
+        <translation>A película cresce %1 % no total; mais de %2 % é incomum. Verifique este valor.</translation>
     </message>
     <message>
         <source>The film grows by %1 % per second; more than %2 % is unusual. Check this value.</source>
-        <translation>O filme cresce %1 % por segundo; mais de %2 % é incomum. Verifique este valor.</translation>
+        <translation>A película cresce %1 % por segundo; mais de %2 % é incomum. Verifique este valor.</translation>
     </message>
     <message>
         <source>The dip speed is %1 mm/s; the usual range is %2 to %3 mm/s. Check this value.</source>
@@ -5281,7 +5281,7 @@
     </message>
     <message>
         <source>The path lifts the part again by more than %1 % of its depth. Film that the part carries out of the water is not simulated. Lower the part without lifting it, or make a test dip.</source>
-        <translation>O percurso levanta a peça de novo em mais de %1 % da sua profundidade. Filme que a peça leva para fora da água não é simulado. Abaixe a peça sem levantá-la, ou faça uma imersão de teste.</translation>
+        <translation>O percurso levanta a peça de novo em mais de %1 % da sua profundidade. Película que a peça leva para fora da água não é simulada. Abaixe a peça sem levantá-la, ou faça uma imersão de teste.</translation>
     </message>
     <message>
         <source>Ink now: %1</source>
@@ -5293,7 +5293,7 @@
     </message>
     <message>
         <source>The film tears, and up to %1 % of the surface that it should paint stays bare; the limit is %2 %. Turn the part, or use a film that stretches more.</source>
-        <translation>O filme se rasga, e até %1 % da superfície que ele deve pintar ficam sem tinta; o limite é %2 %. Gire a peça ou use um filme que se estique mais.</translation>
+        <translation>A película se rasga, e até %1 % da superfície que ela deve pintar ficam sem tinta; o limite é %2 %. Gire a peça ou use uma película que se estique mais.</translation>
     </message>
     <message>
         <source>The film tore or was released on %1 % of the painted area; the limit is %2 %. Turn the part.</source>
@@ -7002,7 +7002,7 @@
     </message>
     <message>
         <source>The film profile %1 has other values than the project&apos;s film, under which the values were fitted; compare the two before you use it</source>
-        <translation>O perfil de filme %1 tem valores diferentes dos do filme do projeto com que foi feito o ajuste; compare os dois antes de usá-lo</translation>
+        <translation>O perfil de película %1 tem valores diferentes dos da película do projeto com que foi feito o ajuste; compare os dois antes de usá-lo</translation>
     </message>
 </context>
 <context>
@@ -11149,12 +11149,12 @@ Resultados: %2</translation>
 <context>
     <name>dipwright::ReplaceQuestion</name>
     <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Substituir</translation>
+        <source>%1 already contains %2. Replace them?</source>
+        <translation>%1 já contém %2. Substituir?</translation>
     </message>
     <message>
-        <source>%1 already contains %2.</source>
-        <translation>%1 já contém %2.</translation>
+        <source>&amp;Replace</source>
+        <translation>&amp;Substituir</translation>
     </message>
 </context>
 <context>

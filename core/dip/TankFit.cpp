@@ -98,7 +98,7 @@ QStringList tankFaults(const std::optional<TankProfile>& profile, const FilmSett
     const solver::FilmGrid floating = filmGrid(film);
     if (floating.width / 2 > half.x() * (1 + rounding) ||
         floating.depth / 2 > half.y() * (1 + rounding)) {
-        faults << Text::tr("The film is %1 × %2 mm large on the water, but the tank “%3” only %4 × "
+        faults << Text::tr("The film measures %1 × %2 mm on the water, but the tank “%3” only %4 × "
                            "%5 mm; use a smaller film")
                       .arg(number(floating.width), number(floating.depth), tank.name,
                            number(tank.width.value()), number(tank.length.value()));

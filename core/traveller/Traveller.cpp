@@ -270,11 +270,29 @@ MotionPose poseAt(const std::vector<MotionPose>& path, Seconds time) {
 }
 
 // Describes a dip that does not go straight down by its key poses.
-QString pathStep(const TravellerDip& dip, std::size_t number) {
+// Returns the times at which the path's poses are listed: those of the user's own poses if there
+// are few and if no limit of the acceleration delays them; otherwise equal parts of the path.
+std::vector<Seconds> listedTimes(const TravellerDip& dip) {
+    constexpr std::size_t mostListed = 8;
     constexpr int parts = 3;
-    std::vector<MotionPose> poses;
+    std::vector<Seconds> times;
+    const DipPath& path = dip.immersion.path;
+    if (path.kind == PathKind::Poses && path.keys.size() <= mostListed && !path.acceleration) {
+        for (const PathKey& key : path.keys) {
+            times.push_back(key.time);
+        }
+        return times;
+    }
     for (int part = 0; part <= parts; ++part) {
-        poses.push_back(poseAt(dip.motion.path, dip.motion.dipTime() * (double(part) / parts)));
+        times.push_back(dip.motion.dipTime() * (double(part) / parts));
+    }
+    return times;
+}
+
+QString pathStep(const TravellerDip& dip, std::size_t number) {
+    std::vector<MotionPose> poses;
+    for (const Seconds time : listedTimes(dip)) {
+        poses.push_back(poseAt(dip.motion.path, time));
     }
     const std::vector<Eigen::Vector3d> angles = motionAngles(poses);
     QStringList keys;
@@ -305,7 +323,7 @@ std::vector<TankTask> stepsOf(const Traveller& traveller, std::size_t number) {
                             .arg(dip.job)
                             .arg(dip.passes)
                       : Text::tr("Lay sheet %1 on the water, ink side up.").arg(dip.job);
-    if (dip.hasCradle) {
+    if (dip.hasCradle && motion.path.empty()) { // on a path, it may point there only at the end
         lay += u' ' + Text::tr("The arrow on the cradle's plate must point to the upper edge of "
                                "the sheet.");
     }

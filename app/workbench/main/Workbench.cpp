@@ -33,8 +33,8 @@ Theme themeOf(ThemeChoice choice) {
 } // namespace
 
 Workbench::Workbench(const QString& recovery, QObject* parent)
-    : QObject(parent), plainTexts_(*qApp), recovery_(recovery), preferences_(loadPreferences()),
-      queue_(registry_), tank_([this](const QString& path) {
+    : QObject(parent), plainTexts_(*qApp), wheelGuard_(*qApp), recovery_(recovery),
+      preferences_(loadPreferences()), queue_(registry_), tank_([this](const QString& path) {
           MainWindow* window = windowOf(path);
           return window ? window->document() : nullptr;
       }) {

@@ -6,6 +6,7 @@
 #include "workbench/main/TankController.h"
 #include "workbench/queue/JobQueue.h"
 #include "workbench/widgets/PlainTexts.h"
+#include "workbench/widgets/WheelGuard.h"
 
 #include <QObject>
 #include <QPointer>
@@ -55,6 +56,7 @@ private:
     MainWindow* emptyWindow(); // a window that shows the start page; opens one if there is none
 
     PlainTexts plainTexts_; // must exist before any label
+    WheelGuard wheelGuard_; // must exist before any drop-down list
     SolverRegistry registry_;
     QString recovery_;
     Preferences preferences_;

@@ -28,14 +28,13 @@ bool mayReplace(const QString& folder, const QStringList& files, const QString& 
     if (existing.isEmpty()) {
         return true;
     }
-    if (existing.size() > mostNamed) {
-        existing = existing.first(mostNamed) << QStringLiteral("…");
-    }
-    QMessageBox question(
-        QMessageBox::Warning, title,
-        Text::tr("%1 already contains %2.")
-            .arg(QDir::toNativeSeparators(folder), QLocale().createSeparatedList(existing)),
-        QMessageBox::Cancel, parent);
+    const QString names = existing.size() > mostNamed
+                              ? existing.first(mostNamed).join(QStringLiteral(", ")) + u'…'
+                              : QLocale().createSeparatedList(existing);
+    QMessageBox question(QMessageBox::Warning, title,
+                         Text::tr("%1 already contains %2. Replace them?")
+                             .arg(QDir::toNativeSeparators(folder), names),
+                         QMessageBox::Cancel, parent);
     question.setObjectName(QStringLiteral("replaceQuestion"));
     QPushButton* replace = question.addButton(Text::tr("&Replace"), QMessageBox::DestructiveRole);
     question.setDefaultButton(QMessageBox::Cancel);

@@ -18,6 +18,7 @@
 #include "workbench/widgets/PictureView.h"
 #include "workbench/widgets/PlainTexts.h"
 #include "workbench/widgets/Theme.h"
+#include "workbench/widgets/WheelGuard.h"
 
 #include <QApplication>
 #include <QColorDialog>
@@ -37,6 +38,7 @@
 #include <QToolButton>
 #include <QToolTip>
 #include <QTranslator>
+#include <QWheelEvent>
 
 using namespace dipwright;
 
@@ -339,6 +341,30 @@ private slots:
         timeline.setFrames(100);
         timeline.setPosition(0);
         QCOMPARE(slider->grab().toImage(), before);
+    }
+
+    // The wheel scrolls the panel and does not change a list under the pointer.
+    void wheel_listWithoutFocus_keepsItsValue() {
+        const WheelGuard guard(*qApp); // as in the program
+        QWidget window;
+        QComboBox list(&window);
+        QLineEdit line(&window);
+        list.addItems({QStringLiteral("one"), QStringLiteral("two")});
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        line.setFocus();
+        const QPointF at(5, 5);
+        const auto turn = [&] {
+            QWheelEvent wheel(at, list.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, {},
+                              Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(&list, &wheel);
+        };
+        turn();
+        QCOMPARE(list.currentIndex(), 0);
+        QVERIFY((list.focusPolicy() & Qt::WheelFocus) != Qt::WheelFocus);
+        list.setFocus();
+        turn();
+        QCOMPARE(list.currentIndex(), 1);
     }
 
     void propertyField_ctrlZ_isTakenOnlyWhileTyping() {

@@ -63,7 +63,7 @@ private slots:
         QCOMPARE(faults(dip), QString());
         dip.film.width = Millimetres(370);
         QVERIFY2(
-            faults(dip).contains(QStringLiteral("film is 407.0 × 600.0 mm large on the water")),
+            faults(dip).contains(QStringLiteral("film measures 407.0 × 600.0 mm on the water")),
             qPrintable(faults(dip)));
     }
 

@@ -606,7 +606,7 @@ private slots:
         job.profiles.tank = bath;
         QVERIFY(said(26, 0).contains("past the edge of the tank “Bath”"));
         QVERIFY(!said(0, 26).contains("past the edge"));
-        QVERIFY(said(0, 26).contains("The film is 90.0 × 90.0 mm large on the water"));
+        QVERIFY(said(0, 26).contains("The film measures 90.0 × 90.0 mm on the water"));
     }
 
     void runJob_withoutModel_isRefused() {

@@ -100,6 +100,20 @@ private slots:
                  qPrintable(dip->text));
     }
 
+    void tankTasks_pathThroughPoses_listsThesePoses() {
+        Traveller onPath = traveller();
+        TravellerDip& dip = onPath.dips.front();
+        dip.motion.path = {{Seconds(0), {0, 0, 20}}, {Seconds(6), {0, 0, -40}}};
+        dip.immersion.path.kind = PathKind::Poses;
+        dip.immersion.path.keys = {{Seconds(0)}, {Seconds(1.5)}, {Seconds(6)}};
+        const std::vector<TankTask> tasks = tankTasks(onPath);
+        const auto step = std::ranges::find(tasks, TankStep::Dip, &TankTask::step);
+        QVERIFY(step != tasks.end());
+        QVERIFY2(step->text.contains(QStringLiteral("· 1.5 s: 0 mm to the right, 0 mm towards the "
+                                                    "upper edge, 5 mm up")),
+                 qPrintable(step->text));
+    }
+
     void travellerPdf_code_isTheJobNumber() {
         Traveller one = traveller();
         one.dips.pop_back();
