@@ -104,6 +104,7 @@ Traveller travellerText(const JobResult& result) {
             dip.cradleNotes = result.cradles[i].notes;
         }
         dip.verdict = verdictLines(result, i);
+        dip.canBePrinted = adviceOf(result) == Advice::Print;
         dip.body = boundingBox(immersion.body->mesh);
         traveller.dips.push_back(std::move(dip));
     }

@@ -61,6 +61,22 @@ std::optional<Seconds> ofFilm(const Traveller& traveller,
     return film ? (*film).*time : std::nullopt;
 }
 
+// Paints the verdict, in a box unless the sheets can be printed. Returns the y below it.
+double paintVerdict(const PageInk& ink, const TravellerDip& dip, double top) {
+    if (dip.verdict.isEmpty()) {
+        return top;
+    }
+    const double width = page.width() - 2 * margin;
+    double y = ink.text({margin, top, width, 0}, headHeight,
+                        Text::tr("Verdict: %1").arg(dip.verdict.front()));
+    if (!dip.canBePrinted) {
+        ink.box({margin - 1, top - 0.5, width + 2, y - top + 1}, 0.6);
+        y += 1.5;
+    }
+    const QString reasons = dip.verdict.mid(1).join(QStringLiteral(" • "));
+    return reasons.isEmpty() ? y : ink.text({margin, y, width, 0}, wordHeight, reasons);
+}
+
 // Paints the head of a page with the job number as a QR code. Returns the y below it.
 double paintHead(QPainter& painter, const Traveller& traveller, std::size_t number) {
     const PageInk ink(painter);
@@ -92,12 +108,7 @@ double paintHead(QPainter& painter, const Traveller& traveller, std::size_t numb
                  (traveller.dips.size() > 1 ? Text::tr("All dips: %1") : Text::tr("Job %1"))
                      .arg(travellerJob(traveller)),
                  Qt::AlignRight);
-    const QString verdict = dip.verdict.join(QStringLiteral(" • "));
-    if (!verdict.isEmpty()) {
-        y = ink.text({margin, std::max(y, under) + 1, page.width() - 2 * margin, 0}, wordHeight,
-                     Text::tr("Verdict: %1").arg(verdict));
-    }
-    return std::max(y, under) + 2;
+    return paintVerdict(ink, dip, std::max(y, under) + 1) + 2;
 }
 
 // Paints one view of the pose, with the water level before and after the dip.

@@ -24,6 +24,7 @@ struct TravellerDip {
     bool hasCradle = false;   // whether a cradle holds the body in this dip
     QStringList cradleNotes;  // about the cradle, or why none is possible
     QStringList verdict;      // sentences: first the advice, then its reasons
+    bool canBePrinted = true; // the advice is Advice::Print
     QImage sheet;             // film image at reduced size, ink side up
     BoundingBox body;         // bounding box, pose frame
     QImage after;             // how the body should look after this dip
