@@ -56,7 +56,7 @@ private:
     MainWindow* emptyWindow(); // a window that shows the start page; opens one if there is none
 
     PlainTexts plainTexts_; // must exist before any label
-    WheelGuard wheelGuard_; // must exist before any drop-down list
+    WheelGuard wheelGuard_; // must exist before any field
     SolverRegistry registry_;
     QString recovery_;
     Preferences preferences_;

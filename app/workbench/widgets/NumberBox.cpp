@@ -8,7 +8,6 @@
 #include <QRegularExpression>
 #include <QTimer>
 #include <QToolTip>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -23,7 +22,6 @@ struct NumberBox::Reading {
 };
 
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
-    setFocusPolicy(Qt::StrongFocus);
     connect(lineEdit(), &QLineEdit::textChanged, this, &NumberBox::showReading);
 }
 
@@ -168,14 +166,6 @@ QString NumberBox::textFromValue(double value) const {
         }
     }
     return text;
-}
-
-void NumberBox::wheelEvent(QWheelEvent* event) {
-    if (hasFocus()) {
-        QDoubleSpinBox::wheelEvent(event);
-    } else {
-        event->ignore();
-    }
 }
 
 } // namespace dipwright

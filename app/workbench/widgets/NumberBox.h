@@ -14,8 +14,7 @@ struct TypedNumber;
 // decimal signs in any language, and as separators between groups of digits. Text that cannot be
 // read, is ambiguous, or lies outside the limits is red while it is typed. When it is entered, it
 // is refused with a message, and the value stays. Keeps all typed digits; shows no more decimals
-// than needed. The wheel changes the value only while the field has the focus, so scrolling a page
-// changes nothing.
+// than needed.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -36,7 +35,6 @@ signals:
 
 protected:
     QString textFromValue(double value) const override;
-    void wheelEvent(QWheelEvent* event) override;
 
 private:
     struct Reading;

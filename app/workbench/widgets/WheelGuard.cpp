@@ -1,5 +1,6 @@
 #include "workbench/widgets/WheelGuard.h"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QEvent>
@@ -15,18 +16,18 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
     if (!isWheel && event->type() != QEvent::Polish) {
         return false;
     }
-    auto* list = qobject_cast<QComboBox*>(watched);
-    if (!list) {
+    if (!qobject_cast<QComboBox*>(watched) && !qobject_cast<QAbstractSpinBox*>(watched)) {
         return false;
     }
+    auto* field = static_cast<QWidget*>(watched);
     if (!isWheel) {
-        list->setFocusPolicy(Qt::StrongFocus);
+        field->setFocusPolicy(Qt::StrongFocus);
         return false;
     }
-    if (list->hasFocus()) {
+    if (field->hasFocus()) {
         return false;
     }
-    event->ignore(); // so that it goes to the widget around the list
+    event->ignore(); // so that it goes to the widget around the field
     return true;
 }
 

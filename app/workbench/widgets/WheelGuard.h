@@ -1,4 +1,4 @@
-// Keeps the mouse wheel from changing drop-down lists that the user only scrolls past.
+// Keeps the mouse wheel from changing fields that the user only scrolls past.
 #pragma once
 
 #include <QObject>
@@ -7,9 +7,9 @@ class QApplication;
 
 namespace dipwright {
 
-// While this object exists, the wheel changes a drop-down list only if the list has the keyboard's
-// focus, and does not give it the focus. Otherwise what is around the list scrolls. NumberBox does
-// the same.
+// While this object exists, the wheel changes a number field or a drop-down list only if the field
+// has the keyboard's focus, and does not give it the focus. Otherwise what is around the field
+// scrolls.
 class WheelGuard : public QObject {
 public:
     explicit WheelGuard(QApplication& application);

@@ -343,28 +343,38 @@ private slots:
         QCOMPARE(slider->grab().toImage(), before);
     }
 
-    // The wheel scrolls the panel and does not change a list under the pointer.
-    void wheel_listWithoutFocus_keepsItsValue() {
+    // The wheel scrolls the panel and does not change a field under the pointer.
+    void wheel_fieldWithoutFocus_keepsItsValue() {
         const WheelGuard guard(*qApp); // as in the program
         QWidget window;
         QComboBox list(&window);
+        NumberBox number(&window);
         QLineEdit line(&window);
         list.addItems({QStringLiteral("one"), QStringLiteral("two")});
         window.show();
         QVERIFY(QTest::qWaitForWindowActive(&window));
         line.setFocus();
         const QPointF at(5, 5);
-        const auto turn = [&] {
-            QWheelEvent wheel(at, list.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, {},
+        const auto turn = [&](QWidget& field) {
+            QWheelEvent wheel(at, field.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, {},
                               Qt::NoScrollPhase, false);
-            QCoreApplication::sendEvent(&list, &wheel);
+            QCoreApplication::sendEvent(&field, &wheel);
         };
-        turn();
+        number.setValue(5);
+        turn(list);
+        turn(number);
         QCOMPARE(list.currentIndex(), 0);
-        QVERIFY((list.focusPolicy() & Qt::WheelFocus) != Qt::WheelFocus);
+        QCOMPARE(number.value(), 5.0);
+        for (const QWidget* field :
+             {static_cast<QWidget*>(&list), static_cast<QWidget*>(&number)}) {
+            QVERIFY((field->focusPolicy() & Qt::WheelFocus) != Qt::WheelFocus);
+        }
         list.setFocus();
-        turn();
+        turn(list);
         QCOMPARE(list.currentIndex(), 1);
+        number.setFocus();
+        turn(number);
+        QCOMPARE(number.value(), 4.0);
     }
 
     void propertyField_ctrlZ_isTakenOnlyWhileTyping() {
