@@ -109,11 +109,8 @@ void checkImmersion(const Project& project, const Immersion& immersion, const Su
     if (const QString wrong = misplacementOf(shape, project, immersion); !wrong.isEmpty()) {
         warnings.append(Text::tr("%1: %2").arg(immersion.name, wrong));
     }
-    if (const double rise = riseOnPath(shape.path, shape.mesh); rise > mostRise) {
-        using Kind = VerdictReason::Kind;
-        const QString text =
-            reasonText({Kind::Rises, Advice::CheckFirst, rise, mostRise}, millimetres);
-        warnings.append(Text::tr("%1: %2").arg(immersion.name, text));
+    if (const auto rises = riseReason(shape.path, shape.mesh)) {
+        warnings.append(Text::tr("%1: %2").arg(immersion.name, reasonText(*rises, millimetres)));
     }
     if (body.sizes().maxCoeff() < grid.leastSpacingX()) {
         throw Error(

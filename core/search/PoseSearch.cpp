@@ -183,12 +183,9 @@ Verdict withInkAndTears(const JudgedPose& dip, double pale, bool isOnlyDip,
     if (isOnlyDip) {
         reasons.addTornBare(dip.films ? dip.films->tornBareShare : 0);
     }
-    Verdict all = std::move(reasons).verdict();
+    Verdict all = std::move(reasons).verdict(isOnlyDip);
     verdict.advice = all.advice;
     verdict.reasons = std::move(all.reasons);
-    for (VerdictReason& reason : verdict.reasons) {
-        reason.isOnlyDip = isOnlyDip;
-    }
     return verdict;
 }
 
@@ -401,8 +398,8 @@ enum Resolution : std::uint8_t { Coarse, Finer, Own, Final };
 
 class Search {
 public:
-    // `model`: that of the subject, used only here. `dipsOwn`: whether run()
-    // will be called, which needs the dips of the job's own poses.
+    // `model`: that of the subject, used only here. `dipsOwn`: whether run() will be called, which
+    // needs the dips of the job's own poses.
     Search(const SearchSubject& subject, const SearchSettings& settings,
            const solver::SolverModule& module, const Progress& progress, const PreparedModel& model,
            bool dipsOwn)

@@ -140,9 +140,8 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
     if (dip.isOnlyDip) {
         found.addTornBare(dip.coverage.tornBareShare());
     }
-    if (const double rise = riseOnPath(dip.laid.body().path, dip.laid.body().mesh);
-        rise > mostRise) {
-        found.add({Kind::Rises, Advice::CheckFirst, rise, mostRise});
+    if (const auto rises = riseReason(dip.laid.body().path, dip.laid.body().mesh)) {
+        found.add(*rises);
     }
     const double edge = edgeDistance(dip.laid);
     if (edge < limits.edge.value()) {
@@ -177,12 +176,13 @@ void ReasonList::addTornBare(double share) {
     }
 }
 
-Verdict ReasonList::verdict() && {
+Verdict ReasonList::verdict(bool isOnlyDip) && {
     std::stable_sort(reasons_.begin(), reasons_.end(),
                      [](const auto& a, const auto& b) { return a.advice > b.advice; });
     Verdict verdict{Advice::Print, std::move(reasons_), {}, 0};
-    for (const VerdictReason& reason : verdict.reasons) {
+    for (VerdictReason& reason : verdict.reasons) {
         verdict.advice = worst(verdict.advice, reason.advice);
+        reason.isOnlyDip = isOnlyDip;
     }
     return verdict;
 }
@@ -201,13 +201,17 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
     if (!dip.tankFaults.isEmpty()) {
         found.add({Kind::Tank, Advice::DoNotPrint, 0, 0, dip.tankFaults});
     }
-    Verdict judged = std::move(found).verdict();
-    for (VerdictReason& reason : judged.reasons) {
-        reason.isOnlyDip = dip.isOnlyDip;
-    }
+    Verdict judged = std::move(found).verdict(dip.isOnlyDip);
     judged.places = uncertain.places;
     judged.areaToCheck = uncertain.area;
     return judged;
+}
+
+std::optional<VerdictReason> riseReason(const solver::BodyPath& path, const TriangleMesh& posed) {
+    const double rise = riseOnPath(path, posed);
+    return rise > mostRise
+               ? std::optional(VerdictReason{Kind::Rises, Advice::CheckFirst, rise, mostRise})
+               : std::nullopt;
 }
 
 Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* estimate,

@@ -138,6 +138,10 @@ struct JudgedDip {
 Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits);
 
+// Returns the reason of a path that lifts the part again (riseOnPath()); nothing if it does not, or
+// hardly.
+std::optional<VerdictReason> riseReason(const solver::BodyPath& path, const TriangleMesh& posed);
+
 // Returns the part of the verdict that is about the numerical error; without places.
 Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
                          const ZonedBody* zones, const SurfaceMask* mask,
@@ -157,7 +161,8 @@ public:
     bool isEmpty() const { return reasons_.empty(); }
     // Returns the verdict. Its reasons are sorted, the worst first; equally bad ones keep the order
     // in which they were added. Without reasons the advice is `Print`.
-    Verdict verdict() &&;
+    // `isOnlyDip`: VerdictReason::isOnlyDip of all reasons.
+    Verdict verdict(bool isOnlyDip = false) &&;
 
 private:
     std::vector<VerdictReason> reasons_;
