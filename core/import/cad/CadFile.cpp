@@ -15,12 +15,13 @@
 #include <XCAFApp_Application.hxx>
 #include <XSControl_TransferReader.hxx>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <functional>
 #include <new>
 #include <sstream>
 #include <utility>
-#include <vector>
 
 namespace dipwright {
 namespace {
@@ -34,43 +35,45 @@ bool isStep(const QByteArray& bytes) {
     return bytes.left(longestPrologue).trimmed().startsWith("ISO-10303-21");
 }
 
-// Each line of an IGES file has 80 columns. Column 73 of the first line has the letter of the start
-// section, or of a flag section.
+// Each line of an IGES file has 80 columns. Column 73 has the letter of the line's section.
+constexpr qsizetype igesColumns = 80, sectionColumn = 72;
+
+// Whether the first line belongs to the start section, or to a flag section.
 bool isIges(const QByteArray& bytes) {
-    constexpr qsizetype sectionColumn = 72;
     return bytes.size() > sectionColumn &&
            (bytes[sectionColumn] == 'S' || bytes[sectionColumn] == 'F');
 }
 
-// Returns the columns of an IGES file, one entry for each of its lines. The lines end with CR, LF
-// or both, or have no ends. They may be followed by blanks.
-std::vector<QByteArray> igesLines(QByteArray bytes) {
-    constexpr qsizetype columns = 80;
-    std::vector<QByteArray> lines;
-    for (const QByteArray& text : bytes.replace('\r', '\n').split('\n')) {
-        for (qsizetype first = 0; first < text.size(); first += columns) {
-            lines.push_back(text.mid(first, columns));
+// Calls `visit` with the columns of each line of an IGES file. The lines end with CR, LF or both,
+// or have no ends. They may be followed by blanks.
+void forIgesLines(QByteArrayView bytes, const std::function<void(QByteArrayView)>& visit) {
+    while (!bytes.isEmpty()) {
+        const auto end =
+            std::find_if(bytes.begin(), bytes.begin() + std::min(igesColumns, bytes.size()),
+                         [](char byte) { return byte == '\r' || byte == '\n'; });
+        const qsizetype length = end - bytes.begin();
+        if (length > 0) {
+            visit(bytes.first(length));
         }
+        bytes = bytes.sliced(length < igesColumns ? std::min(length + 1, bytes.size()) : length);
     }
-    return lines;
 }
 
 // Throws Error if an IGES file does not have the lines that its end states. Its last line, the
 // terminate section, has the numbers of lines of the four other sections: S0000001G0000004D…
 void requireWhole(const QByteArray& bytes, const QString& path) {
-    constexpr qsizetype sectionColumn = 72;
     constexpr qsizetype statedColumns = 8; // of each section
     const QByteArray sections = "SGDP";
     std::array<qint64, 4> counts{};
     QByteArray end;
-    for (const QByteArray& line : igesLines(bytes)) {
+    forIgesLines(bytes, [&](QByteArrayView line) {
         const char letter = line.size() > sectionColumn ? line[sectionColumn] : ' ';
         if (const qsizetype section = sections.indexOf(letter); section >= 0) {
             ++counts[std::size_t(section)];
         } else if (letter == 'T') {
-            end = line;
+            end = line.toByteArray();
         }
-    }
+    });
     for (qsizetype section = 0; section < sections.size(); ++section) {
         const QByteArray stated = end.mid(section * statedColumns, statedColumns);
         if (stated.left(1) != sections.mid(section, 1) ||
