@@ -83,13 +83,9 @@ QStringList existingFiles(const QString& folder, Output output) {
     return files;
 }
 
-// Returns when each existing file of the output was changed last.
-QHash<QString, QDateTime> changesOf(const QString& folder, Output output) {
-    QHash<QString, QDateTime> changes;
-    for (const QString& file : existingFiles(folder, output)) {
-        changes[file] = QFileInfo(QDir(folder).filePath(file)).lastModified();
-    }
-    return changes;
+// Returns when the file was changed last.
+QDateTime changeOf(const QString& folder, const QString& file) {
+    return QFileInfo(QDir(folder).filePath(file)).lastModified();
 }
 
 OutputStatus stateIn(const QString& folder, const QJsonObject& record, Output output,
@@ -153,7 +149,10 @@ OutputStatus made(const JobResult& result, Output output, const OutputRequest& r
                   const Progress& progress) {
     OutputStatus status;
     status.output = output;
-    const QHash<QString, QDateTime> before = changesOf(request.folder, output);
+    QHash<QString, QDateTime> before;
+    for (const QString& file : existingFiles(request.folder, output)) {
+        before[file] = changeOf(request.folder, file);
+    }
     try {
         const QStringList foreign = foreignFiles(request.folder, {output});
         if (!foreign.isEmpty() && !request.overwrites) {
@@ -172,9 +171,9 @@ OutputStatus made(const JobResult& result, Output output, const OutputRequest& r
         status.state = OutputState::Failed;
         status.reason = error.sentence();
         status.files = existingFiles(request.folder, output);
-        const QHash<QString, QDateTime> after = changesOf(request.folder, output);
-        status.files.removeIf(
-            [&](const QString& file) { return before.value(file) != after.value(file); });
+        status.files.removeIf([&](const QString& file) {
+            return before.value(file) != changeOf(request.folder, file);
+        });
     }
     return status;
 }

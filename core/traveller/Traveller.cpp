@@ -153,19 +153,17 @@ QString poseText(const TravellerDip& dip) {
 }
 
 QString cradleText(const TravellerDip& dip) {
-    if (!dip.hasCradle) {
-        return (QStringList(Text::tr("There is no cradle for this dip. Hold the part as drawn.")) +
-                dip.cradleNotes)
-            .join(QStringLiteral(" "));
-    }
     const QString text =
-        dip.motion.path.empty()
+        !dip.hasCradle ? Text::tr("There is no cradle for this dip. Hold the part as drawn.")
+        : dip.motion.path.empty()
             ? Text::tr("The cradle is marked with the number of this dip and the number of its "
                        "sheet, %1. Its arrow points to the film's upper edge.")
+                  .arg(dip.job)
             : Text::tr("The cradle is marked with the number of this dip and the number of its "
                        "sheet, %1. At the end of the path, its arrow points to the film's upper "
-                       "edge.");
-    return (QStringList(text.arg(dip.job)) + dip.cradleNotes).join(QStringLiteral(" "));
+                       "edge.")
+                  .arg(dip.job);
+    return (QStringList(text) + dip.cradleNotes).join(QStringLiteral(" "));
 }
 
 double paintPoses(QPainter& painter, const TravellerDip& dip, double top) {
@@ -280,9 +278,9 @@ MotionPose poseAt(const std::vector<MotionPose>& path, Seconds time) {
             before.turn.slerp(share, after->turn)};
 }
 
-// Describes a dip that does not go straight down by its key poses.
-// Returns the times at which the path's poses are listed: those of the user's own poses if there
-// are few and if no limit of the acceleration delays them; otherwise equal parts of the path.
+// Returns the times of the poses that the page lists. These are the user's own poses, unless there
+// are too many, or a limit of the acceleration delays them. Then they divide the dip's time into
+// equal parts.
 std::vector<Seconds> listedTimes(const TravellerDip& dip) {
     constexpr std::size_t mostListed = 8;
     constexpr int parts = 3;
@@ -300,6 +298,7 @@ std::vector<Seconds> listedTimes(const TravellerDip& dip) {
     return times;
 }
 
+// Describes a dip that does not go straight down.
 QString pathStep(const TravellerDip& dip, std::size_t number) {
     std::vector<MotionPose> poses;
     for (const Seconds time : listedTimes(dip)) {

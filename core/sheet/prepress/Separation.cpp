@@ -24,6 +24,30 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Separation)
 };
 
+// Marks the pixels of `box` that have no tint and lie at a hard edge: beside a pixel with at least
+// a quarter of the strongest tint. A tint that fades to nothing, as at the seam of two dips, has no
+// edge that could show.
+std::vector<unsigned char> hardEdges(const QImage& tint, const QRect& box) {
+    int strongest = 0;
+    for (int y = box.top(); y <= box.bottom(); ++y) {
+        const uchar* const row = tint.constScanLine(y) + box.x();
+        strongest = std::max<int>(strongest, *std::max_element(row, row + box.width()));
+    }
+    const auto isStrong = [&](int x, int y) {
+        return box.contains(x, y) && 4 * tint.constScanLine(y)[x] >= strongest;
+    };
+    std::vector<unsigned char> edges;
+    edges.reserve(std::size_t(box.width()) * std::size_t(box.height()));
+    for (int y = box.top(); y <= box.bottom(); ++y) {
+        for (int x = box.left(); x <= box.right(); ++x) {
+            edges.push_back(tint.constScanLine(y)[x] == 0 &&
+                            (isStrong(x - 1, y) || isStrong(x + 1, y) || isStrong(x, y - 1) ||
+                             isStrong(x, y + 1)));
+        }
+    }
+    return edges;
+}
+
 } // namespace
 
 void limitInk(QByteArray& cmyk, double mostInk) {
@@ -41,33 +65,6 @@ void limitInk(QByteArray& cmyk, double mostInk) {
         }
     });
 }
-
-namespace {
-
-// Marks the pixels of `box` that have no tint and lie at a hard edge: beside a pixel with at least
-// a quarter of the strongest tint. A tint that fades to nothing, as at the seam of two dips, has no
-// edge that could show.
-std::vector<unsigned char> hardEdges(const QImage& tint, const QRect& box) {
-    int strongest = 0;
-    for (int y = box.top(); y <= box.bottom(); ++y) {
-        const uchar* const row = tint.constScanLine(y) + box.x();
-        strongest = std::max<int>(strongest, *std::max_element(row, row + box.width()));
-    }
-    const auto isStrong = [&](int x, int y) {
-        return box.contains(x, y) && 4 * tint.constScanLine(y)[x] >= strongest;
-    };
-    std::vector<unsigned char> edges;
-    for (int y = box.top(); y <= box.bottom(); ++y) {
-        for (int x = box.left(); x <= box.right(); ++x) {
-            edges.push_back(tint.constScanLine(y)[x] == 0 &&
-                            (isStrong(x - 1, y) || isStrong(x + 1, y) || isStrong(x, y - 1) ||
-                             isStrong(x, y + 1)));
-        }
-    }
-    return edges;
-}
-
-} // namespace
 
 QImage choked(const QImage& tint, double choke) {
     // The bare pixels around the tints count, too.
