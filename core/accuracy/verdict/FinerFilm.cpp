@@ -10,9 +10,6 @@ namespace {
 
 using Kind = VerdictReason::Kind;
 
-// The next cells are at most this share of the present ones: they double the work. Less would
-// hardly change the sheet.
-const double mostOfCell = std::exp2(-1.0 / 3);
 // The next cell if the verdict proposes none, as a share of the present one.
 constexpr double withoutProposal = 0.5;
 constexpr double million = 1e6;
@@ -53,7 +50,7 @@ std::optional<double> wantedCell(const Verdict& verdict, const DippedFilm& film)
             proposed = std::min(proposed.value_or(reason.most), reason.most);
         }
     }
-    return std::min(proposed.value_or(withoutProposal * own), mostOfCell * own);
+    return proposed.value_or(withoutProposal * own);
 }
 
 std::optional<double> neededCell(const Verdict& verdict, const DippedFilm& film, double offBy,

@@ -31,7 +31,7 @@ VerdictReason numericalErrorReason(const ZoneError& error, const NumericalErrorE
     } else if (finer < finestCellNamed) {
         reason.kind = Kind::OffByMuch;
     } else if (!grid.columnPlaces.empty()) {
-        reason.most = grid.leastSpacing() * finer;
+        reason.most = grid.leastSpacing() * std::min(finer, largestCellNamed);
     }
     return reason;
 }

@@ -117,6 +117,9 @@ inline constexpr double mostRise = 0.5;
 // The smallest cell that a reason proposes, relative to the film's own cell. An error that
 // would need even smaller cells does not shrink in proportion to the cells.
 inline constexpr double finestCellNamed = 0.15;
+// The largest cell that a reason proposes, relative to the film's own cell. It doubles the work; a
+// larger one would hardly change the sheet.
+inline constexpr double largestCellNamed = 0.7937; // 2^(−1/3)
 inline constexpr std::size_t mostPlaces = 12;
 inline constexpr double leastPlaceArea = 1; // mm²: smaller places cannot be inspected
 

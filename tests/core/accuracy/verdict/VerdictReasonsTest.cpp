@@ -88,6 +88,8 @@ private slots:
     void verdictText_coarseFilm_namesTheSettingToChange() {
         QVERIFY(verdictTextOf(0.75, false).contains(QStringLiteral("Film > Points")));
         QVERIFY(verdictTextOf(0.75, true).contains(QStringLiteral("Set cells of 0.66 mm")));
+        // Cells that double the work are the largest that are worth a dip.
+        QVERIFY(verdictTextOf(0.52, true).contains(QStringLiteral("Set cells of 0.79 mm")));
         for (const bool isGraded : {false, true}) {
             const QString line = verdictTextOf(4, isGraded);
             QVERIFY2(line.startsWith(QStringLiteral("Top: Do not print")), qPrintable(line));
