@@ -34,7 +34,7 @@ AirInPoses::AirInPoses(const TriangleMesh& model) {
         for (int corner = 0; corner < 8; ++corner) {
             const Eigen::Vector3i at = cell + SpaceGrid::corner(corner);
             const Eigen::Vector3f way = grid->position(at) - place;
-            if (way.norm() < nearest && !query.hit(place, way, 1).point.isValid()) {
+            if (way.norm() < nearest && !query.isHit(place, way, 1)) {
                 nearest = way.norm();
                 before_[triangle] = std::uint32_t(grid->index(at));
             }

@@ -342,7 +342,7 @@ const AirPocket* AirPockets::at(const Eigen::Vector3f& place, const SurfaceQuery
             return nullptr;
         }
         const Eigen::Vector3f way = grid_->position(point) - place;
-        const bool isSeen = isClear || !query.hit(place, way, 1).point.isValid();
+        const bool isSeen = isClear || !query.isHit(place, way, 1);
         return isSeen ? &pockets_[number - 1u] : nullptr;
     };
     const bool isClear = grid_->isClear(cell);
@@ -382,7 +382,7 @@ const AirPocket* AirPockets::atNearestPoint(const Eigen::Vector3f& place,
     std::stable_sort(corners.begin(), corners.end(),
                      [](const auto& one, const auto& other) { return one.first < other.first; });
     for (const auto& [distance, point] : corners) {
-        if (!query.hit(place, grid_->position(point) - place, 1).point.isValid()) {
+        if (!query.isHit(place, grid_->position(point) - place, 1)) {
             const std::uint16_t number = pocketOf_[grid_->index(point)];
             return number == 0 ? nullptr : &pockets_[number - 1u];
         }

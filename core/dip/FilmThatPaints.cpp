@@ -36,7 +36,7 @@ bool isUnderAir(const Eigen::Vector3f& position, const PosedBody& body, float ce
         const float below = std::max(float(pocket.level) - position.y(), 0.f);
         const Eigen::Vector3f up = (below + float(touchedHollow) * cell) * Eigen::Vector3f::UnitY();
         if (below < underAir * cell && body.air.at(position + up, body.query) == &pocket &&
-            !body.query.hit(position, up, 1).point.isValid()) {
+            !body.query.isHit(position, up, 1)) {
             return true;
         }
     }

@@ -80,7 +80,7 @@ Underside undersideInPose(const TriangleMesh& mesh, const SurfaceQuery& query,
         const Eigen::Vector3f place = position(mesh, sample);
         const Eigen::Vector3f outward = triangleNormal(mesh, sample.triangle);
         if ((pose * place).y() > deepest || !(outward.dot(down) > steepest) ||
-            query.hit(place + clear * outward, down).point.isValid()) {
+            query.isHit(place + clear * outward, down)) {
             continue;
         }
         underside.area += perSample;

@@ -125,16 +125,12 @@ private:
 template <typename Visit>
 void forEachHit(const SurfaceQuery& query, const Eigen::Vector3f& start, int axis, float length,
                 float spacing, const Visit& visit) {
-    const Eigen::Vector3f direction = Eigen::Vector3f::Unit(axis);
-    float done = 0;
-    while (done < length) {
-        const RayHit hit = query.hit(start + done * direction, direction, length - done);
-        if (!hit.point.isValid()) {
-            break;
+    float next = 0;
+    for (const float distance : query.allHits(start, Eigen::Vector3f::Unit(axis), length)) {
+        if (distance >= next) {
+            visit(distance);
+            next = distance + 1e-3f * spacing;
         }
-        done += hit.distance;
-        visit(done);
-        done += 1e-3f * spacing;
     }
 }
 

@@ -93,6 +93,18 @@ void keepFirstTriangle(const RTCFilterFunctionNArguments* arguments) {
     }
 }
 
+struct HitDistances {
+    RTCIntersectContext context;
+    std::vector<float> all;
+};
+
+// Notes the distance of the hit, and lets the ray continue.
+void noteDistance(const RTCFilterFunctionNArguments* arguments) {
+    reinterpret_cast<HitDistances*>(arguments->context)
+        ->all.push_back(RTCRayN_tfar(arguments->ray, arguments->N, 0));
+    arguments->valid[0] = 0;
+}
+
 struct CrossingCount {
     RTCIntersectContext context;
     int winding = 0;
@@ -238,6 +250,26 @@ RayHit SurfaceQuery::hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& d
         result.distance = query.ray.tfar;
     }
     return result;
+}
+
+bool SurfaceQuery::isHit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                         float reach) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay ray = makeRay(origin, direction, reach);
+    rtcOccluded1(data_->scene, &context, &ray);
+    return ray.tfar < 0;
+}
+
+std::vector<float> SurfaceQuery::allHits(const Eigen::Vector3f& origin,
+                                         const Eigen::Vector3f& direction, float reach) const {
+    HitDistances distances;
+    rtcInitIntersectContext(&distances.context);
+    distances.context.filter = noteDistance;
+    RTCRay ray = makeRay(origin, direction, reach);
+    rtcOccluded1(data_->scene, &distances.context, &ray);
+    std::sort(distances.all.begin(), distances.all.end());
+    return std::move(distances.all);
 }
 
 bool SurfaceQuery::isInside(const Eigen::Vector3f& position) const {

@@ -42,6 +42,13 @@ public:
     // direction's length.
     RayHit hit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
                float reach = std::numeric_limits<float>::infinity()) const;
+    // Whether hit() finds a hit.
+    bool isHit(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+               float reach = std::numeric_limits<float>::infinity()) const;
+    // Returns the distances of all hits of the same ray, nearest first. On an edge, each of its
+    // triangles counts.
+    std::vector<float> allHits(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction,
+                               float reach) const;
     // Whether `position` is inside: most of several rays from it have different numbers of exits
     // and entries. Overlapping parts count as one body, and small holes do not change the answer.
     bool isInside(const Eigen::Vector3f& position) const;

@@ -24,10 +24,12 @@ Eigen::Vector3d areaNormal(const TriangleMesh& mesh, std::size_t triangle) {
 
 BoundingBox boundingBox(const TriangleMesh& mesh) {
     BoundingBox box;
-    for (const auto& triangle : mesh.triangles) {
-        for (const auto index : triangle) {
-            box.extend(mesh.positions[index]);
-        }
+    for (const auto& corners : mesh.triangles) {
+        const Eigen::Vector3f& a = mesh.positions[corners[0]];
+        const Eigen::Vector3f& b = mesh.positions[corners[1]];
+        const Eigen::Vector3f& c = mesh.positions[corners[2]];
+        box.min() = box.min().cwiseMin(a.cwiseMin(b).cwiseMin(c));
+        box.max() = box.max().cwiseMax(a.cwiseMax(b).cwiseMax(c));
     }
     return box;
 }

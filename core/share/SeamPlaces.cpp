@@ -91,7 +91,7 @@ std::vector<float> openness(const TriangleMesh& mesh, const SurfaceQuery& query)
         int leaving = 0;
         for (const Eigen::Vector3f& direction : directions) {
             const Eigen::Vector3f from = mesh.positions[position] + clear * normals[position];
-            leaving += query.hit(from, turn * direction).point.isValid() ? 0 : 1;
+            leaving += query.isHit(from, turn * direction) ? 0 : 1;
         }
         open[position] = float(leaving) / lines;
     });
