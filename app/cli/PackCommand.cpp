@@ -137,7 +137,6 @@ private:
         const SolverRegistry registry;
         JobOptions options;
         options.solver = parser.value(solverOption);
-        options.estimatesNumericalError = false;
         std::vector<JobResult> results;
         for (std::size_t i = 0; i < projects.size(); ++i) {
             Project project = readProject(projects[i].path, parser);

@@ -351,8 +351,6 @@ PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const Pack
             const auto same =
                 std::find_if(projects.begin(), projects.begin() + std::ptrdiff_t(i),
                              [&](const auto& one) { return one.path == project.path; });
-            JobOptions options;
-            options.estimatesNumericalError = false;
             project.dipped.written = QFileInfo(project.path).lastModified();
             const Progress part =
                 progress.part(0.9 * double(i) / count, 0.9 * double(i + 1) / count);
@@ -361,7 +359,7 @@ PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const Pack
                 const auto kept =
                     usableDips(read, registry, project.path, part.silent(), [](const Error&) {});
                 return std::make_shared<const JobResult>(
-                    runJob(read, registry, options, kept.get(), part));
+                    runJob(read, registry, {}, kept.get(), part));
             };
             project.dipped.result =
                 same != projects.begin() + std::ptrdiff_t(i) ? same->dipped.result : run();

@@ -77,6 +77,8 @@ private slots:
         part<QComboBox>(dialog, "packFilm")->setCurrentText(QStringLiteral("A3"));
         layOut->click();
         QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), patience());
+        const QString judged = table->item(0, 2)->toolTip(); // of dips that were not cached
+        QVERIFY2(judged.contains(QStringLiteral("Numerical error:")), qPrintable(judged));
         QCOMPARE(films->count(), 1);
         QVERIFY2(films->currentText().contains(QStringLiteral("297 × 420")),
                  qPrintable(films->currentText()));
