@@ -90,6 +90,9 @@ public:
         for (const JobResult& result : results) {
             console.out() << result.project.name << QStringLiteral(": ");
             printVerdict(result, console.out());
+            for (const QString& note : result.notes) {
+                console.out() << QStringLiteral("  %1\n").arg(note);
+            }
         }
         const Project& first = results.front().project;
         PrintRequest request = printRequest(parser, target, first.profiles.printer);

@@ -5,6 +5,7 @@
 #include "dip/TankFit.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
+#include "pipeline/FilmRefinement.h"
 #include "pipeline/ModelNotes.h"
 #include "pipeline/PrintedBody.h"
 #include "project/Profiles.h"
@@ -295,6 +296,12 @@ QStringList warningLines(const JobResult& result, const LengthText& length) {
     for (const JobReason& reason : reasonsOf(result)) {
         if (reason.reason.advice != Advice::Print) {
             lines << QStringLiteral("• ") + reasonText(reason, result, length);
+        }
+    }
+    const QStringList remarks = refinementRemarks(result);
+    for (const QString& note : result.notes) {
+        if (!remarks.contains(note)) {
+            lines << QStringLiteral("• ") + note;
         }
     }
     return lines;

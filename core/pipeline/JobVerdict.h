@@ -30,7 +30,8 @@ std::vector<JobReason> reasonsOf(const JobResult& result);
 
 // Returns a sentence for the user: "Top: Trapped air keeps …". `length` formats mm.
 QString reasonText(const JobReason& reason, const JobResult& result, const LengthText& length);
-// Returns the advice, and a line for each reason with another advice than Advice::Print.
+// Returns the advice, a line for each reason with another advice than Advice::Print, and a line for
+// each of the job's notes except refinementRemarks().
 QStringList warningLines(const JobResult& result, const LengthText& length);
 
 } // namespace dipwright

@@ -87,7 +87,7 @@ PlatesDialog::PlatesDialog(std::shared_ptr<const JobResult> result, std::size_t 
       notice_(new QLabel),
       picture_(new PicturePanel(
           tr("Plates"), tr("Plates need a printer profile with an ICC profile in CMYK. Choose one "
-                           "under Sheet, and run the dip again."))),
+                           "under Sheet in the project, and run the dip again."))),
       dip_(new QComboBox), view_(new QComboBox), ground_(new QComboBox),
       table_(new QTableWidget(0, Columns)), limit_(new NumberBox), figures_(new QLabel),
       progress_(new QProgressBar), allPlates_(new QPushButton(tr("&All plates"))),

@@ -92,7 +92,7 @@ PrintDialog::PrintDialog(const DipOutcome& outcome, std::size_t immersion,
     });
     auto* left = new QVBoxLayout;
     left->addWidget(notice_);
-    left->addWidget(makeChoices());
+    left->addWidget(makeChoices(!judged.empty()));
     left->addWidget(makeExceptions());
     left->addWidget(verdict_, 1);
     left->addWidget(progress_);
@@ -131,8 +131,8 @@ void PrintDialog::showVerdicts(const std::vector<std::shared_ptr<const JobResult
     QStringList lines;
     for (const auto& result : judged) {
         isKnownAsExpired_ |= isKnownAsExpired(*result);
-        if (adviceOf(*result) != Advice::Print) {
-            QStringList found = warningLines(*result, millimetres);
+        QStringList found = warningLines(*result, millimetres);
+        if (found.size() > 1) {
             if (judged.size() > 1) {
                 found.first() = QStringLiteral("%1: %2").arg(result->project.name, found.first());
             }
@@ -144,7 +144,7 @@ void PrintDialog::showVerdicts(const std::vector<std::shared_ptr<const JobResult
     }
 }
 
-QWidget* PrintDialog::makeChoices() {
+QWidget* PrintDialog::makeChoices(bool isOfSeveralJobs) {
     auto* box = new QWidget;
     auto* form = new QFormLayout(box);
     form->setContentsMargins(0, 0, 0, 0);
@@ -158,7 +158,9 @@ QWidget* PrintDialog::makeChoices() {
     const Project& project = outcome_.result->project;
     const auto& profile = project.profiles.printer;
     auto* profileName = new QLabel(
-        profile ? profile->name : tr("None: true size and sRGB (choose a profile under Sheet)"));
+        profile           ? profile->name
+        : isOfSeveralJobs ? tr("None: true size and sRGB (choose a profile in the first project)")
+                          : tr("None: true size and sRGB (choose a profile under Sheet)"));
     profileName->setWordWrap(true);
     form->addRow(tr("Profile"), profileName);
     const QLocale locale;
@@ -177,7 +179,9 @@ QWidget* PrintDialog::makeChoices() {
          {QStringLiteral("A4"), QStringLiteral("A3"), QStringLiteral("Letter")}) {
         paper_->addItem(name, name);
     }
-    paper_->addItem(tr("Custom, as set under Sheet"), QStringLiteral("custom"));
+    paper_->addItem(isOfSeveralJobs ? tr("Custom, as set in the first project")
+                                    : tr("Custom, as set under Sheet"),
+                    QStringLiteral("custom"));
     paper_->setCurrentIndex(paper_->findData(settings.paper));
     orientation_->addItems({tr("Portrait"), tr("Landscape")});
     orientation_->setCurrentIndex(settings.landscape ? 1 : 0);

@@ -38,7 +38,7 @@ signals:
 
 private:
     void showVerdicts(const std::vector<std::shared_ptr<const JobResult>>& judged);
-    QWidget* makeChoices();
+    QWidget* makeChoices(bool isOfSeveralJobs);
     QWidget* makeExceptions();
     QWidget* makePreview();
     void choosePaper(); // applies to all sheets

@@ -88,6 +88,20 @@ private slots:
             }
         }
     }
+
+    void printDialog_notesOfJobs_areShownAlsoForSeveralJobs() {
+        const DipOutcome films = twoSheets();
+        auto noted = std::make_shared<JobResult>(*films.result);
+        noted->notes = QStringList{QStringLiteral("Logo is in CMYK and has no ICC profile")};
+        PrintDialog packed(films, 0, {}, nullptr, {noted});
+        QVERIFY(named<QLabel>(packed, noted->notes.front()));
+        QVERIFY(named<QLabel>(packed, "choose a profile in the first project"));
+        DipOutcome one = films;
+        one.result = noted;
+        PrintDialog single(one, 0, {});
+        QVERIFY(named<QLabel>(single, noted->notes.front()));
+        QVERIFY(named<QLabel>(single, "choose a profile under Sheet"));
+    }
 };
 
 QTEST_MAIN(PrintDialogTest)
