@@ -59,7 +59,8 @@ void bindVerdict(py::module_& module) {
             "The verdict if this were the only reason.")
         .def_property_readonly(
             "value", [](const Reason& reason) { return reason.reason.value; },
-            "Its figure: mm for errors and distances, a share 0 to 1 for areas.")
+            "Its figure: mm for errors and distances, mm/s or °/s for speeds, a share 0 to 1 for "
+            "areas.")
         .def_property_readonly(
             "limit", [](const Reason& reason) { return reason.reason.limit; },
             "The limit for the figure; 0: none.")

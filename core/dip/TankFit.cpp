@@ -83,58 +83,83 @@ Eigen::Vector3d pathOriginInTank(const Immersion& immersion, Seconds time) {
            time.value() * waterVelocity(immersion.path);
 }
 
-QStringList tankFaults(const std::optional<TankProfile>& profile, const FilmSettings& film,
-                       const ProcessSettings& process, const Immersion& immersion,
-                       const TriangleMesh& posed, const solver::BodyPath& path) {
+std::vector<TankFault> tankFaults(const std::optional<TankProfile>& profile,
+                                  const FilmSettings& film, const ProcessSettings& process,
+                                  const Immersion& immersion, const TriangleMesh& posed,
+                                  const solver::BodyPath& path) {
     if (!profile) {
         return {};
     }
     const TankProfile& tank = *profile;
     const Demand demand = path.isStraightDown() ? straightDemand(posed, immersion, process)
                                                 : demandOnPath(path, posed, immersion, process);
-    QStringList faults;
+    std::vector<TankFault> faults;
     constexpr double rounding = 1e-6; // relative
-    const Eigen::Vector2d half(tank.width.value() / 2, tank.length.value() / 2);
+    const auto add = [&](double value, double limit, const QString& sentence) {
+        faults.push_back({sentence, value, limit});
+    };
+    // Of the two sizes, returns the number of the one that exceeds its limit by most.
+    const auto tooLarge = [&](const Eigen::Array2d& sizes,
+                              const Eigen::Array2d& limits) -> std::optional<Eigen::Index> {
+        Eigen::Index worst = 0;
+        return (sizes / limits).maxCoeff(&worst) > 1 + rounding ? std::optional(worst)
+                                                                : std::nullopt;
+    };
+    const Eigen::Array2d sides(tank.width.value(), tank.length.value());
     const solver::FilmGrid floating = filmGrid(film);
-    if (floating.width / 2 > half.x() * (1 + rounding) ||
-        floating.depth / 2 > half.y() * (1 + rounding)) {
-        faults << Text::tr("The film measures %1 × %2 mm on the water, but the tank “%3” only %4 × "
-                           "%5 mm; use a smaller film")
-                      .arg(number(floating.width), number(floating.depth), tank.name,
-                           number(tank.width.value()), number(tank.length.value()));
+    const Eigen::Array2d filmSides(floating.width, floating.depth);
+    if (const auto side = tooLarge(filmSides, sides)) {
+        add(filmSides[*side], sides[*side],
+            Text::tr("The film measures %1 × %2 mm on the water, but the tank “%3” only %4 × "
+                     "%5 mm; use a smaller film")
+                .arg(number(floating.width), number(floating.depth), tank.name,
+                     number(tank.width.value()), number(tank.length.value())));
     }
-    if (!Eigen::AlignedBox2d(-half, half).contains(demand.outline)) {
-        faults << Text::tr("The part reaches past the edge of the tank “%1”; move or turn the part")
-                      .arg(tank.name);
+    // twice the farthest distances of the part from the tank's middle
+    const Eigen::Array2d partSides =
+        2 * demand.outline.max().array().max(-demand.outline.min().array());
+    if (const auto side = tooLarge(partSides, sides)) {
+        add(partSides[*side] / 2, sides[*side] / 2,
+            Text::tr("The part reaches past the edge of the tank “%1”; move or turn the part")
+                .arg(tank.name));
     }
     const auto exceeds = [](double value, const auto& limit) {
         return limit && value > limit->value() * (1 + rounding);
     };
     if (exceeds(demand.depth, tank.waterDepth)) {
-        faults << Text::tr(
-                      "The part goes %1 mm under water, but the water in the tank “%2” is only "
-                      "%3 mm deep; reduce the depth of the dip, or turn the part")
-                      .arg(number(demand.depth), tank.name, number(tank.waterDepth->value()));
+        add(demand.depth, tank.waterDepth->value(),
+            Text::tr("The part goes %1 mm under water, but the water in the tank “%2” is only "
+                     "%3 mm deep; reduce the depth of the dip, or turn the part")
+                .arg(number(demand.depth), tank.name, number(tank.waterDepth->value())));
     }
     if (exceeds(demand.reach, tank.reach)) {
-        faults << Text::tr(
-                      "The centre of the part moves %1 mm sideways from the middle of the tank "
-                      "“%2”, but its machine reaches only %3 mm; move the part or change its "
-                      "path")
-                      .arg(number(demand.reach), tank.name, number(tank.reach->value()));
+        add(demand.reach, tank.reach->value(),
+            Text::tr("The centre of the part moves %1 mm sideways from the middle of the tank "
+                     "“%2”, but its machine reaches only %3 mm; move the part or change its "
+                     "path")
+                .arg(number(demand.reach), tank.name, number(tank.reach->value())));
     }
     if (exceeds(demand.speed, tank.speed)) {
-        faults << Text::tr("The part moves at up to %1 mm/s, but the machine of the tank “%2” "
-                           "reaches only %3 mm/s; reduce the speed of the dip")
-                      .arg(number(demand.speed), tank.name, number(tank.speed->value()));
+        add(demand.speed, tank.speed->value(),
+            Text::tr("The part moves at up to %1 mm/s, but the machine of the tank “%2” "
+                     "reaches only %3 mm/s; reduce the speed of the dip")
+                .arg(number(demand.speed), tank.name, number(tank.speed->value())));
     }
     if (exceeds(demand.turnSpeed, tank.turnSpeed)) {
-        faults << Text::tr(
-                      "The part turns at up to %1°/s, but the machine of the tank “%2” reaches "
-                      "only %3°/s; use a slower dip or a smaller turn")
-                      .arg(number(demand.turnSpeed), tank.name, number(tank.turnSpeed->value()));
+        add(demand.turnSpeed, tank.turnSpeed->value(),
+            Text::tr("The part turns at up to %1°/s, but the machine of the tank “%2” reaches "
+                     "only %3°/s; use a slower dip or a smaller turn")
+                .arg(number(demand.turnSpeed), tank.name, number(tank.turnSpeed->value())));
     }
     return faults;
+}
+
+QString textOf(const std::vector<TankFault>& faults) {
+    QStringList sentences;
+    for (const TankFault& fault : faults) {
+        sentences << fault.sentence;
+    }
+    return sentences.join(QStringLiteral(". "));
 }
 
 } // namespace dipwright

@@ -4,7 +4,9 @@
 #include "dip/BodyPath.h"
 #include "settings/Profile.h"
 
-#include <QStringList>
+#include <QString>
+
+#include <vector>
 
 namespace dipwright {
 
@@ -12,13 +14,22 @@ namespace dipwright {
 // `time` after the dip began. The film flows with the water, and the path's frame with the film.
 Eigen::Vector3d pathOriginInTank(const Immersion& immersion, Seconds time);
 
-// Returns a sentence for each limit of the tank that film or part exceeds: its walls, its floor,
-// and the reach and the speeds of its machine. The middle of the film, as large as it is when the
+// A limit of the tank that a dip exceeds.
+struct TankFault {
+    QString sentence;            // for the user, without full stop
+    double value = 0, limit = 0; // what the dip needs and what the tank has, in mm, mm/s or °/s
+};
+
+// Returns each limit of the tank that film or part exceeds: its walls, its floor, and the reach and
+// the speeds of its machine. The middle of the film, as large as it is when the
 // dip begins, floats over the middle of the tank. Empty if there is no profile. `posed` is the body
 // in its pose frame (dip/Pose.h), `path` its path there. Not checked: how the machine turns the
 // part over the water before the dip.
-QStringList tankFaults(const std::optional<TankProfile>& profile, const FilmSettings& film,
-                       const ProcessSettings& process, const Immersion& immersion,
-                       const TriangleMesh& posed, const solver::BodyPath& path);
+std::vector<TankFault> tankFaults(const std::optional<TankProfile>& profile,
+                                  const FilmSettings& film, const ProcessSettings& process,
+                                  const Immersion& immersion, const TriangleMesh& posed,
+                                  const solver::BodyPath& path);
+// Returns the sentences in one line.
+QString textOf(const std::vector<TankFault>& faults);
 
 } // namespace dipwright

@@ -231,8 +231,7 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
     return verdict({*dip.laid, *dip.coverage, dip.numericalError.get(),
                     dip.inkShortfall.value_or(dip.texture->shortfallArea), zones,
                     tankFaults(project.profiles.tank, project.film, project.process, dip.immersion,
-                               dip.body->mesh, dip.body->path)
-                        .join(QStringLiteral(". ")),
+                               dip.body->mesh, dip.body->path),
                     mask, project.immersions.size() == 1, takesInk(dip, project),
                     dip.lostPlates.join(QStringLiteral(". "))},
                    project.tolerance, project.verdict);

@@ -84,14 +84,15 @@ QString misplacementOf(const PosedShape& shape, const Project& project,
     if (!film.intersects(body)) {
         return beside();
     }
-    QStringList faults = tankFaults(project.profiles.tank, project.film, project.process, immersion,
-                                    shape.mesh, shape.path);
+    std::vector<TankFault> faults = tankFaults(project.profiles.tank, project.film, project.process,
+                                               immersion, shape.mesh, shape.path);
     if (!film.contains(body)) {
-        faults.prepend(
-            Text::tr("The part reaches past the film's edge; move or turn the part, or %1")
-                .arg(adviceOnFilm(body, project.film)));
+        faults.insert(
+            faults.begin(),
+            {Text::tr("The part reaches past the film's edge; move or turn the part, or %1")
+                 .arg(adviceOnFilm(body, project.film))});
     }
-    return faults.join(QStringLiteral(". "));
+    return textOf(faults);
 }
 
 // `query` belongs to the project's mesh.

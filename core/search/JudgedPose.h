@@ -34,12 +34,12 @@ struct JudgedPose {
     // and mm along the surface from each place to the end of the paint, infinite if there is none.
     std::vector<double> qualities;
     std::vector<float> depths;
-    double painted = 0;       // share of the sampled places that it paints; by complete(), too
-    double trappedAir = 0;    // share of the surface that is in trapped air
-    double filmUsed = 0;      // share of the film's area that paints
-    QString tankFaults;       // sentences on limits of the tank that the dip exceeds
-    double cell = 0;          // the film's smallest cell, mm
-    PredictedSheet predicted; // of the job, by coarser dips
+    double painted = 0;    // share of the sampled places that it paints; by complete(), too
+    double trappedAir = 0; // share of the surface that is in trapped air
+    double filmUsed = 0;   // share of the film's area that paints
+    std::vector<TankFault> tankFaults; // limits of the tank that the dip exceeds
+    double cell = 0;                   // the film's smallest cell, mm
+    PredictedSheet predicted;          // of the job, by coarser dips
     // Which of these a dip has depends on its resolution (DipDetail).
     double jobCell = 0; // smallest cell of the film with which the job would begin, mm; 0: none
     // On everything but the ink and torn film. If the job would repeat the dip with smaller cells,

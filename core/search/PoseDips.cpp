@@ -110,10 +110,9 @@ std::exception_ptr failureOf(const std::function<void()>& work) {
 
 } // namespace
 
-QString tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
-                     const solver::BodyPath& path, const Immersion& immersion) {
-    return tankFaults(subject.tank, subject.film, subject.process, immersion, posed, path)
-        .join(QStringLiteral(". "));
+std::vector<TankFault> tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
+                                    const solver::BodyPath& path, const Immersion& immersion) {
+    return tankFaults(subject.tank, subject.film, subject.process, immersion, posed, path);
 }
 
 PoseFilms::PoseFilms(const SearchSubject& subject, const DipDetail& detail)
@@ -431,7 +430,8 @@ PoseDips::refinedAlone(const std::vector<std::shared_ptr<const JudgedPose>>& dip
 // Judges a dip as the job would, but for its ink and torn film. Without an estimate of the
 // numerical error, the other reasons alone count.
 Verdict PoseDips::verdictOf(const LaidFilm& laid, const Coverage& covered,
-                            const NumericalErrorEstimate* error, const QString& tankFaults) const {
+                            const NumericalErrorEstimate* error,
+                            const std::vector<TankFault>& tankFaults) const {
     return verdict({laid, covered, error, 0, body_.zoned(), tankFaults, subject_.mask.get()},
                    subject_.tolerance, subject_.verdict);
 }

@@ -34,10 +34,10 @@ inline constexpr DipDetail coarseDetail{20, 128, 0.5, 3e-3},
 // Dips of the job's detail have the job's number.
 inline constexpr int searchedAirCells = 48;
 
-// Returns the sentences on the limits of the subject's tank that a dip exceeds; empty if none.
-// `posed` is the body in its pose frame, `path` its path there.
-QString tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
-                     const solver::BodyPath& path, const Immersion& immersion);
+// Returns the limits of the subject's tank that a dip exceeds. `posed` is the body in its pose
+// frame, `path` its path there.
+std::vector<TankFault> tankFaultsOf(const SearchSubject& subject, const TriangleMesh& posed,
+                                    const solver::BodyPath& path, const Immersion& immersion);
 
 // The films for the dips of a search at one resolution. Keeps a reference to the subject.
 class PoseFilms {
@@ -136,7 +136,8 @@ private:
     std::vector<std::shared_ptr<const JudgedPose>>
     refinedAlone(const std::vector<std::shared_ptr<const JudgedPose>>& dips) const;
     Verdict verdictOf(const LaidFilm& laid, const Coverage& covered,
-                      const NumericalErrorEstimate* error, const QString& tankFaults) const;
+                      const NumericalErrorEstimate* error,
+                      const std::vector<TankFault>& tankFaults) const;
 
     const SearchSubject& subject_;
     const JudgedBody& body_;

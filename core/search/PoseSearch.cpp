@@ -549,7 +549,7 @@ private:
         entry.ranked.objective = objective(entry.ranked.measures, settings_, body_.equator());
         entry.ranked.limitsMissed = limitsMissed(entry.ranked.measures, settings_);
         for (std::size_t number = 0; number < dips.size(); ++number) {
-            if (const QString& faults = dips[number]->tankFaults; !faults.isEmpty()) {
+            if (const QString faults = textOf(dips[number]->tankFaults); !faults.isEmpty()) {
                 entry.ranked.tankFaults
                     << (dips.size() == 1 ? faults
                                          : Text::tr("Dip %1: %2").arg(number + 1).arg(faults));

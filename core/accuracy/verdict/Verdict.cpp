@@ -198,8 +198,8 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
     const PlacesToCheck uncertain =
         addNumericalReasons(found, dip.laid, dip.numericalError, dip.zones, dip.mask, tolerance);
     addPaintReasons(found, dip, limits);
-    if (!dip.tankFaults.isEmpty()) {
-        found.add({Kind::Tank, Advice::DoNotPrint, 0, 0, dip.tankFaults});
+    for (const TankFault& fault : dip.tankFaults) {
+        found.add({Kind::Tank, Advice::DoNotPrint, fault.value, fault.limit, fault.sentence});
     }
     Verdict judged = std::move(found).verdict(dip.isOnlyDip);
     judged.places = uncertain.places;

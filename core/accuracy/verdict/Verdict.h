@@ -6,6 +6,7 @@
 #include "accuracy/error/NumericalErrorEstimate.h"
 #include "accuracy/tolerance/Zones.h"
 #include "dip/Coverage.h"
+#include "dip/TankFit.h"
 #include "settings/VerdictSettings.h"
 
 #include <functional>
@@ -37,7 +38,8 @@ struct VerdictReason {
                   // bare because the film tears before
         FilmEdge, // film that paints the body lies only `value` mm from the film's edge
         Rises,    // the path lifts the part again by the share `value` of its depth
-        Tank,     // `text`: the limits of the tank or its machine that the dip exceeds
+        Tank,     // `text`: which limit of the tank or its machine the dip exceeds by `value` mm,
+                  // mm/s or °/s
         NoInk,    // the sheet takes no ink
         LostPlates, // `text`: the plates that the project's printer cannot print
         // Reasons about all dips together.
@@ -130,10 +132,10 @@ struct JudgedDip {
     const NumericalErrorEstimate* numericalError = nullptr; // null: not requested
     double paleArea = 0;                                    // mm² of the body with too little ink
     const ZonedBody* zones = nullptr;                       // null: the whole body is in zone C
-    QString tankFaults = {}; // sentences on limits of the tank that the dip exceeds; empty: none
-    const SurfaceMask* mask = nullptr; // masked surface is not judged; null: none
-    bool isOnlyDip = false;            // the job has no other dip
-    bool takesInk = true;              // the sheet's picture has ink
+    std::vector<TankFault> tankFaults = {}; // limits of the tank that the dip exceeds
+    const SurfaceMask* mask = nullptr;      // masked surface is not judged; null: none
+    bool isOnlyDip = false;                 // the job has no other dip
+    bool takesInk = true;                   // the sheet's picture has ink
     QString lostPlates = {}; // sentences on plates that the printer cannot print; empty: none
 };
 

@@ -30,12 +30,15 @@ TankDip boxInTank() {
     return dip;
 }
 
-QString faults(const TankDip& dip) {
+std::vector<TankFault> faultsOf(const TankDip& dip) {
     const TriangleMesh mesh = boxMesh({40, 20, 30});
     const TriangleMesh posed = transformed(mesh, poseTransform(mesh, dip.immersion));
     return tankFaults(dip.tank, dip.film, dip.process, dip.immersion, posed,
-                      bodyPath(posed, dip.immersion, dip.process))
-        .join(u'\n');
+                      bodyPath(posed, dip.immersion, dip.process));
+}
+
+QString faults(const TankDip& dip) {
+    return textOf(faultsOf(dip));
 }
 
 } // namespace
@@ -65,6 +68,11 @@ private slots:
         QVERIFY2(
             faults(dip).contains(QStringLiteral("film measures 407.0 × 600.0 mm on the water")),
             qPrintable(faults(dip)));
+        QCOMPARE(faultsOf(dip).front().value, 407.0);
+        QCOMPARE(faultsOf(dip).front().limit, 400.0);
+        dip.film.height = Millimetres(600);
+        QCOMPARE(faultsOf(dip).front().value, 720.0);
+        QCOMPARE(faultsOf(dip).front().limit, 600.0);
     }
 
     void tankFaults_straightDip_comparesDepthReachAndSpeed() {

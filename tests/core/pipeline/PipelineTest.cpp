@@ -481,6 +481,8 @@ private slots:
         const JobReason reason = reasonsOf(result).front();
         QCOMPARE(reason.reason.kind, VerdictReason::Kind::Tank);
         QVERIFY2(reason.reason.text.contains("only 20.0 mm deep"), qPrintable(reason.reason.text));
+        QCOMPARE(reason.reason.limit, 20.0);
+        QVERIFY(reason.reason.value > reason.reason.limit);
     }
 
     void runJob_tooSmallFilm_doNotPrint() {
