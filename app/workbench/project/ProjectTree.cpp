@@ -27,6 +27,21 @@ QTreeWidgetItem* addItem(QTreeWidgetItem* parent, const QString& text, const QSt
     return item;
 }
 
+// Returns the sign of a verdict.
+QString iconOf(Advice advice) {
+    switch (advice) {
+    case Advice::Print:
+        return QStringLiteral("done");
+    case Advice::CheckFirst:
+        return QStringLiteral("warning");
+    case Advice::DoNotPrint:
+        return QStringLiteral("do-not-print");
+    case Advice::NotJudged:
+        break;
+    }
+    return QStringLiteral("none");
+}
+
 } // namespace
 
 ProjectTree::ProjectTree(QWidget* parent) : QTreeWidget(parent) {
@@ -108,14 +123,18 @@ void ProjectTree::refresh() {
             item.setText(0, project.name);
         } else if (node.part == ProjectPart::Immersion) {
             item.setText(0, project.immersions[node.immersion].name);
-            const bool fresh = document_->isFresh(JobStep::Sheet, node.immersion);
-            const bool any = document_->result() != nullptr;
-            item.setIcon(1, icon(fresh ? QStringLiteral("done")
-                                 : any ? QStringLiteral("stale")
-                                       : QStringLiteral("none")));
-            item.setToolTip(1, fresh ? tr("The result is up to date.")
-                               : any ? tr("Changed since the last run. Run again.")
-                                     : tr("Not simulated yet."));
+            const auto result = document_->result();
+            if (document_->isFresh(JobStep::Sheet, node.immersion)) {
+                const Advice advice = worst(result->immersions[node.immersion].verdict.advice,
+                                            result->verdict.advice);
+                item.setIcon(1, icon(iconOf(advice)));
+                item.setToolTip(1, QStringLiteral("%1. %2").arg(adviceText(advice),
+                                                                tr("The result is up to date.")));
+            } else {
+                item.setIcon(1, icon(result ? QStringLiteral("stale") : QStringLiteral("none")));
+                item.setToolTip(1, result ? tr("Changed since the last run. Run again.")
+                                          : tr("Not simulated yet."));
+            }
         }
     }
 }

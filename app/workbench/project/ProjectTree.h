@@ -1,5 +1,5 @@
-// The tree of a project: model, film, dipping, dips, sheet, ink and tolerances, each with the state
-// of its result.
+// The tree of a project: model, film, dipping, dips, sheet, ink and tolerances. Each dip has the
+// sign of its verdict, or of the missing or old result.
 #pragma once
 
 #include "workbench/document/Document.h"

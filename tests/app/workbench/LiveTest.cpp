@@ -75,6 +75,14 @@ private slots:
         QVERIFY(coloured > 5000); // the bare part and the table are grey
     }
 
+    void finishedRun_tree_showsTheVerdictOnTheDip() {
+        auto* tree = window_->findChild<ProjectTree*>();
+        tree->select({ProjectPart::Immersion, 0});
+        const Advice advice = worst(before_->immersions[0].verdict.advice, before_->verdict.advice);
+        QVERIFY2(tree->currentItem()->toolTip(1).startsWith(adviceText(advice)),
+                 qPrintable(tree->currentItem()->toolTip(1)));
+    }
+
     void select_otherItems_duringRun_keepsShowingTheFilm() {
         auto* tree = window_->findChild<ProjectTree*>();
         drag(10);
