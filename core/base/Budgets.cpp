@@ -87,7 +87,8 @@ constexpr Row table[] = {
          "dipwright::Budgets",
          "Reading the file takes more than %1 MB of memory, far too much for its size; make the "
          "file smaller, or save it again in the program that created it")},
-    {Budget::Milliseconds, 2e3 * sanitizerFactor, 5e-4 * sanitizerFactor, 1e6 * sanitizerFactor,
+    // A picture with the most pixels for its size may take 5 s, if its colours are converted.
+    {Budget::Milliseconds, 5e3 * sanitizerFactor, 5e-4 * sanitizerFactor, 1e6 * sanitizerFactor,
      1e3,
      QT_TRANSLATE_NOOP("dipwright::Budgets",
                        "Reading the file takes more than %1 seconds, far too long for its size; "

@@ -1,6 +1,7 @@
 #include "import/trusted/ImportModel.h"
 
 #include "base/Budgets.h"
+#include "base/ProcessorTime.h"
 #include "import/trusted/ModelFolder.h"
 #include "import/trusted/ReadPictures.h"
 #include "import/trusted/ReaderProcess.h"
@@ -10,7 +11,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFileInfo>
 
 #include <cmath>
@@ -78,17 +78,15 @@ void checkPositions(const TriangleMesh& mesh, const QString& path) {
     }
 }
 
-// Returns a function to call during repairs. The function throws if the repairs are cancelled, or
-// if they take longer than a busy machine needs for `fileBytes` bytes.
+// Returns a function to call during repairs, on the thread that repairs. The function throws if the
+// repairs are cancelled, or if they need more processor time than reading `fileBytes` bytes.
 std::function<void()> repairCheckpoint(const QString& path, qint64 fileBytes,
                                        const Progress& progress) {
-    constexpr int busyMachine = 2; // factor on the computing time
-    const qint64 patience = busyMachine * budgetLimit(Budget::Milliseconds, fileBytes);
-    QElapsedTimer clock;
-    clock.start();
+    const auto end = threadProcessorTime() +
+                     std::chrono::milliseconds(budgetLimit(Budget::Milliseconds, fileBytes));
     return [=, cancelToken = progress.cancelToken] {
         cancelToken.throwIfCancelled();
-        if (clock.elapsed() > patience) {
+        if (threadProcessorTime() > end) {
             throw Error(sentenceOf(Budget::Milliseconds, fileBytes), path);
         }
     };

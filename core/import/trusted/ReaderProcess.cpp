@@ -49,8 +49,11 @@ QString sanitized(const QByteArray& text) {
     return oneLine(QString::fromUtf8(text.left(longestText))).simplified().left(2000);
 }
 
+// Returns the timeout in ms for files of `fileBytes` bytes. The operating system limits the
+// reader's processor time (app/reader/Sandbox.h), so only a reader that waits for ever reaches the
+// timeout.
 qint64 timeout(Budget computing, qint64 fileBytes) {
-    constexpr int busyMachine = 10; // factor on the computing time
+    constexpr int busyMachine = 40; // factor on the computing time
     return busyMachine * budgetLimit(computing, fileBytes);
 }
 
@@ -284,14 +287,6 @@ private:
 QString language() {
     return Text::tr("en");
 }
-
-} // namespace
-
-qint64 readerTimeout(qint64 fileBytes) {
-    return timeout(Budget::Milliseconds, fileBytes);
-}
-
-namespace {
 
 // Returns the model that a reader sends. `path` is for messages.
 UntrustedModel receivedModel(ReaderProcess& reader, const QString& path) {

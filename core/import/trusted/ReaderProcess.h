@@ -9,10 +9,6 @@
 
 namespace dipwright {
 
-// Returns the timeout in ms for files of `fileBytes` bytes. It is a multiple of their time budget,
-// since other programs may use the processor.
-qint64 readerTimeout(qint64 fileBytes);
-
 // Reads a model. The process receives the model file and the files that it names only through
 // `files`. `path` names the model for `files` and in messages. Throws Error if the process refuses
 // the model, crashes, runs out of memory or time, or returns invalid data. Throws Cancelled
