@@ -108,7 +108,7 @@ double paintHead(QPainter& painter, const Traveller& traveller, std::size_t numb
                  (traveller.dips.size() > 1 ? Text::tr("All dips: %1") : Text::tr("Job %1"))
                      .arg(travellerJob(traveller)),
                  Qt::AlignRight);
-    return paintVerdict(ink, dip, std::max(y, under) + 1) + 2;
+    return std::max(y, under) + 1;
 }
 
 // Paints one view of the pose, with the water level before and after the dip.
@@ -298,8 +298,9 @@ std::vector<Seconds> listedTimes(const TravellerDip& dip) {
     return times;
 }
 
-// Describes a dip that does not go straight down.
+// Describes a dip that does not go straight down. Each pose has a line of its own.
 QString pathStep(const TravellerDip& dip, std::size_t number) {
+    const QString bullet = QStringLiteral("\n• ");
     std::vector<MotionPose> poses;
     for (const Seconds time : listedTimes(dip)) {
         poses.push_back(poseAt(dip.motion.path, time));
@@ -317,10 +318,10 @@ QString pathStep(const TravellerDip& dip, std::size_t number) {
                     "height). Each pose gives the time, the position of the part's centre relative "
                     "to the film's centre on the water, and the turn relative to the rotation at "
                     "the end: about the axis to the right, then about the axis towards the upper "
-                    "edge, then about the upward axis. %3")
-        .arg(plain(dip.motion.dipTime().value()))
-        .arg(number + 1)
-        .arg(keys.join(QStringLiteral(" · ")));
+                    "edge, then about the upward axis.")
+               .arg(plain(dip.motion.dipTime().value()))
+               .arg(number + 1) +
+           bullet + keys.join(bullet);
 }
 
 // Returns the steps of one dip; `number` counts from 0.
@@ -383,12 +384,12 @@ std::vector<TankTask> stepsOf(const Traveller& traveller, std::size_t number) {
         add(TankStep::RemoveTape, Text::tr("Remove the tape from the masked surface."));
     }
     add(TankStep::Compare,
-        !isLast
-            ? Text::tr("Before dip %1, compare the part with the picture below: the colours are "
-                       "in place, nothing is torn or folded, and the part is dry where it will "
-                       "be held.")
-                  .arg(number + 2)
-            : Text::tr("Compare the part with the picture below."));
+        !isLast ? Text::tr("Before dip %1, compare the part with its pictures after dip %2: the "
+                           "colours are in place, nothing is torn or folded, and the part is dry "
+                           "where it will be held.")
+                      .arg(number + 2)
+                      .arg(number + 1)
+                : Text::tr("Compare the part with its pictures after dip %1.").arg(number + 1));
     return tasks;
 }
 
@@ -407,16 +408,20 @@ double paintFilmAndSteps(QPainter& painter, const Traveller& traveller, std::siz
     return std::max(left, y) + 3;
 }
 
+constexpr double signature = 15; // height of the fields at the bottom, mm
+
+// Paints the pictures of the part after a dip, and the fields to sign, down to the end of the page.
 void paintAfter(QPainter& painter, const Traveller& traveller, std::size_t number, double top) {
     const PageInk ink(painter);
-    constexpr double signature = 15;
     const double width = page.width() - 2 * margin;
     const double bottom = page.height() - margin - signature;
     const double y = ink.text({margin, top, width, 0}, headHeight,
                               Text::tr("After dip %1 the part should look like this (seen from the "
                                        "lower edge, the right edge and below)")
                                   .arg(number + 1));
-    ink.picture({margin, y + 1, width, bottom - y - 3}, traveller.dips[number].after);
+    const QImage& after = traveller.dips[number].after;
+    const double full = after.isNull() ? 0 : width * after.height() / after.width();
+    ink.picture({margin, y + 1, width, std::min(bottom - y - 3, full)}, after);
     const QStringList words{Text::tr("Done by"), Text::tr("Date, time"), Text::tr("Checked by")};
     for (int i = 0; i < words.size(); ++i) {
         const QRectF place(margin + i * width / 3, bottom, width / 3, signature);
@@ -425,11 +430,21 @@ void paintAfter(QPainter& painter, const Traveller& traveller, std::size_t numbe
     }
 }
 
-void paintPage(QPainter& painter, const Traveller& traveller, std::size_t number) {
+// Paints all that the operator does in a dip. Returns the y below it.
+double paintDip(QPainter& painter, const Traveller& traveller, std::size_t number) {
+    const TravellerDip& dip = traveller.dips[number];
     double y = paintHead(painter, traveller, number);
-    y = paintPoses(painter, traveller.dips[number], y);
-    y = paintFilmAndSteps(painter, traveller, number, y);
-    paintAfter(painter, traveller, number, y);
+    y = paintVerdict(PageInk(painter), dip, y) + 2;
+    y = paintPoses(painter, dip, y);
+    return paintFilmAndSteps(painter, traveller, number, y);
+}
+
+// Tells whether the pictures of the part after a dip are large enough below the steps.
+bool picturesFit(const Traveller& traveller, std::size_t number) {
+    constexpr double leastHeight = 35; // mm, with their title
+    QImage canvas(1, 1, QImage::Format_RGB32);
+    QPainter painter(&canvas);
+    return paintDip(painter, traveller, number) <= page.height() - margin - signature - leastHeight;
 }
 
 } // namespace
@@ -466,9 +481,19 @@ QString travellerJob(const Traveller& traveller) {
 QByteArray travellerPdf(const Traveller& traveller) {
     std::vector<PdfPage> pages;
     for (std::size_t number = 0; number < traveller.dips.size(); ++number) {
-        pages.push_back({page, [&traveller, number](QPainter& painter) {
-                             paintPage(painter, traveller, number);
+        const bool fits = picturesFit(traveller, number);
+        pages.push_back({page, [&traveller, number, fits](QPainter& painter) {
+                             const double y = paintDip(painter, traveller, number);
+                             if (fits) {
+                                 paintAfter(painter, traveller, number, y);
+                             }
                          }});
+        if (!fits) {
+            pages.push_back({page, [&traveller, number](QPainter& painter) {
+                                 const double y = paintHead(painter, traveller, number);
+                                 paintAfter(painter, traveller, number, y + 2);
+                             }});
+        }
     }
     PdfSettings settings;
     settings.title = Text::tr("Traveller for %1, %2").arg(traveller.project, traveller.date);

@@ -1,5 +1,5 @@
-// Makes the traveller: the printed pages, one per dip, that tell the person at the tank how to dip
-// the part.
+// Makes the traveller: the printed pages, one or two per dip, that tell the person at the tank how
+// to dip the part.
 //
 // The text is in the program's language; numbers use the decimal sign of this language.
 #pragma once
@@ -49,8 +49,9 @@ QString combinedJobNumber(const QStringList& jobs);
 // Returns the job number of all dips together, which the QR code contains.
 QString travellerJob(const Traveller& traveller);
 
-// Writes A4 pages, one per dip. The same traveller gives the same bytes in one language. Needs a
-// QGuiApplication.
+// Writes A4 pages, one per dip. If a page has too little room for the pictures of the part after
+// the dip, they are on a second one. The same traveller gives the same bytes in one language. Needs
+// a QGuiApplication.
 QByteArray travellerPdf(const Traveller& traveller);
 
 } // namespace dipwright

@@ -57,6 +57,16 @@ Traveller traveller() {
     return result;
 }
 
+// Writes the PDF into the file and returns the text of each page.
+QStringList pagesOf(const QByteArray& pdf, const QString& path) {
+    QFile file(path);
+    file.open(QIODevice::WriteOnly);
+    file.write(pdf);
+    file.close();
+    return QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {path, QStringLiteral("-")}))
+        .split(u'\f', Qt::SkipEmptyParts);
+}
+
 } // namespace
 
 class TravellerTest : public QObject {
@@ -65,17 +75,10 @@ class TravellerTest : public QObject {
 private slots:
     void travellerPdf_everyPage_listsTheSteps() {
         QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("traveller.pdf"));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(travellerPdf(traveller()));
-        file.close();
         const QStringList pages =
-            QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {path, QStringLiteral("-")}))
-                .simplified()
-                .split(QStringLiteral("Checked by"), Qt::SkipEmptyParts);
+            pagesOf(travellerPdf(traveller()), folder.filePath("traveller.pdf"));
         QCOMPARE(pages.size(), 2);
-        const QString& first = pages.front();
+        const QString first = pages.front().simplified();
         for (const char* words :
              {"Dip 1 of 2: Below", "aaaaaaaaaaa1", "12.5°", "Soak the film: 60 s",
               "then wait: 10 s", "before rinsing: see the film maker's instructions", "dry: 5400 s",
@@ -84,6 +87,19 @@ private slots:
             QVERIFY2(first.contains(QString::fromUtf8(words)), words);
         }
         QVERIFY(pages.back().contains(QStringLiteral("Dip 2 of 2: Above")));
+    }
+
+    void travellerPdf_fullPage_hasThePicturesOnTheNext() {
+        Traveller full = traveller();
+        full.dips.front().verdict =
+            QStringList(30, QStringLiteral("Trapped air keeps 3 % of the surface dry."));
+        QTemporaryDir folder;
+        const QStringList pages = pagesOf(travellerPdf(full), folder.filePath("traveller.pdf"));
+        QCOMPARE(pages.size(), 3);
+        QVERIFY(pages[0].contains("Trapped air") && !pages[0].contains("After dip 1"));
+        QVERIFY(pages[1].contains("Dip 1 of 2") && pages[1].contains("After dip 1"));
+        QVERIFY(pages[1].contains("Done by"));
+        QVERIFY(pages[2].contains("After dip 2") && pages[2].contains("Done by"));
     }
 
     void tankTasks_path_saysPlacesAndTurnsInWords() {
@@ -109,9 +125,10 @@ private slots:
         const std::vector<TankTask> tasks = tankTasks(onPath);
         const auto step = std::ranges::find(tasks, TankStep::Dip, &TankTask::step);
         QVERIFY(step != tasks.end());
-        QVERIFY2(step->text.contains(QStringLiteral("· 1.5 s: 0 mm to the right, 0 mm towards the "
-                                                    "upper edge, 5 mm up")),
-                 qPrintable(step->text));
+        QVERIFY2(
+            step->text.contains(QStringLiteral("\n• 1.5 s: 0 mm to the right, 0 mm towards the "
+                                               "upper edge, 5 mm up")),
+            qPrintable(step->text));
     }
 
     void travellerPdf_code_isTheJobNumber() {
