@@ -24,6 +24,7 @@ struct Text {
 const QColor background(252, 252, 252);
 const QColor ink(38, 42, 48);
 const QColor paleInk(105, 112, 120);
+const QColor unusedFilm(214, 214, 214); // where a map has no values
 
 // Returns a scale from the stretch of the most compressed place up to 1.
 MapScale compressionScale(double least) {
@@ -52,15 +53,15 @@ QRgb faded(QRgb colour) {
                 part(qBlue(colour), background.blue()));
 }
 
-// Draws the values on the film in colours. Film off the body is pale; painted film has a dark
-// outline. Marked film is hatched and outlined in the colour of its mark.
+// Draws the values on the film in colours. Film off the body is pale, or grey if it has no values;
+// painted film has a dark outline. Marked film is hatched and outlined in the colour of its mark.
 class FilmPicture {
 public:
     FilmPicture(const FilmValues& film, const solver::FilmGrid& grid, const MapScale& scale,
-                QSize size)
-        : film_(film), scale_(scale), size_(size), colours_(colourTable(scale)),
-          past_(scale.past().rgb()), reach_(std::max(1, size.height() / 1000)),
-          hatch_(std::max(size.width(), size.height())) {
+                bool isOfWholeFilm, QSize size)
+        : film_(film), scale_(scale), isOfWholeFilm_(isOfWholeFilm), size_(size),
+          colours_(colourTable(scale)), past_(scale.past().rgb()),
+          reach_(std::max(1, size.height() / 1000)), hatch_(std::max(size.width(), size.height())) {
         for (int x = -margin(); x < size.width() + margin(); ++x) {
             columns_.push_back(columnAt(grid, (x + 0.5) / size.width()));
         }
@@ -92,7 +93,7 @@ private:
                                 ? past_
                                 : colours_[std::size_t(std::lround(255 * scale_.share(value)))];
         if (!painted(column(x), row(y))) {
-            return faded(colour);
+            return isOfWholeFilm_ ? faded(colour) : unusedFilm.rgb();
         }
         if (isBorder(x, y, reach_, painted)) {
             return ink.rgb();
@@ -117,6 +118,7 @@ private:
 
     const FilmValues& film_;
     const MapScale& scale_;
+    bool isOfWholeFilm_;
     QSize size_;
     std::array<QRgb, 256> colours_;
     QRgb past_; // colour of values above the scale
@@ -138,6 +140,7 @@ struct MapSubject {
     LengthUnit length = LengthUnit::Millimetre; // unit of the rulers along the film
     bool hasHigherValues = false;               // whether some values lie above the scale
     std::uint8_t marks = 0;                     // solver::PointMark bits that the map shows
+    bool isOfWholeFilm = false;                 // whether film off the part has values, too
 };
 
 // Draws a map with title, rulers and scale. Lengths are in per cent of the picture's height.
@@ -165,7 +168,9 @@ public:
         painter.scale(unit_, unit_);
         drawTitle(painter);
         const QSize pixels = (plot_.size() * unit_).toSize();
-        painter.drawImage(plot_, FilmPicture(values_, grid_, subject_.scale, pixels).draw());
+        painter.drawImage(
+            plot_,
+            FilmPicture(values_, grid_, subject_.scale, subject_.isOfWholeFilm, pixels).draw());
         drawFrame(painter);
         drawScale(painter);
         drawSummary(painter);
@@ -291,7 +296,10 @@ private:
         const QRectF box(plot_.left(), plot_.bottom() + 4.6, plot_.width(), 2);
         letter(painter, box, Qt::AlignLeft, subject_.summary, 1.6, ink);
         letter(painter, box.translated(0, 2.4), Qt::AlignLeft,
-               Text::tr("Dark outline: film on the part · pale: unused film"), 1.5, paleInk);
+               subject_.isOfWholeFilm
+                   ? Text::tr("Dark outline: film on the part · pale: unused film")
+                   : Text::tr("Dark outline: film on the part · grey: unused film"),
+               1.5, paleInk);
         drawMarks(painter, box.translated(0, 4.8));
     }
 
@@ -335,12 +343,14 @@ MapSubject stretchSubject(const FilmValues& values, const Distribution& stretch)
         Text::tr("Stretch of the film"),
         Text::tr("Mean stretch at each point: final length divided by rest length; ink side up"),
         Text::tr("stretch\nmm per mm"),
-        Text::tr("Lengths of film on the part: min. %1 · mean %2 · 95 % below %3 · max. %4")
+        Text::tr("Stretch of the film on the part: min. %1 · mean %2 · 95 % below %3 · max. %4")
             .arg(rounded(stretch.minimum), rounded(stretch.mean), rounded(stretch.percentile95),
                  rounded(stretch.maximum)),
         scale,
         LengthUnit::Millimetre,
-        distribution(painted).maximum > scale.high};
+        distribution(painted).maximum > scale.high,
+        0,
+        true};
 }
 
 MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling) {
@@ -350,7 +360,11 @@ MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling
         Text::tr("stretch\nmm per mm"),
         Text::tr("On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2")
             .arg(QLocale().toString(100 * wrinkling.share, 'f', 1), rounded(wrinkling.least)),
-        compressionScale(distribution(values.paintedValues()).minimum)};
+        compressionScale(distribution(values.paintedValues()).minimum),
+        LengthUnit::Millimetre,
+        false,
+        0,
+        true};
 }
 
 // Distances on the film, in the unit that the map shows.

@@ -15,6 +15,7 @@
 #include <QPainter>
 #include <QtTest>
 #include <cmath>
+#include <limits>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
@@ -158,6 +159,7 @@ private slots:
     void numericalErrorMap_longTranslation_staysOnTheMap();
     void numericalErrorMap_inches_differsFromMillimetres();
     void wrinkling_compressionCounts_thinningDoesNot();
+    void numericalErrorMap_unusedFilm_isGrey();
     void numericalErrorMap_outliers_keepTheColourScale();
     void numericalErrorMap_markedFilm_isHatched();
     void proofPicture_markedFilm_isHatched();
@@ -341,6 +343,21 @@ void ResultsTest::numericalErrorMap_inches_differsFromMillimetres() {
     keep(inches, "certainty-inches.png");
     QCOMPARE(inches.size(), millimetres.size());
     QVERIFY(inches != millimetres);
+}
+
+void ResultsTest::numericalErrorMap_unusedFilm_isGrey() {
+    // Where nothing is compared, the error is not a number.
+    std::vector<float> changes(dip_.film.positions.size(), 0.1f);
+    const QImage known = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
+    std::fill_n(changes.begin(), changes.size() / 10, std::numeric_limits<float>::quiet_NaN());
+    const QImage partly = numericalErrorMap(*dip_.laid, changes, 0.3, 1000);
+    keep(partly, "certainty-unused.png");
+    for (const QImage& map : {known, partly}) {
+        const QColor corner = map.pixelColor(90 + 10, 120 + 10);
+        QVERIFY(corner.red() == corner.green() && corner.green() == corner.blue());
+        QCOMPARE(corner, known.pixelColor(90 + 10, 120 + 10));
+        QVERIFY(corner != map.pixelColor(0, 0));
+    }
 }
 
 void ResultsTest::stretchMap_wideFilm_isWide() {
