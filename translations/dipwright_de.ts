@@ -4954,8 +4954,8 @@
         <translation>Auf der Halterung stehen die Nummer dieses Tauchvorgangs und die Nummer seines Blatts, %1. Am Ende des Wegs zeigt ihr Pfeil zur oberen Kante des Films.</translation>
     </message>
     <message>
-        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis. %3</source>
-        <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Jede Lage nennt die Zeit, den Ort der Teilmitte gegenüber der Filmmitte auf dem Wasser und die Drehung gegenüber der Drehung am Ende: um die Achse nach rechts, dann um die Achse zur oberen Kante, dann um die Achse nach oben. %3</translation>
+        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis.</source>
+        <translation>Das Teil in %1 s auf seinem Weg eintauchen (motion-%2.csv beginnt in der Wartehöhe). Jede Lage nennt die Zeit, den Ort der Teilmitte gegenüber der Filmmitte auf dem Wasser und die Drehung gegenüber der Drehung am Ende: um die Achse nach rechts, dann um die Achse zur oberen Kante, dann um die Achse nach oben.</translation>
     </message>
     <message>
         <source>%1 s: %2 mm to the right, %3 mm towards the upper edge, %4 mm up, turned by %5°, %6° and %7°</source>
@@ -5110,12 +5110,12 @@
         <translation>Das Teil abspülen, dann trocknen lassen: %1</translation>
     </message>
     <message>
-        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where it will be held.</source>
-        <translation>Vor Tauchvorgang %1 das Teil mit dem Bild unten vergleichen: Die Farben sind an ihrem Platz, nichts ist gerissen oder gefaltet, und das Teil ist trocken, wo es gehalten wird.</translation>
+        <source>Before dip %1, compare the part with its pictures after dip %2: the colours are in place, nothing is torn or folded, and the part is dry where it will be held.</source>
+        <translation>Vor Tauchvorgang %1 das Teil mit seinen Bildern nach Tauchvorgang %2 vergleichen: Die Farben sind an ihrem Platz, nichts ist gerissen oder gefaltet, und das Teil ist trocken, wo es gehalten wird.</translation>
     </message>
     <message>
-        <source>Compare the part with the picture below.</source>
-        <translation>Das Teil mit dem Bild unten vergleichen.</translation>
+        <source>Compare the part with its pictures after dip %1.</source>
+        <translation>Das Teil mit seinen Bildern nach Tauchvorgang %1 vergleichen.</translation>
     </message>
     <message>
         <source>After dip %1 the part should look like this (seen from the lower edge, the right edge and below)</source>
@@ -9495,8 +9495,8 @@ zuerst eintaucht</translation>
         <translation>Platten</translation>
     </message>
     <message>
-        <source>Plates need a printer profile with an ICC profile in CMYK. Choose one under Sheet, and run the dip again.</source>
-        <translation>Platten brauchen ein Druckerprofil mit einem ICC-Profil in CMYK. Wählen Sie eines unter Blatt und rechnen Sie den Tauchvorgang neu.</translation>
+        <source>Plates need a printer profile with an ICC profile in CMYK. Choose one under Sheet in the project, and run the dip again.</source>
+        <translation>Platten brauchen ein Druckerprofil mit einem ICC-Profil in CMYK. Wählen Sie eines im Projekt unter Blatt und rechnen Sie den Tauchvorgang neu.</translation>
     </message>
     <message>
         <source>&amp;All plates</source>
@@ -9875,6 +9875,14 @@ Dehnung</translation>
 </context>
 <context>
     <name>dipwright::PrintDialog</name>
+    <message>
+        <source>Custom, as set in the first project</source>
+        <translation>Eigenes, wie im ersten Projekt eingestellt</translation>
+    </message>
+    <message>
+        <source>None: true size and sRGB (choose a profile in the first project)</source>
+        <translation>Keines: wahre Größe und sRGB (wählen Sie ein Profil im ersten Projekt)</translation>
+    </message>
     <message>
         <source>Page</source>
         <translation>Seite</translation>
@@ -11206,6 +11214,10 @@ Ergebnisse: %2</translation>
 <context>
     <name>dipwright::Results</name>
     <message>
+        <source>Dark outline: film on the part · grey: unused film</source>
+        <translation>Dunkler Umriss: Film auf dem Teil · grau: ungenutzter Film</translation>
+    </message>
+    <message>
         <source>There is no colour map of this name; choose one of %1</source>
         <translation>Eine Farbskala dieses Namens gibt es nicht; wählen Sie eine von %1</translation>
     </message>
@@ -11309,8 +11321,8 @@ mm je mm</translation>
         <translation>Abdeckungsbild wird gezeichnet</translation>
     </message>
     <message>
-        <source>Lengths of film on the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
-        <translation>Längen des Films auf dem Teil: min. %1 · Mittel %2 · 95 % unter %3 · max. %4</translation>
+        <source>Stretch of the film on the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
+        <translation>Dehnung des Films auf dem Teil: min. %1 · Mittel %2 · 95 % unter %3 · max. %4</translation>
     </message>
     <message>
         <source>On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2</source>

@@ -4954,8 +4954,8 @@
         <translation>O berço traz o número desta imersão e o número da sua folha, %1. No fim do percurso, a seta aponta para a borda superior da película.</translation>
     </message>
     <message>
-        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis. %3</source>
-        <translation>Mergulhar a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Cada pose dá o tempo, a posição do centro da peça em relação ao centro da película na água e o giro em relação à rotação no fim: em torno do eixo para a direita, depois do eixo para a borda superior, depois do eixo para cima. %3</translation>
+        <source>Dip the part along its path in %1 s (motion-%2.csv begins at the waiting height). Each pose gives the time, the position of the part&apos;s centre relative to the film&apos;s centre on the water, and the turn relative to the rotation at the end: about the axis to the right, then about the axis towards the upper edge, then about the upward axis.</source>
+        <translation>Mergulhar a peça pelo seu percurso em %1 s (motion-%2.csv começa na altura de espera). Cada pose dá o tempo, a posição do centro da peça em relação ao centro da película na água e o giro em relação à rotação no fim: em torno do eixo para a direita, depois do eixo para a borda superior, depois do eixo para cima.</translation>
     </message>
     <message>
         <source>%1 s: %2 mm to the right, %3 mm towards the upper edge, %4 mm up, turned by %5°, %6° and %7°</source>
@@ -5110,12 +5110,12 @@
         <translation>Enxaguar a peça, depois deixar secar: %1</translation>
     </message>
     <message>
-        <source>Before dip %1, compare the part with the picture below: the colours are in place, nothing is torn or folded, and the part is dry where it will be held.</source>
-        <translation>Antes da imersão %1, comparar a peça com a imagem abaixo: as cores estão no lugar, nada está rasgado ou dobrado, e a peça está seca onde será segurada.</translation>
+        <source>Before dip %1, compare the part with its pictures after dip %2: the colours are in place, nothing is torn or folded, and the part is dry where it will be held.</source>
+        <translation>Antes da imersão %1, comparar a peça com as imagens dela após a imersão %2: as cores estão no lugar, nada está rasgado ou dobrado, e a peça está seca onde será segurada.</translation>
     </message>
     <message>
-        <source>Compare the part with the picture below.</source>
-        <translation>Comparar a peça com a imagem abaixo.</translation>
+        <source>Compare the part with its pictures after dip %1.</source>
+        <translation>Comparar a peça com as imagens dela após a imersão %1.</translation>
     </message>
     <message>
         <source>After dip %1 the part should look like this (seen from the lower edge, the right edge and below)</source>
@@ -9495,8 +9495,8 @@ desce primeiro</translation>
         <translation>Chapas</translation>
     </message>
     <message>
-        <source>Plates need a printer profile with an ICC profile in CMYK. Choose one under Sheet, and run the dip again.</source>
-        <translation>As chapas precisam de um perfil de impressora com perfil ICC em CMYK. Escolha um em Folha e rode a imersão de novo.</translation>
+        <source>Plates need a printer profile with an ICC profile in CMYK. Choose one under Sheet in the project, and run the dip again.</source>
+        <translation>As chapas precisam de um perfil de impressora com perfil ICC em CMYK. Escolha um no projeto, em Folha, e rode a imersão de novo.</translation>
     </message>
     <message>
         <source>&amp;All plates</source>
@@ -9875,6 +9875,14 @@ estiramento</translation>
 </context>
 <context>
     <name>dipwright::PrintDialog</name>
+    <message>
+        <source>Custom, as set in the first project</source>
+        <translation>Personalizado, como definido no primeiro projeto</translation>
+    </message>
+    <message>
+        <source>None: true size and sRGB (choose a profile in the first project)</source>
+        <translation>Nenhum: tamanho real e sRGB (escolha um perfil no primeiro projeto)</translation>
+    </message>
     <message>
         <source>Page</source>
         <translation>Página</translation>
@@ -11206,6 +11214,10 @@ Resultados: %2</translation>
 <context>
     <name>dipwright::Results</name>
     <message>
+        <source>Dark outline: film on the part · grey: unused film</source>
+        <translation>Contorno escuro: película na peça · cinza: película não usada</translation>
+    </message>
+    <message>
         <source>There is no colour map of this name; choose one of %1</source>
         <translation>Não há mapa de cores com este nome; escolha um de %1</translation>
     </message>
@@ -11309,8 +11321,8 @@ mm por mm</translation>
         <translation>Desenhando a imagem de cobertura</translation>
     </message>
     <message>
-        <source>Lengths of film on the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
-        <translation>Comprimentos da película na peça: mín. %1 · média %2 · 95 % abaixo de %3 · máx. %4</translation>
+        <source>Stretch of the film on the part: min. %1 · mean %2 · 95 % below %3 · max. %4</source>
+        <translation>Estiramento da película na peça: mín. %1 · média %2 · 95 % abaixo de %3 · máx. %4</translation>
     </message>
     <message>
         <source>On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2</source>
