@@ -5264,6 +5264,10 @@
 <context>
     <name>Verdict</name>
     <message>
+        <source>The film&apos;s swell is %1; the usual range is %2 to %3. Check this value. If it was measured, check that the rulers on the card and on the film have the length that is printed beside them.</source>
+        <translation>Die Quellung des Films ist %1; üblich sind %2 bis %3. Prüfen Sie diesen Wert. Wurde er gemessen, prüfen Sie, ob die Lineale auf der Karte und auf dem Film so lang sind, wie daneben steht.</translation>
+    </message>
+    <message>
         <source>Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part so that the air escapes, or drill a vent hole. Vent holes narrower than %3 may not be seen.</source>
         <translation>Eingeschlossene Luft hält %1 % des Teils trocken; die Grenze ist %2 %. Drehen Sie das Teil so, dass die Luft entweicht, oder bohren Sie ein Entlüftungsloch. Entlüftungslöcher unter %3 Breite werden vielleicht nicht erkannt.</translation>
     </message>

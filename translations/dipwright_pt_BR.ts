@@ -5264,6 +5264,10 @@
 <context>
     <name>Verdict</name>
     <message>
+        <source>The film&apos;s swell is %1; the usual range is %2 to %3. Check this value. If it was measured, check that the rulers on the card and on the film have the length that is printed beside them.</source>
+        <translation>O inchamento da película é %1; o usual é de %2 a %3. Verifique este valor. Se ele foi medido, verifique se as réguas no cartão e na película têm o comprimento impresso ao lado delas.</translation>
+    </message>
+    <message>
         <source>Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part so that the air escapes, or drill a vent hole. Vent holes narrower than %3 may not be seen.</source>
         <translation>Ar preso mantém secos %1 % da peça; o limite é %2 %. Gire a peça para que o ar saia, ou faça um furo de respiro. Furos de respiro mais estreitos que %3 podem não ser vistos.</translation>
     </message>

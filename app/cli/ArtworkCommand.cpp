@@ -193,12 +193,13 @@ public:
         Words words(name(), parser.positionalArguments());
         const QString action = words.take(QStringLiteral("The action"));
         const QString path = words.take(QStringLiteral("JOB.dipw"));
-        QTextStream& out = console.out();
         if (action == QLatin1String("list")) {
             words.finish();
-            list(loadProject(path), parser, out);
+            list(loadProject(path), parser, console.out());
             return;
         }
+        QString done; // told after the project has been saved
+        QTextStream out(&done);
         ProjectFile file(path);
         const Project before = loadProject(path);
         Project project = before;
@@ -220,6 +221,7 @@ public:
         }
         checkEditedSpots(before, project);
         file.save(project);
+        console.out() << done;
     }
 };
 

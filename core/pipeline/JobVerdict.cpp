@@ -193,6 +193,13 @@ void addUnusualReasons(ReasonList& found, const Project& project) {
         found.add({Kind::UnusualSpeed, Advice::CheckFirst, speed, usual});
     }
     const FilmSettings& film = project.film;
+    for (const double swell : {film.swellX, film.swellY}) {
+        const double usualSwell = std::clamp(swell, leastUsualSwell, mostUsualSwell);
+        if (swell != usualSwell) {
+            found.add({Kind::UnusualSwell, Advice::CheckFirst, swell, usualSwell});
+            break;
+        }
+    }
     if (film.growthRate == 0 || film.growthLimit == 0) {
         return; // such film does not grow
     }

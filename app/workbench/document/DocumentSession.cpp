@@ -106,6 +106,10 @@ void DocumentSession::openProject(const QString& path) {
 void DocumentSession::readProject(const QString& file, Messages& teller,
                                   const std::function<void()>& failed) {
     const auto take = [this, file, failed](const ReadProject& read) {
+        if (window_.bringForward(file)) { // another window has opened it meanwhile
+            failed();
+            return;
+        }
         auto document = std::make_unique<Document>(read.project, file, read.version);
         if (!lockOrAsk(*document)) {
             failed();

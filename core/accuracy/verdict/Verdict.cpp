@@ -281,8 +281,9 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"thin_places", "body.sdf_resolution"},
                                KindWords{"unusual_speed", "process.dip_speed_mm_s"},
                                KindWords{"unusual_growth_rate", "film.growth_per_s"},
-                               KindWords{"unusual_growth", "film.growth_limit"}};
-static_assert(kindWords.size() == std::size_t(Kind::UnusualGrowth) + 1);
+                               KindWords{"unusual_growth", "film.growth_limit"},
+                               KindWords{"unusual_swell", "film.swell"}};
+static_assert(kindWords.size() == std::size_t(Kind::UnusualSwell) + 1);
 
 } // namespace
 

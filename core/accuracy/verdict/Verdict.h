@@ -63,6 +63,7 @@ struct VerdictReason {
         UnusualSpeed,    // the dip speed of `value` mm/s is not usual
         UnusualGrowthRate, // the film grows by the share `value` per second, more than is usual
         UnusualGrowth,     // the film grows by the share `value` in all, more than is usual
+        UnusualSwell,      // the film's swell of `value` is not usual
     };
     Kind kind;
     Advice advice = Advice::Print; // the verdict if this is the only reason
@@ -108,10 +109,12 @@ inline constexpr double spoiltPaintedOnce = 0.15;
 // (Coverage::tornBareShare()): above the first the verdict is *check first*, above the second *do
 // not print*. In ordinary dips up to 0.28 is counted where 0.06 is lost.
 inline constexpr double mostTornBare = 0.2, spoiltTornBare = 0.4;
-// The usual speed of a dip, in mm/s, and the usual growth of floating film (FilmBehaviour). The
-// verdict on other values is *check first* (docs/film-validation.md, "The verdict").
+// The usual speed of a dip, in mm/s, and the usual growth and swell of floating film
+// (FilmBehaviour). The verdict on other values is *check first* (docs/film-validation.md, "The
+// verdict").
 inline constexpr double leastUsualSpeed = 0.5, mostUsualSpeed = 100;
 inline constexpr double mostUsualGrowthRate = 0.05, mostUsualGrowth = 0.5;
+inline constexpr double leastUsualSwell = 0.95, mostUsualSwell = 1.3;
 // A vent hole this many cells of the search for trapped air wide is always seen (AirPockets.h).
 inline constexpr double seenVentCells = 2;
 // Limit for riseOnPath(); above it the verdict is *check first*.

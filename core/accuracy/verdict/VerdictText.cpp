@@ -190,6 +190,12 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr(
                    "The film grows by %1 % in all; more than %2 % is unusual. Check this value.")
             .arg(shares[0], shares[1]);
+    case Kind::UnusualSwell:
+        return Text::tr("The film's swell is %1; the usual range is %2 to %3. Check this value. If "
+                        "it was measured, check that the rulers on the card and on the film have "
+                        "the length that is printed beside them.")
+            .arg(QLocale().toString(reason.value), QLocale().toString(leastUsualSwell),
+                 QLocale().toString(mostUsualSwell));
     case Kind::ThinPlaces:
         return reason.text;
     case Kind::ExpiredFilm:

@@ -152,6 +152,16 @@ private slots:
         QVERIFY(!host.session.document() && !host.other);
     }
 
+    // As when a project is dropped twice.
+    void openProject_openedElsewhereWhileReading_isNotOpenedAgain() {
+        SessionHost host(recovery());
+        host.session.openProject(project_);
+        host.openElsewhere = project_;
+        QVERIFY(host.waitUntilIdle());
+        QVERIFY(!host.session.document());
+        QCOMPARE(host.timesAsked, 0);
+    }
+
     void openProject_brokenFile_closesNewWindow() {
         SessionHost host(recovery());
         host.session.openProject(project_);

@@ -152,10 +152,12 @@ private slots:
         using Kind = VerdictReason::Kind;
         JobResult result = unjudged(ball(17));
         QVERIFY(!has(result, Kind::UnusualSpeed) && !has(result, Kind::UnusualGrowthRate));
+        QVERIFY(!has(result, Kind::UnusualSwell));
+        result.project.film.swellY = 0.55; // as measured from pages that were printed too small
         result.project.process.dipSpeed = MillimetresPerSecond(1000);
         result.project.film.growthRate = 0.9;
         result.verdict = allDipsVerdict(result, nullptr);
-        QVERIFY(has(result, Kind::UnusualSpeed));
+        QVERIFY(has(result, Kind::UnusualSpeed) && has(result, Kind::UnusualSwell));
         QVERIFY(!has(result, Kind::UnusualGrowthRate)); // without a limit the film does not grow
         result.project.process.dipSpeed = MillimetresPerSecond(0.01);
         result.project.film.growthLimit = 0.9;

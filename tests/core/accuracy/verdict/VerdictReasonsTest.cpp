@@ -317,7 +317,7 @@ private slots:
 
     void verdictReason_everyKind_hasTextAndUniqueKey() {
         QStringList keys;
-        for (int kind = 0; kind <= int(VerdictReason::Kind::UnusualGrowth); ++kind) {
+        for (int kind = 0; kind <= int(VerdictReason::Kind::UnusualSwell); ++kind) {
             const VerdictReason reason{VerdictReason::Kind(kind),
                                        Advice::Print,
                                        0.1,
