@@ -85,8 +85,9 @@ public:
         }
         const ThreadLimit threads = threadLimit(parser);
         const Progress progress = console.progress();
+        const std::vector<ProjectToPack> read = readProjects(projects, parser);
         const std::vector<JobResult> results =
-            dipped(projects, parser, progress.part(0, 0.9), console);
+            dipped(read, projects, parser, progress.part(0, 0.9), console);
         for (const JobResult& result : results) {
             console.out() << result.project.name << QStringLiteral(": ");
             printVerdict(result, console.out());
@@ -134,7 +135,23 @@ private:
         return printer.isEmpty() ? QMarginsF() : printerMargins(*printSystem(), printer, film);
     }
 
-    static std::vector<JobResult> dipped(const std::vector<PackedProject>& projects,
+    // Throws Error if the projects cannot share a film.
+    static std::vector<ProjectToPack> readProjects(const std::vector<PackedProject>& projects,
+                                                   const QCommandLineParser& parser) {
+        std::vector<ProjectToPack> read;
+        for (const PackedProject& project : projects) {
+            read.push_back({readProject(project.path, parser), project.copies});
+            if (parser.isSet(dpiOption)) {
+                setByOption(read.back().project, QStringLiteral("sheet.dpi"),
+                            parser.value(dpiOption), QStringLiteral("--dpi"));
+            }
+        }
+        checkProjects(read);
+        return read;
+    }
+
+    static std::vector<JobResult> dipped(const std::vector<ProjectToPack>& read,
+                                         const std::vector<PackedProject>& projects,
                                          const QCommandLineParser& parser, const Progress& progress,
                                          Console& console) {
         const SolverRegistry registry;
@@ -142,11 +159,7 @@ private:
         options.solver = parser.value(solverOption);
         std::vector<JobResult> results;
         for (std::size_t i = 0; i < projects.size(); ++i) {
-            Project project = readProject(projects[i].path, parser);
-            if (parser.isSet(dpiOption)) {
-                setByOption(project, QStringLiteral("sheet.dpi"), parser.value(dpiOption),
-                            QStringLiteral("--dpi"));
-            }
+            const Project& project = read[i].project;
             const auto count = double(projects.size());
             const Progress part = progress.part(double(i) / count, double(i + 1) / count);
             const auto kept =

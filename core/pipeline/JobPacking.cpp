@@ -78,6 +78,21 @@ Turning turningOnRoll(const Project& project) {
     return turningOf(project, roll);
 }
 
+void checkProjects(const std::vector<ProjectToPack>& projects) {
+    std::vector<PieceToPack> pieces;
+    for (const ProjectToPack& packed : projects) {
+        for (const Immersion& immersion : packed.project.immersions) {
+            PieceToPack piece;
+            piece.sheet.settings = packed.project.sheet;
+            piece.sheet.job.project = packed.project.name;
+            piece.sheet.job.immersion = immersion.name;
+            piece.copies = packed.copies;
+            pieces.push_back(std::move(piece));
+        }
+    }
+    checkSettings(pieces);
+}
+
 std::vector<PieceToPack> piecesOf(const JobResult& result, int copies,
                                   const PackSettings& settings) {
     std::vector<PieceToPack> pieces;

@@ -21,6 +21,14 @@ Turning turningOf(const Project& project, const PackSettings& settings);
 // Returns whether a project's whole sheets must, may or must not be turned on a roll.
 Turning turningOnRoll(const Project& project);
 
+struct ProjectToPack {
+    Project project;
+    int copies = 1;
+};
+// Throws Error if the projects' settings do not let their sheets share a film. Call it before the
+// dips.
+void checkProjects(const std::vector<ProjectToPack>& projects);
+
 // Returns the sheets of a finished job as pieces, each `copies` times.
 std::vector<PieceToPack> piecesOf(const JobResult& result, int copies,
                                   const PackSettings& settings);

@@ -343,6 +343,16 @@ void PackDialog::changed() {
 
 PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const PackSettings& settings,
                                         const SolverRegistry& registry, const Progress& progress) {
+    std::vector<ProjectToPack> read;
+    for (Wanted& project : projects) {
+        if (!project.dipped.result) {
+            project.dipped.written = QFileInfo(project.path).lastModified();
+        }
+        read.push_back(
+            {project.dipped.result ? project.dipped.result->project : loadProject(project.path),
+             project.copies});
+    }
+    checkProjects(read);
     std::vector<PieceToPack> pieces;
     const auto count = double(projects.size());
     for (std::size_t i = 0; i < projects.size(); ++i) {
@@ -351,15 +361,14 @@ PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const Pack
             const auto same =
                 std::find_if(projects.begin(), projects.begin() + std::ptrdiff_t(i),
                              [&](const auto& one) { return one.path == project.path; });
-            project.dipped.written = QFileInfo(project.path).lastModified();
             const Progress part =
                 progress.part(0.9 * double(i) / count, 0.9 * double(i + 1) / count);
             const auto run = [&] {
-                const Project read = loadProject(project.path);
+                const Project& job = read[i].project;
                 const auto kept =
-                    usableDips(read, registry, project.path, part.silent(), [](const Error&) {});
+                    usableDips(job, registry, project.path, part.silent(), [](const Error&) {});
                 return std::make_shared<const JobResult>(
-                    runJob(read, registry, {}, kept.get(), part));
+                    runJob(job, registry, {}, kept.get(), part));
             };
             project.dipped.result =
                 same != projects.begin() + std::ptrdiff_t(i) ? same->dipped.result : run();

@@ -78,6 +78,17 @@ void refuseMixedWhite(const std::vector<PieceToPack>& pieces) {
     }
 }
 
+// Returns which setting of the cut contour differs; empty if the contours can share a film.
+QString cutDifference(const SheetSettings& a, const SheetSettings& b) {
+    const bool isCut = a.cutLine != CutLine::None;
+    const bool isInk = a.cutLine == CutLine::Ink;
+    return a.cutLine != b.cutLine                    ? Text::tr("Cut contour")
+           : isCut && a.cutName != b.cutName         ? Text::tr("Name of the cut contour")
+           : isInk && a.cutDistance != b.cutDistance ? Text::tr("Distance of the cut contour")
+           : isInk && a.cutBleed != b.cutBleed       ? Text::tr("Bleed at the cut contour")
+                                                     : QString();
+}
+
 // The layout of an upright piece around its picture, in pixels.
 struct PieceLayout {
     QSize size;
@@ -121,7 +132,9 @@ QSize filmSizeInPixels(QSizeF size, DotsPerInch resolution) {
     return {width, std::max(int(std::lround(size.height() * Pixels(resolution).unit())), 1)};
 }
 
-void checkPieces(const std::vector<PieceToPack>& pieces) {
+} // namespace
+
+void checkSettings(const std::vector<PieceToPack>& pieces) {
     int count = 0;
     for (const PieceToPack& piece : pieces) {
         count += piece.copies;
@@ -142,6 +155,13 @@ void checkPieces(const std::vector<PieceToPack>& pieces) {
                             .arg(pieces.front().sheet.passes),
                         nameOf(piece));
         }
+        const QString cut = cutDifference(piece.sheet.settings, pieces.front().sheet.settings);
+        if (!cut.isEmpty()) {
+            throw Error(Text::tr("The setting “%1” differs between this job and %2; give both the "
+                                 "same value")
+                            .arg(cut, nameOf(pieces.front())),
+                        nameOf(piece));
+        }
     }
     if (count < 1 || count > mostPieces) {
         throw Error(Text::tr("%1 pieces cannot be packed; choose 1 to %2 pieces")
@@ -150,6 +170,8 @@ void checkPieces(const std::vector<PieceToPack>& pieces) {
                     QStringLiteral("copies"));
     }
 }
+
+namespace {
 
 // Returns the part of the film where pieces may lie, in pixels.
 QRect roomOf(const PackingFilm& film, QSize size, DotsPerInch resolution) {
@@ -270,7 +292,7 @@ JobLine filmJob(const Sheet& sheet, const PlannedFilm& film, std::size_t number,
 } // namespace
 
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film) {
-    checkPieces(pieces);
+    checkSettings(pieces);
     refuseMixedWhite(pieces);
     const DotsPerInch resolution = pieces.front().sheet.settings.resolution;
     const Pixels pixels(resolution);
@@ -489,7 +511,7 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
     Sheet sheet;
     sheet.filmWidth = Millimetres(planned.size.width());
     sheet.filmHeight = Millimetres(planned.size.height());
-    sheet.settings = pieces.front().sheet.settings;
+    sheet.settings = pieces.front().sheet.settings; // checkSettings() compares what must be equal
     sheet.passes = pieces.front().sheet.passes;
     sheet.settings.paper = QStringLiteral("film");
     sheet.settings.landscape = false;

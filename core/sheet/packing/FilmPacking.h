@@ -56,8 +56,12 @@ struct FilmPlan {
     std::vector<PlannedFilm> films;
 };
 
-// Plans the films. Throws Error if there is no piece, a piece has no ink or is larger than the
-// film, the resolutions or the numbers of passes differ, or a limit above is exceeded.
+// Throws Error if there are too many pieces or none, or if their resolutions, numbers of passes or
+// cut contours differ. The sheets need no pictures, so that this can be called before the dips.
+void checkSettings(const std::vector<PieceToPack>& pieces);
+
+// Plans the films. Throws Error as checkSettings() does, and if a piece has no ink or is larger
+// than the film, the white layers differ, or a limit above is exceeded.
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film);
 
 // Tells whether the films lose wanted colours or amounts of ink of a piece, because the pieces

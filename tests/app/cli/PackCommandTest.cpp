@@ -1,5 +1,6 @@
 // Tests `dipwright-cli pack`. Each piece on a packed film must equal the sheet that its job gives
 // alone.
+#include "BallModel.h"
 #include "CliProcess.h"
 #include "TestFolders.h"
 
@@ -145,6 +146,19 @@ private slots:
         QVERIFY(!cli(pack).out.contains("white layer is left out"));
         const Outcome told = cli(pack + QStringList{"--set", "sheet.white=last"});
         QVERIFY2(told.out.contains("white layer is left out"), told.out + told.err);
+    }
+
+    // A solver that does not exist shows that the refusal comes before the dips.
+    void pack_differentCutContours_areRefusedBeforeTheDips() {
+        const QString model = dipwright::test::writeBall(folder_.path());
+        const QString plain = folder_.filePath("plain.dipw"), cut = folder_.filePath("cut.dipw");
+        QCOMPARE(cli({"new", plain, "--model", model}).exitCode, 0);
+        QCOMPARE(cli({"new", cut, "--model", model, "--set", "sheet.cut_line=ink"}).exitCode, 0);
+        const Outcome packed = cli({"pack", plain, cut, "--to", folder_.filePath("cut.pdf"),
+                                    "--solver", "missing", "--quiet"});
+        QCOMPARE(packed.exitCode, 1);
+        QVERIFY2(packed.err.contains("“Cut contour” differs between this job and plain"),
+                 packed.err);
     }
 
     void pack_pieceTooLarge_isRefused() {

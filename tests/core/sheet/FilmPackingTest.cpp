@@ -549,6 +549,40 @@ private slots:
         mixed[1].sheet.passes = 2;
         QVERIFY(refused(mixed, "same number of passes"));
     }
+
+    // One film has one cut contour. The order of the jobs must not decide which.
+    void checkSettings_differentCutContours_areRefused() {
+        const auto refusal = [](const auto& change, CutLine line) {
+            std::vector<PieceToPack> parts{part("A", {}), part("B", {}), part("C", {})};
+            for (PieceToPack& piece : parts) {
+                piece.sheet.settings.cutLine = line;
+            }
+            change(parts[2].sheet.settings);
+            try {
+                checkSettings(parts);
+                return QString();
+            } catch (const Error& error) {
+                return error.sentence();
+            }
+        };
+        const auto line = [](SheetSettings& s) { s.cutLine = CutLine::Ink; };
+        const auto name = [](SheetSettings& s) { s.cutName = QStringLiteral("Knife"); };
+        const auto distance = [](SheetSettings& s) { s.cutDistance = Millimetres(4); };
+        const auto bleed = [](SheetSettings& s) { s.cutBleed = Millimetres(1); };
+        QCOMPARE(refusal(line, CutLine::None),
+                 QStringLiteral("The setting “Cut contour” differs between this job and A, Top; "
+                                "give both the same value (C, Top)"));
+        QVERIFY(refusal(line, CutLine::Film).contains("“Cut contour”"));
+        QVERIFY(refusal(name, CutLine::Film).contains("“Name of the cut contour”"));
+        QVERIFY(refusal(distance, CutLine::Ink).contains("“Distance of the cut contour”"));
+        QVERIFY(refusal(bleed, CutLine::Ink).contains("“Bleed at the cut contour”"));
+        // Values without effect may differ.
+        QCOMPARE(refusal(name, CutLine::None), QString());
+        QCOMPARE(refusal(distance, CutLine::Film), QString());
+        QCOMPARE(refusal(bleed, CutLine::Film), QString());
+        QCOMPARE(refusal([](SheetSettings& s) { s.bleed = Millimetres(5); }, CutLine::Ink),
+                 QString());
+    }
 };
 
 QTEST_MAIN(FilmPackingTest)
