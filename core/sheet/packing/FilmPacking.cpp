@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/ImageRows.h"
 #include "base/WideGamut.h"
+#include "sheet/page/CutContour.h"
 #include "sheet/page/InkedPixels.h"
 #include "sheet/page/PieceInk.h"
 #include "sheet/page/SheetLayout.h"
@@ -110,7 +111,8 @@ PieceLayout layoutOf(const PieceToPack& piece, QSize picture, const PackingFilm&
         return {picture, {{0, 0}, picture}};
     }
     const Pixels pixels(piece.sheet.settings.resolution);
-    const int margin = pixels.of(std::max(film.margin.value(), leastPieceMargin));
+    const int margin =
+        pixels.of(std::max(film.margin.value(), leastPieceMargin + cutReach(piece.sheet.settings)));
     const bool hasFoot = piece.sheet.settings.jobLine;
     const int width =
         std::max(picture.width() + 2 * margin, hasFoot ? pixels.of(leastPieceWidth) : 0);
@@ -194,6 +196,23 @@ void refuseLarge(const PieceToPack& piece, QSize size, const QRect& room, bool i
         nameOf(piece));
 }
 
+// Throws Error if the cut contour or its bleed leaves a whole sheet. There, the next sheet or the
+// cut marks may be.
+void refuseCutPastSheet(const PieceToPack& piece) {
+    const Sheet& sheet = piece.sheet;
+    const double reach = cutReach(sheet.settings);
+    const QRect inked = reach > 0 ? inkedBox(sheet) : QRect();
+    const int pixels = Pixels(sheet.settings.resolution).of(reach);
+    if (!inked.isEmpty() &&
+        !sheet.image.rect().contains(inked.adjusted(-pixels, -pixels, pixels, pixels))) {
+        throw Error(Text::tr("The cut contour with its bleed reaches %1 mm from the ink, past the "
+                             "edge of this job's sheet; choose a smaller distance or bleed, or a "
+                             "cut contour along the film's edge")
+                        .arg(reach),
+                    nameOf(piece));
+    }
+}
+
 PlannedFilm plannedFilm(const std::vector<PackPlace>& places,
                         const std::vector<std::pair<std::size_t, int>>& copies, const QRect& room) {
     PlannedFilm film;
@@ -259,6 +278,7 @@ SheetPiece sheetPiece(const PieceToPack& piece, const PlannedPiece& planned,
     result.copies = piece.copies;
     result.marks = piece.sheet.settings.marks;
     result.jobLine = piece.sheet.settings.jobLine;
+    result.cutReach = cutReach(piece.sheet.settings);
     return result;
 }
 
@@ -305,6 +325,9 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
     std::vector<std::pair<std::size_t, int>> copies;
     for (std::size_t number = 0; number < pieces.size(); ++number) {
         const PieceToPack& piece = pieces[number];
+        if (film.wholeSheets) {
+            refuseCutPastSheet(piece);
+        }
         const QRect inked = film.wholeSheets ? piece.sheet.image.rect() : inkedBox(piece.sheet);
         if (inked.isEmpty()) {
             throw Error(Text::tr("This job's sheet contains no ink; remove the job from the film"),

@@ -24,9 +24,11 @@ struct PackingFilm {
     // Whether the pieces are whole sheets with their own marks, and cut marks between them, as for
     // an unattended series on a roll. Otherwise their inked parts are cut out.
     bool wholeSheets = false;
-    Millimetres spacing{3};               // between two pieces
-    Millimetres margin{leastPieceMargin}; // least width of bare film round the inked part
-    QMarginsF edges{5, 5, 5, 10};         // mm without pieces, for the ruler and the job line
+    Millimetres spacing{3}; // between two pieces
+    // Least width of bare film round the inked part. It is wider if a cut contour round the ink and
+    // its bleed need it, so that they stay clear of the piece's marks.
+    Millimetres margin{leastPieceMargin};
+    QMarginsF edges{5, 5, 5, 10}; // mm without pieces, for the ruler and the job line
 };
 
 struct PieceToPack {
@@ -61,7 +63,8 @@ struct FilmPlan {
 void checkSettings(const std::vector<PieceToPack>& pieces);
 
 // Plans the films. Throws Error as checkSettings() does, and if a piece has no ink or is larger
-// than the film, the white layers differ, or a limit above is exceeded.
+// than the film, the white layers differ, a cut contour round the ink leaves a whole sheet, or a
+// limit above is exceeded.
 FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& film);
 
 // Tells whether the films lose wanted colours or amounts of ink of a piece, because the pieces

@@ -222,4 +222,9 @@ QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout) {
     return path;
 }
 
+double cutReach(const SheetSettings& settings) {
+    return settings.cutLine == CutLine::Ink ? (settings.cutDistance + settings.cutBleed).value()
+                                            : 0;
+}
+
 } // namespace dipwright

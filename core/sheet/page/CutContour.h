@@ -14,4 +14,8 @@ namespace dipwright {
 // printed.
 QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout);
 
+// Returns how far, in mm, the line round the ink and the bleed past it reach from the ink. 0 if the
+// settings ask for no line round the ink.
+double cutReach(const SheetSettings& settings);
+
 } // namespace dipwright

@@ -15,13 +15,22 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Sheet)
 };
 
-constexpr double markOff = 3.5; // mm from the picture's edges to a mark's centre
+constexpr double markOff = 3.5; // mm from the printed box's edges to a mark's centre
 constexpr double codeSide = 11; // side of the QR code, mm
 constexpr double type = 2.2, lineHeight = 3.4;
 constexpr double tick = 3; // length of a tick, mm
 
+QRectF grown(const QRectF& box, double by) {
+    return box.adjusted(-by, -by, by, by);
+}
+
+// Returns the box of the picture, its cut contour and the bleed past it.
+QRectF printedBox(const SheetPiece& piece) {
+    return grown(piece.picture, piece.cutReach);
+}
+
 void paintMarksOf(QPainter& painter, const SheetPiece& piece) {
-    const QRectF centres = piece.picture.adjusted(-markOff, -markOff, markOff, markOff);
+    const QRectF centres = grown(printedBox(piece), markOff);
     bool first = true;
     for (const QPointF& corner :
          {centres.topLeft(), centres.topRight(), centres.bottomLeft(), centres.bottomRight()}) {
@@ -30,23 +39,23 @@ void paintMarksOf(QPainter& painter, const SheetPiece& piece) {
     }
 }
 
-// Draws ticks beside the picture that show the centre of the job's own film. The body's offset
-// refers to that centre. Draws no tick where the centre lies outside the picture.
+// Draws ticks beside the printed box that show the centre of the job's own film. The body's offset
+// refers to that centre. Draws no tick where the centre lies outside the box.
 void paintCentreTicks(QPainter& painter, const SheetPiece& piece) {
-    const QRectF& picture = piece.picture;
+    const QRectF box = printedBox(piece);
     const QPointF& middle = piece.middle;
     QPainterPath ticks;
     const auto line = [&](QPointF from, QPointF along) {
         ticks.moveTo(from);
         ticks.lineTo(from + along);
     };
-    if (middle.x() > picture.left() && middle.x() < picture.right()) {
-        line({middle.x(), picture.top() - 1}, {0, -tick});
-        line({middle.x(), picture.bottom() + 1}, {0, tick});
+    if (middle.x() > box.left() && middle.x() < box.right()) {
+        line({middle.x(), box.top() - 1}, {0, -tick});
+        line({middle.x(), box.bottom() + 1}, {0, tick});
     }
-    if (middle.y() > picture.top() && middle.y() < picture.bottom()) {
-        line({picture.left() - 1, middle.y()}, {-tick, 0});
-        line({picture.right() + 1, middle.y()}, {tick, 0});
+    if (middle.y() > box.top() && middle.y() < box.bottom()) {
+        line({box.left() - 1, middle.y()}, {-tick, 0});
+        line({box.right() + 1, middle.y()}, {tick, 0});
     }
     SheetInk(painter, false).stroke(ticks);
 }

@@ -40,6 +40,7 @@ struct SheetPiece {
     JobLine job;
     int dip = 1, copy = 1, copies = 1; // counted from 1
     bool marks = true, jobLine = true;
+    double cutReach = 0; // from the inked part to the end of the cut contour's bleed (CutContour.h)
     // Set for a whole sheet in a series on a roll: what is printed around its film. The sheet is
     // cut out along its edge, between the cut marks.
     std::shared_ptr<const SheetLayout> whole = {};

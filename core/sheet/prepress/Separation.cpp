@@ -2,6 +2,7 @@
 
 #include "base/ImageRows.h"
 #include "parallel/ParallelFor.h"
+#include "sheet/page/CutContour.h"
 #include "sheet/page/InkDistance.h"
 #include "sheet/page/InkedPixels.h"
 #include "sheet/page/SheetRows.h"
@@ -165,8 +166,7 @@ Sheet withCutBleed(const Sheet& sheet) {
     if (settings.cutLine != CutLine::Ink || settings.cutBleed.value() <= 0) {
         return sheet;
     }
-    const double radius = (settings.cutDistance + settings.cutBleed).value() *
-                          filmPixels(sheet).width() / sheet.filmWidth.value();
+    const double radius = cutReach(settings) * filmPixels(sheet).width() / sheet.filmWidth.value();
     Sheet wider = sheet;
     if (!sheet.rows) {
         continuePlates(wider, radius);

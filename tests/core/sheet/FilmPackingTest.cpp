@@ -5,8 +5,11 @@
 #include "base/Bytes.h"
 #include "base/Error.h"
 #include "sheet/packing/FilmPacking.h"
+#include "sheet/page/CutContour.h"
+#include "sheet/page/InkedPixels.h"
 #include "sheet/page/SheetRows.h"
 #include "sheet/prepress/PrinterColour.h"
+#include "sheet/prepress/Separation.h"
 #include "sheet/prepress/SheetFiles.h"
 #include "texture/StretchPlane.h"
 
@@ -548,6 +551,91 @@ private slots:
         mixed[1].sheet.settings.resolution = mixed[0].sheet.settings.resolution;
         mixed[1].sheet.passes = 2;
         QVERIFY(refused(mixed, "same number of passes"));
+    }
+
+    // The bleed leaves the marks, the job line and the next piece free. Each piece has one contour.
+    void filmSheet_cutContourAndBleed_endBeforeMarksAndNextPiece() {
+        std::vector<PieceToPack> parts{part("A", {90, 120, 30, 20}, 2),
+                                       part("B", {60, 70, 20, 30})};
+        parts[1].turning = Turning::Always;
+        for (PieceToPack& piece : parts) {
+            SheetSettings& settings = piece.sheet.settings;
+            settings.cutLine = CutLine::Ink;
+            settings.cutDistance = Millimetres(4);
+            settings.cutBleed = Millimetres(2);
+        }
+        PackingFilm film;
+        film.size = {192, 75};
+        film.spacing = Millimetres(0);
+        const FilmPlan plan = planFilms(parts, film);
+        QCOMPARE(plan.films.size(), std::size_t(1));
+        const Sheet sheet = filmSheet(parts, film, plan, 0);
+        QCOMPARE(sheet.pieces.size(), std::size_t(3));
+        const PrinterColour inks(simpleCmykProfile(0.002), RenderingIntent::RelativeColorimetric,
+                                 false, "inks.icc");
+        const PrintCorrection correction{.colour = &inks};
+        const double unit = sheet.image.width() / sheet.filmWidth.value();
+        const auto grown = [](const QRectF& box, double by) {
+            return box.adjusted(-by, -by, by, by);
+        };
+        const Plates plates = separate(sheet, correction);
+        QImage inked(plates.size, QImage::Format_Grayscale8);
+        for (int y = 0; y < inked.height(); ++y) {
+            for (int x = 0; x < inked.width(); ++x) {
+                const char* pixel = plates.cmyk.constData() + 4 * (y * inked.width() + x);
+                inked.scanLine(y)[x] = std::any_of(pixel, pixel + 4, [](char ink) { return ink; });
+            }
+        }
+        QImage outside = inked;
+        const auto contours = cutContour(sheet, sheetLayout(sheet)).toSubpathPolygons();
+        QCOMPARE(contours.size(), 3);
+        for (const SheetPiece& piece : sheet.pieces) {
+            const QRectF printed = grown(piece.pictureOnPage(), 4 + 2);
+            QVERIFY(piece.box().contains(grown(printed, leastPieceMargin - 0.1)));
+            const QRect pixels =
+                QRectF(printed.topLeft() * unit, printed.size() * unit).toAlignedRect();
+            const QRect reached = markedBox(inked.copy(pixels));
+            QVERIFY(pixels.width() - reached.width() < 5 && pixels.height() - reached.height() < 5);
+            QPainter(&outside).fillRect(pixels.adjusted(-2, -2, 2, 2), Qt::black);
+            QCOMPARE(
+                std::count_if(contours.begin(), contours.end(),
+                              [&](const QPolygonF& contour) {
+                                  return grown(printed, -2 + 0.2).contains(contour.boundingRect());
+                              }),
+                1);
+        }
+        QVERIFY(markedBox(outside).isEmpty()); // no ink elsewhere
+        // The upper right mark of the piece that is not turned stands past the bleed.
+        const SheetPiece& upright = *std::find_if(sheet.pieces.begin(), sheet.pieces.end(),
+                                                  [](const auto& one) { return !one.turned; });
+        const QPointF centre = grown(upright.pictureOnPage(), 4 + 2 + 3.5).topRight();
+        constexpr int dpi = 600;
+        const QImage mark = renderedPage(save(pdfOf(sheet), QStringLiteral("bleed.pdf")), dpi,
+                                         {centre - QPointF(2.5, 2.5), QSizeF(5, 5)});
+        const std::vector<double> lines = darkMiddles(mark, true, mark.height() / 4);
+        QVERIFY(std::any_of(lines.begin(), lines.end(), [&](double at) {
+            return std::abs(at - mark.width() / 2.0) < 0.1 / 25.4 * dpi;
+        }));
+    }
+
+    void planFilms_cutContourPastAWholeSheet_isRefused() {
+        PackingFilm roll;
+        roll.isRoll = roll.wholeSheets = true;
+        roll.size = {300, 2000};
+        std::vector<PieceToPack> parts{part("Shell", {5, 50, 30, 40})};
+        SheetSettings& settings = parts[0].sheet.settings;
+        settings.cutLine = CutLine::Ink;
+        settings.cutDistance = Millimetres(3);
+        settings.cutBleed = Millimetres(1);
+        planFilms(parts, roll);
+        settings.cutBleed = Millimetres(3);
+        try {
+            planFilms(parts, roll);
+            QFAIL("the contour was not refused");
+        } catch (const Error& error) {
+            QVERIFY2(error.sentence().contains("reaches 6 mm from the ink, past the edge"),
+                     qPrintable(error.sentence()));
+        }
     }
 
     // One film has one cut contour. The order of the jobs must not decide which.
