@@ -30,6 +30,21 @@ QString nameOf(const PieceToPack& piece) {
     return QStringLiteral("%1, %2").arg(piece.sheet.job.project, piece.sheet.job.immersion);
 }
 
+// The same dip of the same job. Its copies are numbered through, even if the job is packed twice.
+using DipKey = std::pair<QString, int>;
+
+DipKey keyOf(const PieceToPack& piece) {
+    return {piece.sheet.job.hash, piece.dip};
+}
+
+int copiesOf(const DipKey& key, const std::vector<PieceToPack>& pieces) {
+    int copies = 0;
+    for (const PieceToPack& piece : pieces) {
+        copies += keyOf(piece) == key ? piece.copies : 0;
+    }
+    return copies;
+}
+
 // Collects the plates of all pieces, without their tints. White becomes the last plate of its
 // group. One group is printed before the four inks, the other after them.
 std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
@@ -275,7 +290,6 @@ SheetPiece sheetPiece(const PieceToPack& piece, const PlannedPiece& planned,
     result.job = piece.sheet.job;
     result.dip = piece.dip;
     result.copy = planned.copy;
-    result.copies = piece.copies;
     result.marks = piece.sheet.settings.marks;
     result.jobLine = piece.sheet.settings.jobLine;
     result.cutReach = cutReach(piece.sheet.settings);
@@ -323,6 +337,7 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
     FilmPlan plan;
     std::vector<PackItem> items;
     std::vector<std::pair<std::size_t, int>> copies;
+    std::map<DipKey, int> lastCopies;
     for (std::size_t number = 0; number < pieces.size(); ++number) {
         const PieceToPack& piece = pieces[number];
         if (film.wholeSheets) {
@@ -338,9 +353,10 @@ FilmPlan planFilms(const std::vector<PieceToPack>& pieces, const PackingFilm& fi
         if (!fits({size, piece.turning}, room.size())) {
             refuseLarge(piece, size, room, film.isRoll);
         }
-        for (int copy = 1; copy <= piece.copies; ++copy) {
+        int& copy = lastCopies[keyOf(piece)];
+        for (int i = 0; i < piece.copies; ++i) {
             items.push_back({size + between, piece.turning});
-            copies.emplace_back(number, copy);
+            copies.emplace_back(number, ++copy);
         }
     }
     for (std::vector<PackPlace>& places : packed(items, room.size() + between)) {
@@ -563,6 +579,7 @@ Sheet filmSheet(const std::vector<PieceToPack>& pieces, const PackingFilm& film,
         const PieceLayout layout = layoutOf(piece, inked.size(), film);
         pictures->add(piece.sheet, inked, one.turned, onPage(layout.picture, one).topLeft());
         sheet.pieces.push_back(sheetPiece(piece, one, layout, inked, pixel));
+        sheet.pieces.back().copies = copiesOf(keyOf(piece), pieces);
         if (film.wholeSheets) {
             std::shared_ptr<const SheetLayout>& own = layouts[one.piece];
             own = own ? own : ownLayout(piece.sheet);

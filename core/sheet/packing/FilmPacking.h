@@ -41,8 +41,8 @@ struct PieceToPack {
 
 struct PlannedPiece {
     std::size_t piece = 0; // index among the pieces to pack
-    int copy = 1;
-    QRect box; // place on the film, pixels
+    int copy = 1;          // among all copies of the same dip of the same job, from 1
+    QRect box;             // place on the film, pixels
     bool turned = false;
 };
 

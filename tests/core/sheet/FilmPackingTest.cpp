@@ -313,6 +313,26 @@ private slots:
         QCOMPARE(copies.size(), 12);
     }
 
+    // Two pieces with the same code could not be told apart.
+    void filmSheet_jobGivenTwice_numbersItsCopiesThrough() {
+        std::vector<PieceToPack> parts{
+            part("A", {90, 120, 30, 30}, 2), part("B", {90, 120, 30, 30}),
+            part("A", {90, 120, 30, 30}, 2), part("A", {90, 120, 30, 30})};
+        parts[3].dip = 2;
+        const Sheet sheet = filmSheet(parts, {}, planFilms(parts, {}), 0);
+        QStringList names;
+        for (const SheetPiece& piece : sheet.pieces) {
+            names << QStringLiteral("%1 dip %2: %3 of %4")
+                         .arg(piece.job.project)
+                         .arg(piece.dip)
+                         .arg(piece.copy)
+                         .arg(piece.copies);
+        }
+        names.sort();
+        QCOMPARE(names, QStringList({"A dip 1: 1 of 4", "A dip 1: 2 of 4", "A dip 1: 3 of 4",
+                                     "A dip 1: 4 of 4", "A dip 2: 1 of 1", "B dip 1: 1 of 1"}));
+    }
+
     void planFilms_tooManyCopies_continueOnTheNextFilm() {
         const std::vector<PieceToPack> parts{part("Button", {90, 120, 30, 30}, 50)};
         const FilmPlan plan = planFilms(parts, {});
