@@ -26,12 +26,14 @@ struct PackedProject {
 // Reads "JOB.dipw:3", a project and its number of copies. If a file with the whole name exists, it
 // is the project.
 PackedProject packedProject(const QString& word) {
-    static const QRegularExpression counted(QStringLiteral("^(.+):(\\d{1,9})$"));
+    static const QRegularExpression counted(QStringLiteral("^(.+):([^:]*)$"));
     const QRegularExpressionMatch match = counted.match(word);
-    if (!match.hasMatch() || QFileInfo::exists(word)) {
+    bool isNumber = false;
+    const int copies = match.captured(2).toInt(&isNumber);
+    const bool isCounted = isNumber || QFileInfo::exists(match.captured(1));
+    if (!match.hasMatch() || !isCounted || QFileInfo::exists(word)) {
         return {word};
     }
-    const int copies = match.captured(2).toInt();
     if (copies < 1 || copies > mostPieces) {
         throw UsageError(
             QStringLiteral("Give 1 to %1 copies, for example JOB.dipw:3").arg(mostPieces), word);

@@ -161,6 +161,18 @@ private slots:
                  packed.err);
     }
 
+    void pack_wrongNumberOfCopies_isRefused() {
+        const QString out = folder_.filePath("copies");
+        for (const char* copies : {":0", ":-1", ":1e3", ":2001", ":99999999999", ":"}) {
+            const Outcome packed =
+                cli({"pack", turtle + QLatin1String(copies), "--out", out, "--quiet"});
+            QCOMPARE(packed.exitCode, 2);
+            QVERIFY2(packed.err.contains("Give 1 to 2000 copies"), packed.err);
+        }
+        const Outcome missing = cli({"pack", "missing.dipw:3", "--out", out, "--quiet"});
+        QVERIFY2(missing.err.contains("(missing.dipw)"), missing.err);
+    }
+
     void pack_pieceTooLarge_isRefused() {
         const Outcome packed = cli(
             QStringList{"pack", turtle, "--out", folder_.filePath("small"), "--film", "100x100"} +
