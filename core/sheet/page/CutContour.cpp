@@ -222,6 +222,50 @@ QPainterPath cutContour(const Sheet& sheet, const SheetLayout& layout) {
     return path;
 }
 
+EnclosedPlaces::EnclosedPlaces(const Sheet& sheet, QSizeF film) {
+    const InkedPlaces places(sheet, film);
+    size_ = places.size;
+    grid_ = places.grid;
+    const int width = grid_.width(), height = grid_.height();
+    const auto index = [&](QPoint cell) {
+        return std::size_t(cell.y()) * std::size_t(width) + std::size_t(cell.x());
+    };
+    const QRect all(QPoint(), grid_);
+    // From the border over bare cells.
+    std::vector<unsigned char> isOpen(places.inked.size(), 0);
+    std::vector<QPoint> ahead{{0, 0}};
+    isOpen.front() = 1;
+    while (!ahead.empty()) {
+        const QPoint cell = ahead.back();
+        ahead.pop_back();
+        for (const QPoint& way : {QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1), QPoint(0, -1)}) {
+            const QPoint next = cell + way;
+            if (all.contains(next) && places.inked[index(next)] == 0 && isOpen[index(next)] == 0) {
+                isOpen[index(next)] = 1;
+                ahead.push_back(next);
+            }
+        }
+    }
+    // Cells that are partly inked count by the cells round them.
+    isEnclosed_.assign(places.inked.size(), 0);
+    for (int y = 1; y + 1 < height; ++y) {
+        for (int x = 1; x + 1 < width; ++x) {
+            bool besideOpen = false, besideEnclosed = false;
+            for (int other = 0; other < 9; ++other) {
+                const std::size_t near = index({x - 1 + other % 3, y - 1 + other / 3});
+                besideOpen |= isOpen[near] != 0;
+                besideEnclosed |= isOpen[near] == 0 && places.inked[near] == 0;
+            }
+            isEnclosed_[index({x, y})] = besideEnclosed && !besideOpen ? 1 : 0;
+        }
+    }
+}
+
+bool EnclosedPlaces::contains(QPointF place) const {
+    const int x = 1 + int(place.x() / size_), y = 1 + int(place.y() / size_);
+    return isEnclosed_[std::size_t(y) * std::size_t(grid_.width()) + std::size_t(x)] != 0;
+}
+
 double cutReach(const SheetSettings& settings) {
     return settings.cutLine == CutLine::Ink ? (settings.cutDistance + settings.cutBleed).value()
                                             : 0;

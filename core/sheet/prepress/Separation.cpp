@@ -9,6 +9,7 @@
 #include "sheet/prepress/PlateCompensation.h"
 #include "sheet/prepress/PrinterColour.h"
 #include "texture/Bleed.h"
+#include "texture/LinearLight.h"
 #include "texture/StretchPlane.h"
 
 #include <QCoreApplication>
@@ -116,47 +117,84 @@ std::vector<SpotPlate> spotsOf(const Sheet& sheet, const PrinterColour& colour) 
     return spots;
 }
 
-QImage tintOf(const QImage& picture) {
-    QImage tint(picture.size(), QImage::Format_Grayscale8);
-    for (int y = 0; y < tint.height(); ++y) {
-        const uchar* pixel = picture.constScanLine(y);
-        for (int x = 0; x < tint.width(); ++x) {
-            tint.scanLine(y)[x] = pixel[4 * x];
+// Returns for each pixel the nearest pixel at most `radius` pixels away for which `keeps` is true,
+// its own first. RGBA64: column, row modulo 2¹⁶, the rest of the row; alpha 0: none.
+template <typename Keeps>
+QImage sourcesWhere(QSize pixels, double radius, const Keeps& keeps) {
+    QImage sources(pixels, QImage::Format_RGBA64);
+    sources.fill(Qt::transparent);
+    parallelFor(0, pixels.height(), [&, width = pixels.width()](int y) {
+        auto* const source = reinterpret_cast<QRgba64*>(sources.scanLine(y));
+        for (int x = 0; x < width; ++x) {
+            if (keeps(x, y)) {
+                source[x] = qRgba64(quint16(x), quint16(y), quint16(y >> 16), 0xffff);
+            }
         }
-    }
-    return tint;
+    });
+    continueColour(sources, radius);
+    return sources;
 }
 
-// Continues the tints at a plate's edges outwards by `radius` pixels.
-QImage continuedTint(const QImage& tint, double radius) {
-    QImage picture(tint.size(), QImage::Format_RGBA8888);
-    for (int y = 0; y < tint.height(); ++y) {
-        const uchar* value = tint.constScanLine(y);
-        uchar* pixel = picture.scanLine(y);
-        for (int x = 0; x < tint.width(); ++x, pixel += 4) {
-            std::fill_n(pixel, 4, value[x]);
-            pixel[3] = value[x] != 0 ? 255 : 0;
-        }
-    }
-    continueColour(picture, radius);
-    return tintOf(picture);
+bool hasSource(const QImage& sources, int x, int y) {
+    return reinterpret_cast<const QRgba64*>(sources.constScanLine(y))[x].alpha() != 0;
 }
 
-// Continues all plates by `radius` pixels.
-void continuePlates(Sheet& sheet, double radius) {
-    continueColour(sheet.image, radius);
+// Returns a plane in which each pixel has the value of its source.
+QImage takenFrom(const QImage& sources, const QImage& plane) {
+    QImage taken = plane;
+    const qsizetype bytes = plane.depth() / 8;
+    parallelFor(0, plane.height(), [&, to = taken.bits()](int y) {
+        const auto* const source = reinterpret_cast<const QRgba64*>(sources.constScanLine(y));
+        for (qsizetype x = 0; x < plane.width(); ++x) {
+            if (source[x].alpha() != 0) {
+                const int row = source[x].green() | source[x].blue() << 16;
+                std::copy_n(plane.constScanLine(row) + bytes * source[x].red(), bytes,
+                            to + y * taken.bytesPerLine() + bytes * x);
+            }
+        }
+    });
+    return taken;
+}
+
+// Where a cut contour's bleed lies. Lengths in pixels.
+struct CutBleed {
+    EnclosedPlaces enclosed; // no bleed reaches them
+    double pixel;            // mm
+    double radius, choke;    // from the ink to the end of the bleed; of white
+};
+
+// Continues all plates of the film's rows from `first` on. The pixels of the bleed get the values
+// of the nearest pixel at the edge of the painted film. White begins further inside, so it is
+// continued from its own edge.
+void continuePlates(Sheet& sheet, const CutBleed& bleed, int first) {
+    const PixelCode code(sheet.image);
+    const auto isFixed = [&](int x, int y) {
+        return code.alpha(sheet.image.constScanLine(y) + x * code.bytes()) != 0 ||
+               std::any_of(
+                   sheet.plates.begin(), sheet.plates.end(),
+                   [&](const auto& plate) { return plate.tint.constScanLine(y)[x] != 0; }) ||
+               bleed.enclosed.contains(bleed.pixel * QPointF(x + 0.5, first + y + 0.5));
+    };
+    const QSize size = sheet.image.size();
+    const QImage sources = sourcesWhere(size, bleed.radius, isFixed);
+    const QImage atEdge =
+        sourcesWhere(size, bleed.choke + 1, [&](int x, int y) { return !isFixed(x, y); });
+    const auto taken = [&](const QImage& plane) { return takenFrom(sources, plane); };
     for (SheetPlate& plate : sheet.plates) {
-        plate.tint = continuedTint(plate.tint, radius);
+        plate.tint = !isWhite(plate, sheet.settings)
+                         ? taken(plate.tint)
+                         : takenFrom(sourcesWhere(size, bleed.radius,
+                                                  [&](int x, int y) {
+                                                      return plate.tint.constScanLine(y)[x] != 0 ||
+                                                             !hasSource(atEdge, x, y);
+                                                  }),
+                                     plate.tint);
     }
+    sheet.image = taken(sheet.image);
     if (sheet.wanted) {
-        QImage stretch = pictureOfStretch(sheet.wanted->stretch, sheet.wanted->image);
-        continueColour(stretch, radius);
-        sheet.wanted->stretch = stretchOfPicture(stretch);
-        continueColour(sheet.wanted->image, radius);
-        sheet.wanted->inks = sheet.wanted->inks.each([&](QImage plane) {
-            continueColour(plane, radius);
-            return plane;
-        });
+        sheet.wanted->image = taken(sheet.wanted->image);
+        sheet.wanted->stretch = taken(sheet.wanted->stretch);
+        sheet.wanted->inks = sheet.wanted->inks.each(taken);
     }
 }
 
@@ -166,17 +204,20 @@ Sheet withCutBleed(const Sheet& sheet) {
     if (settings.cutLine != CutLine::Ink || settings.cutBleed.value() <= 0) {
         return sheet;
     }
-    const double radius = cutReach(settings) * filmPixels(sheet).width() / sheet.filmWidth.value();
+    const QSize pixels = filmPixels(sheet);
+    const double pixel = sheet.filmWidth.value() / pixels.width();
+    const CutBleed bleed{EnclosedPlaces(sheet, pixel * QSizeF(pixels)), pixel,
+                         cutReach(settings) / pixel, settings.whiteChoke.value() / pixel};
     Sheet wider = sheet;
     if (!sheet.rows) {
-        continuePlates(wider, radius);
+        continuePlates(wider, bleed, 0);
         return wider;
     }
-    const auto rows = [inner = sheet.rows, radius](int first, int end) {
-        const int reach = int(std::ceil(radius));
+    const auto rows = [inner = sheet.rows, bleed](int first, int end) {
+        const int reach = int(std::ceil(bleed.radius + bleed.choke + 1));
         const int from = std::max(first - reach, 0);
         Sheet more = inner->make(from, std::min(end + reach, inner->pixels.height()));
-        continuePlates(more, radius);
+        continuePlates(more, bleed, from);
         const auto cropped = [&](const QImage& image) {
             return image.copy(0, first - from, image.width(), end - first);
         };

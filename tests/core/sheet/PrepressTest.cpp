@@ -137,6 +137,7 @@ private slots:
     void cutLine_goesRoundAllPlates_data();
     void cutLine_goesRoundAllPlates();
     void cutBleed_continuesColourPastTheCut();
+    void cutBleed_spotInkAndMask_stayAsTheyAre();
     void white_isASeparatePlate_data();
     void white_isASeparatePlate();
     void pdfTarget_keepsAllPlates_data();
@@ -432,6 +433,8 @@ void PrepressTest::cutBleed_continuesColourPastTheCut() {
         std::fill_n(white.scanLine(y) + white.width() * 21 / 100, white.width() * 58 / 100, 180);
     }
     sheet.plates = {{QStringLiteral("White"), white}};
+    sheet.settings.white = WhiteLayer::Last;
+    sheet.settings.whiteChoke = Millimetres(1);
     const Separations without = separations(pdfOf(sheet, {.colour = &inks_}), dpi);
     sheet.settings.cutBleed = Millimetres(3);
     const QString path = pdfOf(sheet, {.colour = &inks_});
@@ -469,6 +472,36 @@ void PrepressTest::cutBleed_continuesColourPastTheCut() {
                                 .arg(cut[side])));
         QVERIFY(std::abs(std::abs(bleed[side] - trim[side]) - 3) < 1e-3);
     }
+}
+
+// A spot ink that ends before the edge of the paint, and a mask in the paint. Both are nearer to
+// the cut than the bleed is wide.
+void PrepressTest::cutBleed_spotInkAndMask_stayAsTheyAre() {
+    constexpr int dpi = 150;
+    const auto pixels = [](double length) { return int(length / millimetresPerInch * dpi); };
+    const auto box = [&](double x, double y, double size) {
+        return QRect(pixels(x), pixels(y), pixels(size), pixels(size));
+    };
+    Sheet sheet = patchSheet();
+    sheet.settings.marks = sheet.settings.ruler = sheet.settings.jobLine = false;
+    sheet.settings.cutLine = CutLine::Ink;
+    sheet.settings.cutDistance = Millimetres(2);
+    QPainter painter(&sheet.image);
+    painter.setCompositionMode(QPainter::CompositionMode_Clear);
+    painter.fillRect(box(43, 38, 4), Qt::transparent);
+    painter.end();
+    QImage gold(sheet.image.size(), QImage::Format_Grayscale8);
+    gold.fill(0);
+    QPainter(&gold).fillRect(box(53, 37, 4), Qt::white);
+    sheet.plates = {{QStringLiteral("Gold"), gold}};
+    const Separations without = separations(pdfOf(sheet, {.colour = &inks_}), dpi);
+    sheet.settings.cutBleed = Millimetres(6);
+    const Separations plates = separations(pdfOf(sheet, {.colour = &inks_}), dpi);
+    QCOMPARE(plates.at("Gold"), without.at("Gold"));
+    for (const char* name : {"Cyan", "Magenta", "Yellow"}) {
+        QCOMPARE(ink(plates, name, box(45, 40, 0).topLeft()), 0.0); // the mask
+    }
+    QVERIFY(ink(plates, "Magenta", box(35, 30, 0).topLeft()) > 0.3); // the bleed
 }
 
 void PrepressTest::white_isASeparatePlate_data() {
