@@ -143,6 +143,7 @@ private:
         std::vector<ProjectToPack> read;
         for (const PackedProject& project : projects) {
             read.push_back({readProject(project.path, parser), project.copies});
+            useProfile(parser, read.back().project);
             if (parser.isSet(dpiOption)) {
                 setByOption(read.back().project, QStringLiteral("sheet.dpi"),
                             parser.value(dpiOption), QStringLiteral("--dpi"));

@@ -290,7 +290,8 @@ public:
             return;
         }
         const ThreadLimit threads = threadLimit(parser);
-        const Project project = projectArgument(parser);
+        Project project = projectArgument(parser);
+        useProfile(parser, project);
         const std::optional<std::size_t> dip = chosenDip(parser, project);
         const QString plates = parser.value(platesOption);
         const bool isProofOnly = !plates.isEmpty() && !namesTarget(parser);

@@ -1,5 +1,7 @@
 #include "cli/PrintOptions.h"
 
+#include "project/Project.h"
+
 #include <algorithm>
 
 namespace dipwright::cli {
@@ -31,6 +33,11 @@ QString mediaWords(const PrinterMedia& media) {
         .arg(margin > 0 ? QStringLiteral(", %1 mm margins").arg(margin)
                         : QStringLiteral(", borderless"),
              media.ready ? QString() : QStringLiteral(", not loaded"));
+}
+
+PrinterProfile chosenProfile(const QCommandLineParser& parser) {
+    return std::get<PrinterProfile>(
+        ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
 }
 
 } // namespace
@@ -117,16 +124,18 @@ PrintTarget printTarget(const QCommandLineParser& parser) {
     return target;
 }
 
+void useProfile(const QCommandLineParser& parser, Project& project) {
+    if (parser.isSet(profileOption)) {
+        project.profiles.printer = chosenProfile(parser);
+    }
+}
+
 PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& target,
                           const std::optional<PrinterProfile>& remembered) {
     PrintRequest request;
     request.printer = target.printer;
     request.acceptOtherPaper = acceptsOtherPaper(parser);
-    request.profile = remembered;
-    if (parser.isSet(profileOption)) {
-        request.profile = std::get<PrinterProfile>(
-            ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
-    }
+    request.profile = parser.isSet(profileOption) ? chosenProfile(parser) : remembered;
     return request;
 }
 

@@ -28,6 +28,9 @@ struct PrintTarget {
 bool namesTarget(const QCommandLineParser& parser);
 // Throws UsageError unless exactly one of --printer and --to is given.
 PrintTarget printTarget(const QCommandLineParser& parser);
+// Puts the profile of --profile into a project, so that its verdict is that of this printer. Throws
+// Error for an unknown profile.
+void useProfile(const QCommandLineParser& parser, Project& project);
 // Returns the request, with the profile of --profile or, without this option, `remembered`. Throws
 // Error for an unknown profile.
 PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& target,

@@ -50,24 +50,31 @@ int copiesOf(const DipKey& key, const std::vector<PieceToPack>& pieces) {
 std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
     std::vector<SheetPlate> plates;
     std::vector<SheetPlate> white;
+    const auto find = [](std::vector<SheetPlate>& kind, const QString& name) {
+        const auto known = std::find_if(kind.begin(), kind.end(), [&](const SheetPlate& other) {
+            return other.name.compare(name, Qt::CaseInsensitive) == 0;
+        });
+        return known == kind.end() ? nullptr : &*known;
+    };
     for (const PieceToPack& piece : pieces) {
-        const SheetSettings& settings = piece.sheet.settings;
         for (SheetPlate plate : piece.sheet.plates) {
             plate.tint = {};
-            const bool isWhite =
-                settings.white != WhiteLayer::None && plate.name == settings.whiteName;
-            std::vector<SheetPlate>& kind = isWhite ? white : plates;
-            const auto known = std::find_if(kind.begin(), kind.end(), [&](const SheetPlate& other) {
-                return other.name == plate.name;
-            });
-            if (known == kind.end()) {
-                kind.push_back(plate);
-            } else if (known->first != plate.first || known->alternate != plate.alternate) {
+            const bool belongsToWhite = isWhite(plate, piece.sheet.settings);
+            std::vector<SheetPlate>& kind = belongsToWhite ? white : plates;
+            const SheetPlate* known = find(kind, plate.name);
+            const bool hasOtherMeaning =
+                find(belongsToWhite ? plates : white, plate.name) ||
+                (known && (known->name != plate.name || known->first != plate.first ||
+                           known->alternate != plate.alternate));
+            if (hasOtherMeaning) {
                 throw Error(
                     Text::tr("This job's spot ink %1 has another colour or printing order than in "
                              "another job; give it the same colour and order in both jobs")
                         .arg(plate.name),
                     nameOf(piece));
+            }
+            if (!known) {
+                kind.push_back(plate);
             }
         }
     }

@@ -89,6 +89,10 @@ QImage reduced(const Sheet& sheet, int width) {
     return picture;
 }
 
+bool isWhite(const SheetPlate& plate, const SheetSettings& settings) {
+    return settings.white != WhiteLayer::None && plate.name == settings.whiteName;
+}
+
 QString hashOfJobs(const QStringList& jobs) {
     constexpr int letters = 12;
     return sha256Hex(jobs.join(u' ').toLatin1()).left(letters);

@@ -100,6 +100,9 @@ struct Sheet {
     int passes = 1; // how many times the sheet is to be printed onto the same film
 };
 
+// Whether a plate is the white layer of a sheet with these settings.
+bool isWhite(const SheetPlate& plate, const SheetSettings& settings);
+
 // Returns the job number of several sheets together: twelve hex digits of a SHA-256. `jobs` holds
 // the sheets' job numbers.
 QString hashOfJobs(const QStringList& jobs);

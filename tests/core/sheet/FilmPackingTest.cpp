@@ -239,6 +239,10 @@ private slots:
         parts[0].sheet.plates = own.plates;
         parts[0].sheet.settings.white = WhiteLayer::First;
         QVERIFY_EXCEPTION_THROWN(planFilms(parts, {}), Error);
+        // A spot ink with the name of the other job's white would share its plate.
+        parts[0].sheet.settings.white = WhiteLayer::None;
+        parts[0].sheet.plates[0].name = own.settings.whiteName.toLower();
+        QVERIFY_EXCEPTION_THROWN(filmSheet(parts, {}, planFilms(parts, {}), 0), Error);
     }
 
     void filmSheet_wantedInk_staysWithItsPicture() {
