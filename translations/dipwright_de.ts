@@ -11731,6 +11731,30 @@ mm je mm</translation>
 <context>
     <name>dipwright::Sheet</name>
     <message>
+        <source>The cut contour with its bleed reaches %1 mm from the ink, past the edge of this job&apos;s sheet; choose a smaller distance or bleed, or a cut contour along the film&apos;s edge</source>
+        <translation>Die Schneidkontur mit ihrem Beschnitt reicht %1 mm über die Farbe hinaus und damit über den Rand des Blatts dieses Auftrags; wählen Sie einen kleineren Abstand oder Beschnitt oder eine Schneidkontur am Filmrand</translation>
+    </message>
+    <message>
+        <source>The setting “%1” differs between this job and %2; give both the same value</source>
+        <translation>Die Einstellung „%1“ ist in diesem Auftrag anders als in %2; geben Sie beiden denselben Wert</translation>
+    </message>
+    <message>
+        <source>Bleed at the cut contour</source>
+        <translation>Beschnitt an der Schneidkontur</translation>
+    </message>
+    <message>
+        <source>Distance of the cut contour</source>
+        <translation>Abstand der Schneidkontur</translation>
+    </message>
+    <message>
+        <source>Name of the cut contour</source>
+        <translation>Name der Schneidkontur</translation>
+    </message>
+    <message>
+        <source>Cut contour</source>
+        <translation>Schneidkontur</translation>
+    </message>
+    <message>
         <source>With its marks, this job&apos;s sheet needs %1 × %2 mm, but the roll has only %3 × %4 mm inside its edges; use a larger roll or a smaller film</source>
         <translation>Mit seinen Marken braucht das Blatt dieses Auftrags %1 × %2 mm, die Rolle hat innerhalb ihrer Ränder aber nur %3 × %4 mm; verwenden Sie eine größere Rolle oder einen kleineren Film</translation>
     </message>

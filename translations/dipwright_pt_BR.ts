@@ -11731,6 +11731,30 @@ mm por mm</translation>
 <context>
     <name>dipwright::Sheet</name>
     <message>
+        <source>The cut contour with its bleed reaches %1 mm from the ink, past the edge of this job&apos;s sheet; choose a smaller distance or bleed, or a cut contour along the film&apos;s edge</source>
+        <translation>O contorno de corte com sua sangria vai %1 mm além da tinta e ultrapassa a borda da folha deste trabalho; escolha uma distância ou sangria menor, ou um contorno de corte pela borda da película</translation>
+    </message>
+    <message>
+        <source>The setting “%1” differs between this job and %2; give both the same value</source>
+        <translation>A configuração “%1” difere entre este trabalho e %2; dê a ambos o mesmo valor</translation>
+    </message>
+    <message>
+        <source>Bleed at the cut contour</source>
+        <translation>Sangria no contorno de corte</translation>
+    </message>
+    <message>
+        <source>Distance of the cut contour</source>
+        <translation>Distância do contorno de corte</translation>
+    </message>
+    <message>
+        <source>Name of the cut contour</source>
+        <translation>Nome do contorno de corte</translation>
+    </message>
+    <message>
+        <source>Cut contour</source>
+        <translation>Contorno de corte</translation>
+    </message>
+    <message>
         <source>With its marks, this job&apos;s sheet needs %1 × %2 mm, but the roll has only %3 × %4 mm inside its edges; use a larger roll or a smaller film</source>
         <translation>Com suas marcas, a folha deste trabalho precisa de %1 × %2 mm, mas o rolo só tem %3 × %4 mm dentro de suas bordas; use um rolo maior ou uma película menor</translation>
     </message>

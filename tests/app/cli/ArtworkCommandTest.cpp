@@ -46,14 +46,6 @@ private slots:
         QVERIFY(cli({"artwork", "list", job_}).out.contains("Number"));
     }
 
-    void artwork_projectCannotBeSaved_doesNotSayChanged() {
-        QVERIFY(artwork({"add", job_, "carbon"}));
-        QVERIFY(QFile::setPermissions(job_, QFile::ReadOwner));
-        const auto result = cli({"artwork", "set", job_, "1", "--set", "turn_deg=4"});
-        QCOMPARE(result.exitCode, 1);
-        QVERIFY2(!result.out.contains("Changed"), result.out);
-    }
-
     // A picture in an unread colour space is reported at once, and only for its own layer, although
     // another layer's picture has the same pixels.
     void artwork_pictureWithNote_isToldForItsLayerOnly() {
