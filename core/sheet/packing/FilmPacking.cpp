@@ -11,6 +11,7 @@
 
 #include <QColorSpace>
 #include <QCoreApplication>
+#include <QLocale>
 #include <QTransform>
 
 #include <algorithm>
@@ -230,7 +231,7 @@ void refuseCutPastSheet(const PieceToPack& piece) {
         throw Error(Text::tr("The cut contour with its bleed reaches %1 mm from the ink, past the "
                              "edge of this job's sheet; choose a smaller distance or bleed, or a "
                              "cut contour along the film's edge")
-                        .arg(reach),
+                        .arg(QLocale().toString(reach)),
                     nameOf(piece));
     }
 }
