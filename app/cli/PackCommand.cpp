@@ -98,7 +98,7 @@ public:
             }
         }
         const Project& first = results.front().project;
-        PrintRequest request = printRequest(parser, target, first.profiles.printer);
+        PrintRequest request = printRequest(parser, target, first);
         request.source = printSource(first, projects.front().path);
         settings.film =
             withinReach(settings.film, marginsOf(target.printer, settings.film), request.profile);

@@ -33,7 +33,7 @@ constexpr int mostCopies = 999;
 
 PrintRequest requestOf(const QCommandLineParser& parser, const PrintTarget& target,
                        const Project& project) {
-    PrintRequest request = printRequest(parser, target, project.profiles.printer);
+    PrintRequest request = printRequest(parser, target, project);
     if (parser.isSet(copiesOption)) {
         request.copies = wholeNumberOption(parser, copiesOption, 1, mostCopies);
     }

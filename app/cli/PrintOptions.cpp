@@ -35,11 +35,6 @@ QString mediaWords(const PrinterMedia& media) {
              media.ready ? QString() : QStringLiteral(", not loaded"));
 }
 
-PrinterProfile chosenProfile(const QCommandLineParser& parser) {
-    return std::get<PrinterProfile>(
-        ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
-}
-
 } // namespace
 
 void declarePrinterOnly(CommandSyntax& syntax) {
@@ -126,16 +121,17 @@ PrintTarget printTarget(const QCommandLineParser& parser) {
 
 void useProfile(const QCommandLineParser& parser, Project& project) {
     if (parser.isSet(profileOption)) {
-        project.profiles.printer = chosenProfile(parser);
+        project.profiles.printer = std::get<PrinterProfile>(
+            ProfileLibrary().profile(ProfileKind::Printer, parser.value(profileOption)));
     }
 }
 
 PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& target,
-                          const std::optional<PrinterProfile>& remembered) {
+                          const Project& project) {
     PrintRequest request;
     request.printer = target.printer;
     request.acceptOtherPaper = acceptsOtherPaper(parser);
-    request.profile = parser.isSet(profileOption) ? chosenProfile(parser) : remembered;
+    request.profile = project.profiles.printer;
     return request;
 }
 

@@ -31,10 +31,9 @@ PrintTarget printTarget(const QCommandLineParser& parser);
 // Puts the profile of --profile into a project, so that its verdict is that of this printer. Throws
 // Error for an unknown profile.
 void useProfile(const QCommandLineParser& parser, Project& project);
-// Returns the request, with the profile of --profile or, without this option, `remembered`. Throws
-// Error for an unknown profile.
+// Returns the request for a project on which useProfile() was called.
 PrintRequest printRequest(const QCommandLineParser& parser, const PrintTarget& target,
-                          const std::optional<PrinterProfile>& remembered);
+                          const Project& project);
 // Prints the plans. Writes one line with the outcome of each job.
 void printAndReport(PrintSystem& system, const std::vector<PrintPlan>& plans,
                     const Progress& progress, QTextStream& out);

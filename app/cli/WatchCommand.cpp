@@ -191,6 +191,7 @@ private:
     QString run(const HotJob& job, QString& path, const Progress& progress) {
         const Order order = isTicket(path) ? readTicket(path, folder_) : Order{path};
         Project project = readProject(order.project, parser_);
+        useProfile(parser_, project);
         applySettings(project, order.settings);
         const QString results = resultFolder(QFileInfo(path).completeBaseName());
         JobOptions options;
@@ -227,8 +228,7 @@ private:
 
     void print(const JobResult& result, const Order& order, const QString& printer, QString& path,
                const Progress& progress, QTextStream& lines) {
-        PrintRequest request =
-            printRequest(parser_, {printer, {}}, result.project.profiles.printer);
+        PrintRequest request = printRequest(parser_, {printer, {}}, result.project);
         request.copies = order.copies;
         request.turning = turningOnRoll(result.project);
         request.source = printSource(result.project, order.project);

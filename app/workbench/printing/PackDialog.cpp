@@ -343,14 +343,21 @@ void PackDialog::changed() {
 
 PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const PackSettings& settings,
                                         const SolverRegistry& registry, const Progress& progress) {
+    // Returns the number of the first project with the same file as project `number`.
+    const auto firstOf = [&](std::size_t number) {
+        const auto same = [&](const auto& one) { return one.path == projects[number].path; };
+        return std::size_t(std::find_if(projects.begin(), projects.end(), same) - projects.begin());
+    };
     std::vector<ProjectToPack> read;
-    for (Wanted& project : projects) {
+    for (std::size_t i = 0; i < projects.size(); ++i) {
+        Wanted& project = projects[i];
         if (!project.dipped.result) {
             project.dipped.written = QFileInfo(project.path).lastModified();
         }
-        read.push_back(
-            {project.dipped.result ? project.dipped.result->project : loadProject(project.path),
-             project.copies});
+        read.push_back({project.dipped.result ? project.dipped.result->project
+                        : firstOf(i) < i      ? read[firstOf(i)].project
+                                              : loadProject(project.path),
+                        project.copies});
     }
     checkProjects(read);
     std::vector<PieceToPack> pieces;
@@ -358,9 +365,6 @@ PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const Pack
     for (std::size_t i = 0; i < projects.size(); ++i) {
         Wanted& project = projects[i];
         if (!project.dipped.result) {
-            const auto same =
-                std::find_if(projects.begin(), projects.begin() + std::ptrdiff_t(i),
-                             [&](const auto& one) { return one.path == project.path; });
             const Progress part =
                 progress.part(0.9 * double(i) / count, 0.9 * double(i + 1) / count);
             const auto run = [&] {
@@ -370,8 +374,7 @@ PackDialog::LaidOut PackDialog::laidOut(std::vector<Wanted> projects, const Pack
                 return std::make_shared<const JobResult>(
                     runJob(job, registry, {}, kept.get(), part));
             };
-            project.dipped.result =
-                same != projects.begin() + std::ptrdiff_t(i) ? same->dipped.result : run();
+            project.dipped.result = firstOf(i) < i ? projects[firstOf(i)].dipped.result : run();
         }
         for (PieceToPack& piece : piecesOf(*project.dipped.result, project.copies, settings)) {
             pieces.push_back(std::move(piece));

@@ -273,6 +273,10 @@ void PrintCommandTest::print_cutContourPastThePaper_isRefused() {
     QCOMPARE(refused.exitCode, 1);
     QVERIFY2(refused.err.contains("cut contour reaches past the edge"), refused.err);
     QCOMPARE(write("0.97;0.97", {"--accept-clipping"}).exitCode, 0);
+    // The verdict is that of the chosen printer, which can print white.
+    const Outcome white = write("1;1", {"--set", "sheet.white=last"});
+    QCOMPARE(white.exitCode, 0);
+    QVERIFY2(!white.out.contains("left out"), white.out);
 }
 
 // The printer's profile is Adobe RGB, in which the sheet's sRGB colours have other values.
