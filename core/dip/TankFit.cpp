@@ -98,7 +98,8 @@ std::vector<TankFault> tankFaults(const std::optional<TankProfile>& profile,
     const auto add = [&](double value, double limit, const QString& sentence) {
         faults.push_back({sentence, value, limit});
     };
-    // Of the two sizes, returns the number of the one that exceeds its limit by most.
+    // Compares two lengths with their limits. Returns the number of the length that is larger than
+    // its limit; if both are, that of the one with the larger ratio.
     const auto tooLarge = [&](const Eigen::Array2d& sizes,
                               const Eigen::Array2d& limits) -> std::optional<Eigen::Index> {
         Eigen::Index worst = 0;
@@ -115,11 +116,11 @@ std::vector<TankFault> tankFaults(const std::optional<TankProfile>& profile,
                 .arg(number(floating.width), number(floating.depth), tank.name,
                      number(tank.width.value()), number(tank.length.value())));
     }
-    // twice the farthest distances of the part from the tank's middle
-    const Eigen::Array2d partSides =
-        2 * demand.outline.max().array().max(-demand.outline.min().array());
-    if (const auto side = tooLarge(partSides, sides)) {
-        add(partSides[*side] / 2, sides[*side] / 2,
+    // The largest distances of the part from the tank's middle.
+    const Eigen::Array2d farthest = demand.outline.max().array().max(-demand.outline.min().array());
+    const Eigen::Array2d half = sides / 2;
+    if (const auto side = tooLarge(farthest, half)) {
+        add(farthest[*side], half[*side],
             Text::tr("The part reaches past the edge of the tank “%1”; move or turn the part")
                 .arg(tank.name));
     }

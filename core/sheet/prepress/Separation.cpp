@@ -123,9 +123,9 @@ template <typename Keeps>
 QImage sourcesWhere(QSize pixels, double radius, const Keeps& keeps) {
     QImage sources(pixels, QImage::Format_RGBA64);
     sources.fill(Qt::transparent);
-    parallelFor(0, pixels.height(), [&, width = pixels.width()](int y) {
-        auto* const source = reinterpret_cast<QRgba64*>(sources.scanLine(y));
-        for (int x = 0; x < width; ++x) {
+    parallelFor(0, pixels.height(), [&, to = sources.bits()](int y) {
+        auto* const source = reinterpret_cast<QRgba64*>(to + y * sources.bytesPerLine());
+        for (int x = 0; x < pixels.width(); ++x) {
             if (keeps(x, y)) {
                 source[x] = qRgba64(quint16(x), quint16(y), quint16(y >> 16), 0xffff);
             }
@@ -163,32 +163,49 @@ struct CutBleed {
     double radius, choke;    // from the ink to the end of the bleed; of white
 };
 
+// Returns a mask of the pixels that keep their values, 255: painted film and enclosed places. The
+// sheet has the film's rows from `first` on.
+QImage fixedPixels(const Sheet& sheet, const CutBleed& bleed, int first) {
+    QImage fixed(sheet.image.size(), QImage::Format_Grayscale8);
+    const PixelCode code(sheet.image);
+    parallelFor(0, fixed.height(), [&, to = fixed.bits()](int y) {
+        uchar* const row = to + y * fixed.bytesPerLine();
+        const uchar* const picture = sheet.image.constScanLine(y);
+        for (int x = 0; x < fixed.width(); ++x) {
+            const QPointF place = bleed.pixel * QPointF(x + 0.5, first + y + 0.5);
+            row[x] = code.alpha(picture + x * code.bytes()) != 0 || bleed.enclosed.contains(place)
+                         ? 255
+                         : 0;
+        }
+        for (const SheetPlate& plate : sheet.plates) {
+            const uchar* const tint = plate.tint.constScanLine(y);
+            std::transform(tint, tint + fixed.width(), row, row,
+                           [](uchar ink, uchar known) { return ink != 0 ? uchar(255) : known; });
+        }
+    });
+    return fixed;
+}
+
 // Continues all plates of the film's rows from `first` on. The pixels of the bleed get the values
 // of the nearest pixel at the edge of the painted film. White begins further inside, so it is
 // continued from its own edge.
 void continuePlates(Sheet& sheet, const CutBleed& bleed, int first) {
-    const PixelCode code(sheet.image);
-    const auto isFixed = [&](int x, int y) {
-        return code.alpha(sheet.image.constScanLine(y) + x * code.bytes()) != 0 ||
-               std::any_of(
-                   sheet.plates.begin(), sheet.plates.end(),
-                   [&](const auto& plate) { return plate.tint.constScanLine(y)[x] != 0; }) ||
-               bleed.enclosed.contains(bleed.pixel * QPointF(x + 0.5, first + y + 0.5));
-    };
     const QSize size = sheet.image.size();
+    const QImage fixed = fixedPixels(sheet, bleed, first);
+    const auto isFixed = [&](int x, int y) { return fixed.constScanLine(y)[x] != 0; };
     const QImage sources = sourcesWhere(size, bleed.radius, isFixed);
-    const QImage atEdge =
-        sourcesWhere(size, bleed.choke + 1, [&](int x, int y) { return !isFixed(x, y); });
     const auto taken = [&](const QImage& plane) { return takenFrom(sources, plane); };
+    const auto continuedWhite = [&](const QImage& tint) {
+        const QImage edge =
+            sourcesWhere(size, bleed.choke + 1, [&](int x, int y) { return !isFixed(x, y); });
+        const auto keeps = [&](int x, int y) {
+            return tint.constScanLine(y)[x] != 0 || !hasSource(edge, x, y);
+        };
+        return takenFrom(sourcesWhere(size, bleed.radius, keeps), tint);
+    };
     for (SheetPlate& plate : sheet.plates) {
-        plate.tint = !isWhite(plate, sheet.settings)
-                         ? taken(plate.tint)
-                         : takenFrom(sourcesWhere(size, bleed.radius,
-                                                  [&](int x, int y) {
-                                                      return plate.tint.constScanLine(y)[x] != 0 ||
-                                                             !hasSource(atEdge, x, y);
-                                                  }),
-                                     plate.tint);
+        plate.tint =
+            isWhite(plate, sheet.settings) ? continuedWhite(plate.tint) : taken(plate.tint);
     }
     sheet.image = taken(sheet.image);
     if (sheet.wanted) {
