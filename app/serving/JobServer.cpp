@@ -229,10 +229,21 @@ struct JobServer::Data {
                    QStringLiteral("The request has no project; send it as the request's body"));
             return;
         }
+        bool isNumber = true;
+        const quint64 announced =
+            request.has_header("Content-Length")
+                ? QByteArray::fromStdString(request.get_header_value("Content-Length"))
+                      .toULongLong(&isNumber)
+                : 0;
+        if (!isNumber) {
+            refuse(response, BadRequest,
+                   QStringLiteral("The header Content-Length must be a number of bytes"));
+            return;
+        }
         const qint64 most = spool.limits().mostBytes;
         const QString tooLarge =
             QStringLiteral("The project is larger than the server allows: %1 bytes").arg(most);
-        if (request.get_header_value<std::uint64_t>("Content-Length") > std::uint64_t(most)) {
+        if (announced > quint64(most)) {
             refuse(response, TooLarge, tooLarge);
             return;
         }

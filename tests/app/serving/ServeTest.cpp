@@ -170,6 +170,16 @@ private slots:
         client.wait(client.submit(path("ball.dipw"), "ball", {}), {});
     }
 
+    void upload_lengthIsNoNumber_isRefused() {
+        start();
+        for (const char* length : {"-5", "12x", "99999999999999999999999"}) {
+            QVERIFY(talk(socket_, request("POST /v1/jobs", token,
+                                          QByteArray("Content-Length: ") + length + "\r\n\r\n{}"))
+                        .contains(" 400 "));
+        }
+        requireNothing();
+    }
+
     void request_withoutBody_isAnsweredAtOnce() {
         start();
         const auto answered = [&](const QByteArray& line) {
