@@ -1,6 +1,7 @@
 #include "pipeline/JobPacking.h"
 
 #include "base/Bytes.h"
+#include "base/Error.h"
 #include "disk/FolderTransaction.h"
 #include "sheet/prepress/Separation.h"
 #include "sheet/prepress/SheetFiles.h"
@@ -8,6 +9,8 @@
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
+
+#include <array>
 
 namespace dipwright {
 namespace {
@@ -24,6 +27,42 @@ QString filmFile(std::size_t number, const char* suffix) {
 
 bool runsAlongHeight(QSizeF size, FeedDirection feed) {
     return (size.height() >= size.width()) == (feed == FeedDirection::ShortEdgeFirst);
+}
+
+// Whether the film's own web runs along its height.
+bool isWebAlongHeight(const Project& project) {
+    const FilmSettings& film = project.film;
+    const std::optional<FilmProfile>& profile = project.profiles.film;
+    return runsAlongHeight({film.width.value(), film.height.value()},
+                           profile ? profile->feed : FeedDirection::ShortEdgeFirst);
+}
+
+// Returns how the film behaves on the water: swell across and along its web, relaxation and growth.
+// A film has the same values whichever way round a sheet of it lies.
+std::array<double, 5> behaviourOf(const Project& project) {
+    const FilmSettings& film = project.film;
+    std::array<double, 5> behaviour{film.swellX, film.swellY, film.relaxationTime.value(),
+                                    film.growthRate, film.growthLimit};
+    if (!isWebAlongHeight(project)) {
+        std::swap(behaviour[0], behaviour[1]);
+    }
+    return behaviour;
+}
+
+// Throws Error if the sheets of two projects cannot be right on one film, or by one printer.
+void refuseOtherMaterial(const Project& project, const Project& first) {
+    if (behaviourOf(project) != behaviourOf(first)) {
+        throw Error(Text::tr("The film of this job swells, relaxes or grows differently from that "
+                             "of %1; pack only jobs for the same film together")
+                        .arg(first.name),
+                    project.name);
+    }
+    if (withoutCosts(project.profiles).printer != withoutCosts(first.profiles).printer) {
+        throw Error(Text::tr("This job has another printer profile than %1; give both the same "
+                             "profile (on the command line, --profile gives it to all jobs)")
+                        .arg(first.name),
+                    project.name);
+    }
 }
 
 QJsonArray boxJson(const QRectF& box) {
@@ -64,9 +103,7 @@ Turning turningOf(const Project& project, const PackSettings& settings) {
     if (film.swellX == film.swellY) {
         return settings.mayTurn ? Turning::Allowed : Turning::Never;
     }
-    const std::optional<FilmProfile>& profile = project.profiles.film;
-    const bool own = runsAlongHeight({film.width.value(), film.height.value()},
-                                     profile ? profile->feed : FeedDirection::ShortEdgeFirst);
+    const bool own = isWebAlongHeight(project);
     const bool here = settings.film.isRoll || runsAlongHeight(settings.film.size, settings.feed);
     return own == here ? Turning::Never : Turning::Always;
 }
@@ -81,6 +118,7 @@ Turning turningOnRoll(const Project& project) {
 void checkProjects(const std::vector<ProjectToPack>& projects) {
     std::vector<PieceToPack> pieces;
     for (const ProjectToPack& packed : projects) {
+        refuseOtherMaterial(packed.project, projects.front().project);
         for (const Immersion& immersion : packed.project.immersions) {
             PieceToPack piece;
             piece.sheet.settings = packed.project.sheet;

@@ -148,17 +148,38 @@ private slots:
         QVERIFY2(told.out.contains("white layer is left out"), told.out + told.err);
     }
 
+    void pack_jobsForOtherSheets_areRefusedBeforeTheDips_data() {
+        QTest::addColumn<QString>("setting");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("cut contour") << "sheet.cut_line=ink"
+                                     << "“Cut contour” differs between this job and plain";
+        QTest::newRow("swell") << "film.swell=1.05x1.05"
+                               << "differently from that of plain";
+        QTest::newRow("growth") << "film.growth_per_s=0.01"
+                                << "differently from that of plain";
+        QTest::newRow("printer") << ""
+                                 << "another printer profile than plain";
+    }
     // A solver that does not exist shows that the refusal comes before the dips.
-    void pack_differentCutContours_areRefusedBeforeTheDips() {
+    void pack_jobsForOtherSheets_areRefusedBeforeTheDips() {
+        QFETCH(QString, setting);
+        QFETCH(QString, says);
+        const QStringList profiles{"DIPWRIGHT_PROFILE_PATH=" + folder_.filePath("profiles")};
         const QString model = dipwright::test::writeBall(folder_.path());
-        const QString plain = folder_.filePath("plain.dipw"), cut = folder_.filePath("cut.dipw");
-        QCOMPARE(cli({"new", plain, "--model", model}).exitCode, 0);
-        QCOMPARE(cli({"new", cut, "--model", model, "--set", "sheet.cut_line=ink"}).exitCode, 0);
-        const Outcome packed = cli({"pack", plain, cut, "--to", folder_.filePath("cut.pdf"),
+        const QString plain = folder_.filePath("plain.dipw"), other = folder_.filePath("o.dipw");
+        const QStringList make{"--model", model};
+        QCOMPARE(cli(QStringList{"new", plain} + make).exitCode, 0);
+        if (setting.isEmpty()) {
+            QCOMPARE(cli(QStringList{"new", other} + make).exitCode, 0);
+            QCOMPARE(cli({"profile", "set", "printer", "Small"}, profiles).exitCode, 0);
+            QCOMPARE(cli({"profile", "use", "printer", "Small", other}, profiles).exitCode, 0);
+        } else {
+            QCOMPARE(cli(QStringList{"new", other, "--set", setting} + make).exitCode, 0);
+        }
+        const Outcome packed = cli({"pack", plain, other, "--to", folder_.filePath("other.pdf"),
                                     "--solver", "missing", "--quiet"});
         QCOMPARE(packed.exitCode, 1);
-        QVERIFY2(packed.err.contains("“Cut contour” differs between this job and plain"),
-                 packed.err);
+        QVERIFY2(packed.err.contains(says.toUtf8()), packed.err);
     }
 
     void pack_wrongNumberOfCopies_isRefused() {

@@ -56,6 +56,13 @@ private slots:
         QCOMPARE(jobNumber(pricedProject()), jobNumber(plainProject()));
     }
 
+    void jobNumber_printerProfile_doesNotMatter() {
+        Project other = plainProject();
+        other.profiles.printer->name = QStringLiteral("Other");
+        other.profiles.printer->scaleX = 1.02;
+        QCOMPARE(jobNumber(other), jobNumber(plainProject()));
+    }
+
     void sheetInputs_pricesOrderAndTimes_doNotMatter() {
         QVERIFY(sheetInputs(pricedProject(), {}, 0, "pbd-cpu") ==
                 sheetInputs(plainProject(), {}, 0, "pbd-cpu"));
