@@ -102,7 +102,8 @@ double proportionsOf(const ArtworkLayer& layer) {
 }
 
 LayerPicture::LayerPicture(const ArtworkLayer& layer, double texel, bool wide)
-    : repeats_(layer.repeat.value() > 0), area_(layer.size[0].value(), layer.size[1].value()) {
+    : repeats_(layer.repeat.value() > 0), texel_(texel),
+      area_(layer.size[0].value(), layer.size[1].value()) {
     const double proportions = proportionsOf(layer);
     const double width =
         repeats_ ? layer.repeat.value() : std::min(area_.x(), area_.y() * proportions);
@@ -149,8 +150,9 @@ CoveringLight LayerPicture::pixel(int column, int row) const {
     if (repeats_) {
         column = (column % columns_ + columns_) % columns_;
         row = (row % rows_ + rows_) % rows_;
-    } else if (column < 0 || row < 0 || column >= columns_ || row >= rows_) {
-        return CoveringLight::Zero();
+    } else {
+        column = std::clamp(column, 0, columns_ - 1);
+        row = std::clamp(row, 0, rows_ - 1);
     }
     const auto& light = pixels_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)];
     return CoveringLight(light[0], light[1], light[2], light[3]) / full;
@@ -161,18 +163,24 @@ CoveringLight LayerPicture::at(const Eigen::Vector2d& place, bool isEndless) con
         (std::abs(place.x()) > area_.x() / 2 || std::abs(place.y()) > area_.y() / 2)) {
         return CoveringLight::Zero();
     }
+    // The edge fades over one texel, however large the picture's own pixels are.
+    const Eigen::Array2d inside = (size_ / 2 - place.cwiseAbs()).array() / texel_ + 0.5;
+    const double covered = repeats_ ? 1 : inside.max(0).min(1).prod();
+    if (covered == 0) {
+        return CoveringLight::Zero();
+    }
     double u = place.x() / size_.x() + 0.5, v = 0.5 - place.y() / size_.y();
     if (repeats_) {
         u -= std::floor(u);
         v -= std::floor(v);
-    } else if (std::abs(u - 0.5) > 1 || std::abs(v - 0.5) > 1) {
-        return CoveringLight::Zero();
     }
     const double x = u * columns_ - 0.5, y = v * rows_ - 0.5;
     const int column = int(std::floor(x)), row = int(std::floor(y));
     const auto right = float(x - column), down = float(y - row);
-    return (1 - down) * ((1 - right) * pixel(column, row) + right * pixel(column + 1, row)) +
-           down * ((1 - right) * pixel(column, row + 1) + right * pixel(column + 1, row + 1));
+    const CoveringLight above = (1 - right) * pixel(column, row) + right * pixel(column + 1, row);
+    const CoveringLight below =
+        (1 - right) * pixel(column, row + 1) + right * pixel(column + 1, row + 1);
+    return float(covered) * ((1 - down) * above + down * below);
 }
 
 } // namespace dipwright
