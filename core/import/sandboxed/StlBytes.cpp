@@ -35,6 +35,14 @@ bool isAscii(QByteArrayView text) {
     return text.first(std::min(text.size(), solid.size())).compare(solid, Qt::CaseInsensitive) == 0;
 }
 
+// Whether the last line of an ASCII file closes a solid.
+bool isClosed(QByteArrayView text) {
+    const qsizetype line = std::max(text.lastIndexOf('\n'), text.lastIndexOf('\r'));
+    const QByteArrayView last = text.sliced(line + 1).trimmed();
+    const QByteArrayView end = "endsolid";
+    return last.first(std::min(last.size(), end.size())).compare(end, Qt::CaseInsensitive) == 0;
+}
+
 bool isInCapitals(QByteArrayView text) {
     return !text.startsWith(solid) || text.contains("FACET");
 }
@@ -52,6 +60,9 @@ QByteArray stlForAssimp(const ModelSource& source) {
     const QByteArrayView text = QByteArrayView(bytes).trimmed();
     if (!isAscii(text)) {
         return bytes;
+    }
+    if (!isClosed(text)) {
+        source.throwDamaged(Text::tr("it ends too early"));
     }
     return isInCapitals(text) ? text.toByteArray().toLower() : text.toByteArray();
 }

@@ -137,6 +137,7 @@ private Q_SLOTS:
     void stl_unusualButClear_isRead_data();
     void stl_unusualButClear_isRead();
     void stl_moreTrianglesThanDeclared_isRefused();
+    void stl_textCutOff_isRefused();
     void threeMf_unusualButClear_isRead_data();
     void threeMf_unusualButClear_isRead();
     void threeMf_textureAfterItsUse_isRead();
@@ -282,6 +283,14 @@ void DamagedModelsTest::stl_moreTrianglesThanDeclared_isRefused() {
     for (const quint32 count : {0, 3}) {
         verifyIsRefused(write(QStringLiteral("few.stl"), binaryStl("made by a test", count)),
                         QStringLiteral("more data than its header declares"));
+    }
+}
+
+void DamagedModelsTest::stl_textCutOff_isRefused() {
+    const QByteArray whole = asciiStl();
+    for (const qsizetype length : {whole.lastIndexOf("facet"), whole.indexOf("endsolid")}) {
+        verifyIsRefused(write(QStringLiteral("cut.stl"), whole.first(length)),
+                        QStringLiteral("ends too early"));
     }
 }
 
