@@ -53,6 +53,7 @@ HotFolder::HotFolder(const QString& path)
             QStringLiteral("The program ended while the sheets were sent to the printer. Check "
                            "which sheets came out. To print the job again, move it to the folder "
                            "“release”."));
+        interrupted_ << file.fileName();
     }
 }
 

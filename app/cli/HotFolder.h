@@ -31,6 +31,8 @@ public:
     // when it ended to `held`, because they may be printed already. Throws Error if the folder
     // cannot be written or another program watches it.
     explicit HotFolder(const QString& path);
+    // Returns the names of the jobs that the constructor moved to `held`.
+    const QStringList& interrupted() const { return interrupted_; }
 
     // Returns the jobs that have not changed since the previous call, the oldest first. A file that
     // is still being copied changes or cannot be read, so unreadable files are returned only after
@@ -57,6 +59,7 @@ private:
     QString folder(const QString& name) const { return folders_.folder(name); }
 
     StateFolders folders_;
+    QStringList interrupted_;
     std::map<QString, Seen> seen_;
 };
 

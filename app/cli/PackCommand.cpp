@@ -196,6 +196,12 @@ private:
             printWarnings(writePrintFile(sheets[number], file, path, PrintHistory()), out);
             out << QStringLiteral("Wrote %1\n").arg(path);
         }
+        for (std::size_t number = sheets.size() == 1 ? 1 : sheets.size() + 1;
+             QFileInfo::exists(numbered(target.file, number)); ++number) {
+            printWarnings({QStringLiteral("%1 is from an earlier call and not a film of this one")
+                               .arg(numbered(target.file, number))},
+                          out);
+        }
     }
     // Returns "films-2.pdf" for "films.pdf".
     static QString numbered(const QString& path, std::size_t number) {

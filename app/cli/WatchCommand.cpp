@@ -118,6 +118,10 @@ public:
     // Throws Error if jobs failed, after all jobs.
     void processJobs() {
         const Progress progress = console_.progress();
+        for (const QString& name : folder_.interrupted()) {
+            console_.out()
+                << QStringLiteral("%1: held: the program ended while it was printed\n").arg(name);
+        }
         for (;;) {
             // The list is read anew for each job, because files change while a job runs.
             const std::vector<HotJob> jobs = folder_.completeJobs();

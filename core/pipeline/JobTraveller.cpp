@@ -28,13 +28,16 @@ QImage afterDip(const PoseView& view, const Progress& progress) {
     return pictures;
 }
 
-// Returns the verdict on the job, then its reasons: those that concern this dip, and those that
-// concern all dips together.
+// Returns the verdict on the job, then its reasons: those that concern this dip or all dips
+// together, and those of the other dip that decide the verdict.
 QStringList verdictLines(const JobResult& result, std::size_t number) {
-    QStringList lines{adviceText(adviceOf(result))};
+    const Advice advice = adviceOf(result);
+    QStringList lines{adviceText(advice)};
     for (const JobReason& reason : reasonsOf(result)) {
         if (!reason.dip || *reason.dip == number) {
             lines << reasonText(reason.reason, millimetres);
+        } else if (advice != Advice::Print && reason.reason.advice == advice) {
+            lines << reasonText(reason, result, millimetres); // with the dip's name
         }
     }
     return lines;

@@ -110,6 +110,10 @@ private slots:
         QVERIFY(QFile::exists(folder_.filePath("films-1.pdf")));
         QVERIFY(QFile::exists(folder_.filePath("films-2.pdf")));
         QVERIFY(!QFile::exists(folder_.filePath("films.pdf")));
+        const Outcome fewer =
+            cli(QStringList{"pack", turtle, "--to", folder_.filePath("films.pdf"), "--film", "A3"} +
+                coarse);
+        QVERIFY2(fewer.out.contains("films-2.pdf is from an earlier call"), fewer.out);
     }
 
     // The printer prints 2 % too small and does not reach the outer 12 mm.

@@ -136,7 +136,9 @@ private slots:
     void watch_killedWhilePrinting_holdsTheJob() {
         QVERIFY(drop("jobs/printing/ball.dipw"));
         const qsizetype before = cups_->received("pigment").size();
-        QCOMPARE(watchOnce({"--printer", "pigment"}).exitCode, 0);
+        const Outcome watched = watchOnce({"--printer", "pigment"});
+        QCOMPARE(watched.exitCode, 0);
+        QVERIFY2(watched.out.contains("ball.dipw: held"), watched.out);
         QVERIFY(QFile::exists(in("jobs/held/ball.dipw")));
         QVERIFY(read(in("jobs/held/ball.dipw.txt")).contains("Check which sheets"));
         QCOMPARE(cups_->received("pigment").size(), before);
