@@ -111,12 +111,15 @@ void add(Project& project, Words& words, const QCommandLineParser& parser, QText
         layer.name = layer.text.simplified().left(longestLayerName);
     }
     words.finish();
-    const QString face = parser.value(onOption);
-    addLayer(project.artwork,
-             face.isEmpty() ? placedOn(*project.model, layer)
-                            : movedOnto(*project.model, placedOn(*project.model, layer), face),
-             *project.model);
-    applyToLayer(project, project.artwork.layers.size() - 1, parser);
+    addLayer(project.artwork, layer, *project.model);
+    const std::size_t index = project.artwork.layers.size() - 1;
+    ArtworkLayer& added = project.artwork.layers.back();
+    applyToLayer(project, index, parser); // the placement decides where a layer begins
+    added = placedOn(*project.model, added);
+    if (const QString face = parser.value(onOption); !face.isEmpty()) {
+        added = movedOnto(*project.model, added, face);
+    }
+    applyToLayer(project, index, parser);
     out << QStringLiteral("Added %1 as layer %2\n")
                .arg(project.artwork.layers.back().name)
                .arg(project.artwork.layers.size());

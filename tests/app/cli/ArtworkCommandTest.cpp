@@ -46,6 +46,14 @@ private slots:
         QVERIFY(cli({"artwork", "list", job_}).out.contains("Number"));
     }
 
+    // The axis of a cylinder begins in the middle of the part, a decal on its front.
+    void artworkAdd_placement_decidesWhereTheLayerBegins() {
+        QVERIFY(artwork({"add", job_, "picture", logo_}));
+        QVERIFY(artwork({"add", job_, "picture", logo_, "--set", "placement=cylinder"}));
+        const auto depth = [&](int index) { return layer(index)["place_mm"][2].toDouble(); };
+        QVERIFY(depth(0) > depth(1) + 20);
+    }
+
     // A picture in an unread colour space is reported at once, and only for its own layer, although
     // another layer's picture has the same pixels.
     void artwork_pictureWithNote_isToldForItsLayerOnly() {
