@@ -30,8 +30,8 @@ const QString presetOption = QStringLiteral("preset");
 const QString immersionOption = QStringLiteral("immersion");
 const QString jigOption = QStringLiteral("jig");
 
-// Applies one KEY=VALUE of a SPEC to the immersion with this index.
-void applyPart(Project& project, std::size_t index, const QString& part) {
+// Applies one KEY=VALUE of a SPEC to the immersion with this index. `where` names the option.
+void applyPart(Project& project, std::size_t index, const QString& part, const QString& where) {
     static const QMap<QString, QString> fields{
         {QStringLiteral("name"), QStringLiteral("name")},
         {QStringLiteral("rotation"), QStringLiteral("rotation_deg")},
@@ -49,10 +49,10 @@ void applyPart(Project& project, std::size_t index, const QString& part) {
     if (!fields.contains(key)) {
         throw UsageError(QStringLiteral("Write a dip as name=Top,rotation=rx;ry;rz,offset=x;z, "
                                         "and its path as path=tilt,angle=20,heading=90"),
-                         QStringLiteral("--immersion %1").arg(part));
+                         where);
     }
     setByOption(project, QStringLiteral("immersions[%1].%2").arg(index).arg(fields.value(key)),
-                part.mid(equals + 1).trimmed(), QStringLiteral("--immersion %1").arg(part));
+                part.mid(equals + 1).trimmed(), where);
 }
 
 void applyImmersions(Project& project, const QStringList& specs) {
@@ -69,7 +69,7 @@ void applyImmersions(Project& project, const QStringList& specs) {
         const std::size_t index = project.immersions.size();
         project.immersions.emplace_back().name = QStringLiteral("Dip %1").arg(index + 1);
         for (const QString& part : spec.split(QLatin1Char(','))) {
-            applyPart(project, index, part);
+            applyPart(project, index, part, QStringLiteral("--immersion %1").arg(part));
         }
     }
 }
@@ -116,8 +116,10 @@ struct JigSpec {
 
 // Parses FILE,name=Knob,rotation=rx;ry;rz,offset=x;z,height=y,size=N.
 JigSpec jigSpec(const QString& text) {
-    static const QRegularExpression next(
-        QStringLiteral(",(?=(?:name|rotation|offset|height|size)=)"));
+    static const QRegularExpression next(QStringLiteral(",(?=[a-z_]+=)"));
+    static const QStringList keys{QStringLiteral("name"), QStringLiteral("rotation"),
+                                  QStringLiteral("offset")};
+    const QString where = QStringLiteral("--jig %1").arg(text);
     QStringList words = text.split(next);
     JigSpec spec;
     spec.path = words.takeFirst();
@@ -126,16 +128,23 @@ JigSpec jigSpec(const QString& text) {
     place.immersions[0].name = QFileInfo(spec.path).completeBaseName();
     for (const QString& word : words) {
         const bool isHeight = word.startsWith(QLatin1String("height="));
-        if (!isHeight && !word.startsWith(QLatin1String("size="))) {
-            applyPart(place, 0, word);
+        if (keys.contains(word.section(QLatin1Char('='), 0, 0))) {
+            applyPart(place, 0, word, where);
             continue;
+        }
+        if (!isHeight && !word.startsWith(QLatin1String("size="))) {
+            throw UsageError(QStringLiteral("“%1” is not known; write a model on a jig as "
+                                            "FILE,name=Knob,rotation=rx;ry;rz,offset=x;z,"
+                                            "height=y,size=N")
+                                 .arg(word),
+                             where);
         }
         bool isNumber = false;
         const double value = word.section(QLatin1Char('='), 1).toDouble(&isNumber);
         if (!isNumber || !(value >= (isHeight ? 0 : 0.1) && value <= 10'000)) {
             throw UsageError(
                 QStringLiteral("The height must be 0 to 10,000 mm and the size 0.1 to 10,000 mm"),
-                QStringLiteral("--jig %1").arg(text));
+                where);
         }
         if (isHeight) {
             spec.part.height = Millimetres(value);

@@ -172,7 +172,7 @@ QJsonValue parseItem(const FieldRule& rule, const QString& text) {
     for (const QString& part : text.split(separator)) {
         parts.append(parsePart(rule, part.trimmed()));
     }
-    return parts;
+    return parts.size() == rule.parts ? QJsonValue(parts) : text; // a message shows it as written
 }
 
 QJsonValue parseList(const FieldRule& rule, const QString& text) {

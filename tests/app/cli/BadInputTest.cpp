@@ -122,6 +122,8 @@ private slots:
         QTest::newRow("a model and a jig") << newWith({"--jig", path("ball.obj")});
         QTest::newRow("jig part without a height")
             << QStringList{"new", path("out"), "--jig", path("ball.obj") + ",height=-1"};
+        QTest::newRow("jig part with an unknown key")
+            << QStringList{"new", path("out"), "--jig", path("ball.obj") + ",offset=1;0,foo=1"};
         QTest::newRow("--size-mm with a jig")
             << QStringList{"new", path("out"), "--size-mm", "9", "--jig", path("ball.obj")};
         QTest::newRow("preset") << newWith({"--preset", "paper-1999"});
