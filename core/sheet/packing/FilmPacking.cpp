@@ -276,11 +276,16 @@ QRect onPage(const QRect& box, const PlannedPiece& piece) {
         .translated(piece.box.topLeft());
 }
 
-// Returns what is printed around the film of a whole sheet.
+// Returns what is printed around the film of a whole sheet. The job line has room for the digits
+// that a printer's profile adds to the job number later.
 std::shared_ptr<const SheetLayout> ownLayout(const Sheet& sheet) {
+    const QString digits = QStringLiteral("-000000");
     Sheet film = sheet;
     film.settings.paper = QStringLiteral("film");
-    return std::make_shared<const SheetLayout>(sheetLayout(film));
+    film.job.hash += digits;
+    SheetLayout layout = sheetLayout(film);
+    layout.jobLineText.replaceInStrings(digits, QString());
+    return std::make_shared<const SheetLayout>(layout);
 }
 
 SheetPiece sheetPiece(const PieceToPack& piece, const PlannedPiece& planned,
