@@ -4,6 +4,7 @@
 #include "cli/VerdictOutput.h"
 
 #include "base/JsonText.h"
+#include "disk/FolderTransaction.h"
 #include "disk/SmallFile.h"
 #include "pipeline/DipCache.h"
 #include "pipeline/JobPacking.h"
@@ -113,7 +114,9 @@ public:
     Watch(const QCommandLineParser& parser, Console& console)
         : parser_(parser), console_(console), out_(parser.value(outOption)),
           required_(requiredAdvice(parser)),
-          folder_(positionalArgument(parser, QStringLiteral("FOLDER"))) {}
+          folder_(positionalArgument(parser, QStringLiteral("FOLDER"))) {
+        FolderTransaction(out_, {QStringLiteral("report.json")}); // fails now, not at the first job
+    }
 
     // Throws Error if jobs failed, after all jobs.
     void processJobs() {

@@ -144,6 +144,15 @@ private slots:
         QCOMPARE(cups_->received("pigment").size(), before);
     }
 
+    void watch_resultsInAFile_isRefusedAtOnce() {
+        QVERIFY(drop("jobs/ball.dipw"));
+        const Outcome watched =
+            cli({"watch", in("jobs"), "--out", in("jobs/ball.dipw/results"), "--once", "--quiet"});
+        QCOMPARE(watched.exitCode, 1);
+        QVERIFY2(watched.err.contains("is not a folder"), watched.err);
+        QVERIFY(QFile::exists(in("jobs/ball.dipw")));
+    }
+
     void watch_watchedFolder_isRefused() {
         QProcess process;
         process.start(cliPath(), arguments() + coarse);
