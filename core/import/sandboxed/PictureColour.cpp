@@ -189,6 +189,47 @@ bool isTiff(const QByteArray& file) {
            file.startsWith(QByteArrayView("MM\0*", 4));
 }
 
+// Returns how many of a pixel's samples are its colour; 0 for kinds of TIFF that are not read.
+int coloursOf(int photometric) {
+    switch (photometric) {
+    case PHOTOMETRIC_MINISWHITE:
+    case PHOTOMETRIC_MINISBLACK:
+    case PHOTOMETRIC_PALETTE:
+        return 1;
+    case PHOTOMETRIC_RGB:
+    case PHOTOMETRIC_YCBCR:
+    case PHOTOMETRIC_CIELAB:
+    case PHOTOMETRIC_ICCLAB:
+        return 3;
+    case PHOTOMETRIC_SEPARATED:
+        return 4;
+    default:
+        return 0;
+    }
+}
+
+// Whether a pixel's only sample beside its colour is transparency.
+bool hasTransparency(const TiffFile& tiff) {
+    std::uint16_t count = 0;
+    const std::uint16_t* kinds = nullptr;
+    TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds);
+    return count == 1 && kinds[0] != EXTRASAMPLE_UNSPECIFIED;
+}
+
+// Whether a colour map has 8-bit values instead of 16-bit ones, as some old programs write.
+bool hasNarrowColourMap(const TiffFile& tiff) {
+    std::array<std::uint16_t*, 3> map{};
+    if (!TIFFGetField(tiff.get(), TIFFTAG_COLORMAP, &map[0], &map[1], &map[2])) {
+        return false;
+    }
+    const int size = 1 << tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
+    std::uint16_t most = 0;
+    for (const std::uint16_t* channel : map) {
+        most = std::max(most, *std::max_element(channel, channel + size));
+    }
+    return most > 0 && most < 256;
+}
+
 // Returns the size of a picture that is stored in rows, with 8 or 16 bits per sample. Returns
 // nothing if it is stored otherwise or has fewer than `least` samples per pixel.
 std::optional<QSize> rowsOf(const TiffFile& tiff, int least) {
@@ -570,6 +611,24 @@ QByteArray embeddedProfile(const QByteArray& file, const QString& where) {
             where);
     }
     return profile;
+}
+
+bool isReadableTiff(const QByteArray& file) {
+    const TiffFile tiff(file);
+    if (!isTiff(file) || !tiff.get()) {
+        return true;
+    }
+    const int photometric = tiff.number<std::uint16_t>(TIFFTAG_PHOTOMETRIC);
+    const int samples = tiff.number<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
+    const int colours = coloursOf(photometric);
+    const bool isTransparent =
+        photometric == PHOTOMETRIC_RGB && samples == 4 && hasTransparency(tiff);
+    const bool isInPlanes =
+        tiff.number<std::uint16_t>(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE && samples > 1;
+    return (samples == colours || isTransparent) &&
+           tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE) <= (isInPlanes ? 8 : 16) &&
+           tiff.number<std::uint16_t>(TIFFTAG_SAMPLEFORMAT) == SAMPLEFORMAT_UINT &&
+           !(photometric == PHOTOMETRIC_PALETTE && hasNarrowColourMap(tiff));
 }
 
 QImage inkPictureOf(const InkPicture& picture, const QByteArray& profile) {

@@ -310,6 +310,8 @@ private slots:
     void readPictures_webp_usesTheProfile();
     void readPictures_labTiff_keepsTheColours_data();
     void readPictures_labTiff_keepsTheColours();
+    void readPictures_oddTiff_isRefused_data();
+    void readPictures_oddTiff_isRefused();
     void colourNote_cmykWithoutProfile_isReported();
     void colourNote_coloursBeyondTheWorkingSpace_areReported();
 };
@@ -635,6 +637,92 @@ void PictureColourTest::readPictures_labTiff_keepsTheColours() {
     const double right = differenceFrom(blue, texture.pixelColor(6, 4));
     QVERIFY2(left < 1, qPrintable(QStringLiteral("brown: ΔE %1, expected < 1").arg(left)));
     QVERIFY2(right < 1, qPrintable(QStringLiteral("blue: ΔE %1, expected < 1").arg(right)));
+}
+
+namespace {
+
+struct TiffKind {
+    int photometric = PHOTOMETRIC_RGB, samples = 3, bits = 8;
+    QList<int> extras = {}; // kinds of the samples beside the colour
+    int planes = PLANARCONFIG_CONTIG, format = SAMPLEFORMAT_UINT;
+    int mostOfMap = 0; // largest value of the colour map, if there is one
+};
+
+QByteArray tiffOf(const TiffKind& kind, const QString& path) {
+    constexpr int width = 8;
+    TIFF* tiff = TIFFOpen(qPrintable(path), "w");
+    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, width);
+    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, width);
+    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, kind.bits);
+    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, kind.samples);
+    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, kind.planes);
+    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, kind.photometric);
+    TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, kind.format);
+    if (!kind.extras.isEmpty()) {
+        const std::vector<std::uint16_t> extras(kind.extras.begin(), kind.extras.end());
+        TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, int(extras.size()), extras.data());
+    }
+    if (kind.mostOfMap > 0) {
+        const std::vector<std::uint16_t> map(256, std::uint16_t(kind.mostOfMap));
+        TIFFSetField(tiff, TIFFTAG_COLORMAP, map.data(), map.data(), map.data());
+    }
+    std::vector<uchar> row(std::size_t(TIFFScanlineSize(tiff)), 100);
+    for (int plane = 0; plane < (kind.planes == PLANARCONFIG_SEPARATE ? kind.samples : 1);
+         ++plane) {
+        for (int y = 0; y < width; ++y) {
+            TIFFWriteScanline(tiff, row.data(), std::uint32_t(y), std::uint16_t(plane));
+        }
+    }
+    TIFFClose(tiff);
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+Q_DECLARE_METATYPE(TiffKind)
+
+// Each of these was read in wrong colours or without its transparency.
+void PictureColourTest::readPictures_oddTiff_isRefused_data() {
+    QTest::addColumn<TiffKind>("kind");
+    QTest::addColumn<bool>("isRefused");
+    const auto row = [](const char* name, bool isRefused, const TiffKind& kind) {
+        QTest::newRow(name) << kind << isRefused;
+    };
+    constexpr int grey = PHOTOMETRIC_MINISBLACK, rgb = PHOTOMETRIC_RGB;
+    const QList<int> alpha{EXTRASAMPLE_UNASSALPHA}, unknown{EXTRASAMPLE_UNSPECIFIED};
+    row("RGB", false, {});
+    row("RGB, 16 bits", false, {rgb, 3, 16});
+    row("RGB in planes", false, {rgb, 3, 8, {}, PLANARCONFIG_SEPARATE});
+    row("RGB, 16 bits in planes", true, {rgb, 3, 16, {}, PLANARCONFIG_SEPARATE});
+    row("RGB, 32 bits", true, {rgb, 3, 32});
+    row("RGB, floating point", true, {rgb, 3, 32, {}, PLANARCONFIG_CONTIG, SAMPLEFORMAT_IEEEFP});
+    row("RGB, signed", true, {rgb, 3, 8, {}, PLANARCONFIG_CONTIG, SAMPLEFORMAT_INT});
+    row("RGB and alpha", false, {rgb, 4, 8, alpha});
+    row("RGB and alpha, 16 bits", false, {rgb, 4, 16, alpha});
+    row("RGB and a channel", true, {rgb, 4, 8, unknown});
+    row("RGB and two channels", true, {rgb, 5, 8, alpha + unknown});
+    row("grey", false, {grey, 1, 16});
+    row("grey and alpha", true, {grey, 2, 8, alpha});
+    row("grey and alpha, 16 bits", true, {grey, 2, 16, alpha});
+    row("CMYK", false, {PHOTOMETRIC_SEPARATED, 4, 8});
+    row("CMYK and alpha", true, {PHOTOMETRIC_SEPARATED, 5, 8, alpha});
+    row("CMYK and a channel", true, {PHOTOMETRIC_SEPARATED, 5, 8, unknown});
+    row("three inks", true, {PHOTOMETRIC_SEPARATED, 3, 8});
+    row("Lab and alpha", true, {PHOTOMETRIC_CIELAB, 4, 8, alpha});
+    TiffKind indexed{PHOTOMETRIC_PALETTE, 1, 8};
+    indexed.mostOfMap = 65535;
+    row("colour map", false, indexed);
+    indexed.mostOfMap = 255;
+    row("colour map of 8 bits", true, indexed);
+}
+
+void PictureColourTest::readPictures_oddTiff_isRefused() {
+    QFETCH(TiffKind, kind);
+    QFETCH(bool, isRefused);
+    const QString sentence = refusal(tiffOf(kind, folder_.filePath("odd.tif")));
+    QVERIFY2(sentence.contains("extra channels") == isRefused, qPrintable(sentence));
+    QVERIFY2(sentence.isEmpty() != isRefused, qPrintable(sentence));
 }
 
 void PictureColourTest::colourNote_cmykWithoutProfile_isReported() {
