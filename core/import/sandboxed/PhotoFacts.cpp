@@ -8,25 +8,12 @@ namespace dipwright {
 
 namespace {
 
-enum Tag : quint16 { ExifFolder = 0x8769, Taken = 0x9003, FocalLength35 = 0xa405 };
-
-// Returns the TIFF structure that contains the tags: a TIFF file itself, or a segment of a JPEG
-// file.
-QByteArray tagsOf(const QByteArray& file) {
-    if (file.startsWith("II") || file.startsWith("MM")) {
-        return file;
-    }
-    if (!file.startsWith("\xff\xd8")) {
-        return {};
-    }
-    for (auto marker = nextJpegMarker(file, 0); marker && marker->kind != jpegScan;
-         marker = nextJpegMarker(file, marker->end)) {
-        if (marker->kind == 0xe1 && marker->segment.startsWith(QByteArrayView("Exif\0\0", 6))) {
-            return marker->segment.mid(6);
-        }
-    }
-    return {};
-}
+enum Tag : quint16 {
+    Orientation = 0x112,
+    ExifFolder = 0x8769,
+    Taken = 0x9003,
+    FocalLength35 = 0xa405
+};
 
 class Tags {
 public:
@@ -42,6 +29,8 @@ public:
         return isLittle_ ? qFromLittleEndian<Number>(bytes_.constData() + at)
                          : qFromBigEndian<Number>(bytes_.constData() + at);
     }
+
+    qint64 first() const { return number<quint32>(4); } // where the first directory begins
 
     // Returns where the TIFF directory (IFD) that begins at `folder` stores the value of a tag. For
     // a long value, that place holds the offset of the value. Returns −1 if there is no such tag.
@@ -71,12 +60,17 @@ private:
 
 PhotoFacts photoFacts(const QByteArray& file) {
     constexpr int mostFocalLength = 5000; // mm
-    const Tags tags(tagsOf(file));
-    const auto first = tags.number<quint32>(4);
-    const auto exif = tags.number<quint32>(tags.value(first, ExifFolder));
+    const Tags tags(exifOf(file));
+    const auto exif = tags.number<quint32>(tags.value(tags.first(), ExifFolder));
     const int focalLength = tags.number<quint16>(tags.value(exif, FocalLength35));
     return {QString::fromLatin1(tags.text(tags.value(exif, Taken)).left(19)),
             focalLength <= mostFocalLength ? double(focalLength) : 0};
+}
+
+int exifOrientation(const QByteArray& file) {
+    const Tags tags(exifOf(file));
+    const int orientation = tags.number<quint16>(tags.value(tags.first(), Orientation));
+    return orientation >= 1 && orientation <= 8 ? orientation : 1;
 }
 
 } // namespace dipwright

@@ -18,7 +18,7 @@
 #include <map>
 #include <memory>
 #include <tiffio.h>
-#include <webp/demux.h>
+#include <webp/mux_types.h>
 
 namespace dipwright {
 
@@ -88,17 +88,11 @@ QByteArray profileOfJpeg(const QByteArray& file, const QString& where) {
 
 // Returns the profile of a WebP file, whose header says whether it has one.
 QByteArray profileOfWebp(const QByteArray& file, const QString& where) {
-    const WebPData data{reinterpret_cast<const uchar*>(file.constData()), std::size_t(file.size())};
-    const std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> webp(WebPDemux(&data),
-                                                                        WebPDemuxDelete);
-    if (!webp || (WebPDemuxGetI(webp.get(), WEBP_FF_FORMAT_FLAGS) & ICCP_FLAG) == 0) {
-        return {}; // Qt refuses damaged files later, with the same library
-    }
-    WebPChunkIterator profile;
-    if (WebPDemuxGetChunk(webp.get(), "ICCP", 1, &profile) == 0) {
+    const auto profile = webpChunk(file, "ICCP", ICCP_FLAG);
+    if (profile && profile->isEmpty()) {
         throwCutOff(where);
     }
-    return {reinterpret_cast<const char*>(profile.chunk.bytes), qsizetype(profile.chunk.size)};
+    return profile.value_or(QByteArray());
 }
 
 // A TIFF file in memory, open for libtiff.

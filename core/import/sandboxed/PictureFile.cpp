@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
+#include <webp/demux.h>
 
 namespace dipwright {
 
@@ -89,12 +91,13 @@ bool isCutOff(const QByteArray& file) {
                                        : false;
 }
 
-std::optional<QByteArray> pngChunk(const QByteArray& file, QByteArrayView kind) {
+std::optional<QByteArray> pngChunk(const QByteArray& file, QByteArrayView kind, PngPlace place) {
     constexpr qsizetype signature = 8, header = 8, frame = 12; // bytes; frame: header and check
     for (qsizetype at = signature; at + frame <= file.size();) {
         const auto length = qsizetype(qFromBigEndian<quint32>(file.constData() + at));
         const QByteArrayView found(file.constData() + at + 4, 4);
-        if (length > file.size() - at - frame || found == "IDAT") {
+        if (length > file.size() - at - frame ||
+            (found == "IDAT" && place == PngPlace::BeforePixels)) {
             break;
         }
         if (found == kind) {
@@ -103,6 +106,43 @@ std::optional<QByteArray> pngChunk(const QByteArray& file, QByteArrayView kind) 
         at += frame + length;
     }
     return std::nullopt;
+}
+
+std::optional<QByteArray> webpChunk(const QByteArray& file, const char* kind, quint32 flag) {
+    const WebPData data{reinterpret_cast<const uchar*>(file.constData()), std::size_t(file.size())};
+    const std::unique_ptr<WebPDemuxer, decltype(&WebPDemuxDelete)> webp(WebPDemux(&data),
+                                                                        WebPDemuxDelete);
+    if (!webp || (WebPDemuxGetI(webp.get(), WEBP_FF_FORMAT_FLAGS) & flag) == 0) {
+        return std::nullopt; // Qt refuses damaged files later, with the same library
+    }
+    WebPChunkIterator found;
+    if (WebPDemuxGetChunk(webp.get(), kind, 1, &found) == 0) {
+        return QByteArray();
+    }
+    return QByteArray(reinterpret_cast<const char*>(found.chunk.bytes),
+                      qsizetype(found.chunk.size));
+}
+
+QByteArray exifOf(const QByteArray& file) {
+    constexpr QByteArrayView prefix("Exif\0\0",
+                                    6); // in JPEG; some programs write it elsewhere, too
+    QByteArray exif;
+    if (file.startsWith("II") || file.startsWith("MM")) {
+        return file;
+    }
+    if (file.startsWith("\x89PNG")) {
+        exif = pngChunk(file, "eXIf", PngPlace::Anywhere).value_or(QByteArray());
+    } else if (file.startsWith("RIFF")) {
+        exif = webpChunk(file, "EXIF", EXIF_FLAG).value_or(QByteArray());
+    } else if (file.startsWith("\xff\xd8")) {
+        auto marker = nextJpegMarker(file, 0);
+        while (marker && marker->kind != jpegScan &&
+               !(marker->kind == 0xe1 && marker->segment.startsWith(prefix))) {
+            marker = nextJpegMarker(file, marker->end);
+        }
+        exif = marker && marker->kind != jpegScan ? marker->segment : QByteArray();
+    }
+    return exif.startsWith(prefix) ? exif.mid(prefix.size()) : exif;
 }
 
 bool namesUnreadSpace(const QByteArray& file) {

@@ -5,6 +5,7 @@
 #include "base/Error.h"
 #include "base/InkPicture.h"
 #include "base/WideGamut.h"
+#include "import/sandboxed/PhotoFacts.h"
 #include "import/sandboxed/PictureColour.h"
 #include "import/sandboxed/PictureFile.h"
 
@@ -12,7 +13,9 @@
 #include <QColorSpace>
 #include <QCoreApplication>
 #include <QImageReader>
+#include <QTransform>
 
+#include <array>
 #include <cmath>
 #include <new>
 
@@ -78,8 +81,43 @@ QByteArray formatOf(const QByteArray& bytes) {
                                                                                      : QByteArray();
 }
 
+// Returns how the EXIF data of a PNG or WebP file says that it is to be shown. Qt follows that of
+// the other formats only.
+QImageIOHandler::Transformations turnThatQtIgnores(const QByteArray& bytes) {
+    using Handler = QImageIOHandler;
+    constexpr std::array turns{Handler::TransformationNone,
+                               Handler::TransformationMirror,
+                               Handler::TransformationRotate180,
+                               Handler::TransformationFlip,
+                               Handler::TransformationFlipAndRotate90,
+                               Handler::TransformationRotate90,
+                               Handler::TransformationMirrorAndRotate90,
+                               Handler::TransformationRotate270};
+    const QByteArray format = formatOf(bytes);
+    return format == "png" || format == "webp" ? turns[std::size_t(exifOrientation(bytes) - 1)]
+                                               : Handler::TransformationNone;
+}
+
+QImage shownAs(QImage picture, QImageIOHandler::Transformations turn) {
+    if (turn == QImageIOHandler::TransformationNone) {
+        return picture;
+    }
+    picture = picture.mirrored(turn.testFlag(QImageIOHandler::TransformationMirror),
+                               turn.testFlag(QImageIOHandler::TransformationFlip));
+    if (turn.testFlag(QImageIOHandler::TransformationRotate90)) {
+        picture = picture.transformed(QTransform().rotate(90));
+    }
+    if (picture.isNull()) {
+        throw std::bad_alloc();
+    }
+    return picture;
+}
+
 // Whether the file says that the picture is to be shown turned or mirrored.
 bool isStoredTurned(const QByteArray& bytes) {
+    if (turnThatQtIgnores(bytes) != QImageIOHandler::TransformationNone) {
+        return true;
+    }
     QBuffer buffer;
     buffer.setData(bytes);
     buffer.open(QIODevice::ReadOnly);
@@ -119,7 +157,7 @@ void PictureReader::count(const QSize& size, qint64 fileBytes, const QString& wh
 QImage PictureReader::read(const QByteArray& bytes, const QString& where, Turned turned) {
     QImage picture = decoded(bytes, where, turned);
     if (turned == Turned::Upright) {
-        return picture;
+        return shownAs(std::move(picture), turnThatQtIgnores(bytes));
     }
     ColourNote note = colourNote(picture);
     note.isTurned = note.isTurned || isStoredTurned(bytes);

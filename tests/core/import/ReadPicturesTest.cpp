@@ -4,8 +4,9 @@
 #include "base/Error.h"
 #include "base/Png.h"
 #include "base/WideGamut.h"
+#include "import/trusted/ReadPhotos.h"
 
-#include <QBuffer>
+#include <QImageReader>
 #include <QImageWriter>
 #include <QTemporaryDir>
 #include <QtEndian>
@@ -43,6 +44,49 @@ QByteArray contents(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+QByteArray bigEndian(quint32 number) {
+    QByteArray bytes(4, '\0');
+    qToBigEndian(number, bytes.data());
+    return bytes;
+}
+
+constexpr int pngHeader = 33, pngEnd = 12; // bytes before the second and of the last chunk
+
+QByteArray pngChunk(const QByteArray& kindAndData) {
+    const auto sum =
+        crc32(0, reinterpret_cast<const Bytef*>(kindAndData.constData()), uInt(kindAndData.size()));
+    return bigEndian(quint32(kindAndData.size() - 4)) + kindAndData + bigEndian(quint32(sum));
+}
+
+// Returns EXIF data with an orientation and the time at which a photo was taken.
+QByteArray exif(char orientation) {
+    const QByteArray turn("\1\x12\0\3\0\0\0\1\0?\0\0", 12);
+    return QByteArray("MM\0\x2a\0\0\0\x08\0\2", 10) + QByteArray(turn).replace('?', orientation) +
+           QByteArray("\x87\x69\0\4\0\0\0\1\0\0\0\x26\0\0\0\0", 16) +
+           QByteArray("\0\1\x90\3\0\2\0\0\0\x14\0\0\0\x38\0\0\0\0", 18) +
+           QByteArray("2026:11:22 14:03:07\0", 20);
+}
+
+QByteArray withExif(QByteArray file, const QString& format, char orientation) {
+    const QByteArray data = exif(orientation);
+    if (format == QStringLiteral("jpg")) {
+        const QByteArray segment = QByteArray("Exif\0\0", 6) + data;
+        return file.insert(2, "\xff\xe1" + bigEndian(quint32(segment.size() + 2)).mid(2) + segment);
+    }
+    if (format == QStringLiteral("png")) { // programs write it on either side of the pixels
+        return file.insert(orientation % 2 ? pngHeader : file.size() - pngEnd,
+                           pngChunk("eXIf" + data));
+    }
+    const auto chunk = [](const char* kind, const QByteArray& content) {
+        QByteArray length(4, '\0');
+        qToLittleEndian(quint32(content.size()), length.data());
+        return kind + length + content;
+    };
+    const QByteArray sides("\x2f\0\0\x27\0\0", 6); // width and height, each minus one
+    return chunk("RIFF", "WEBP" + chunk("VP8X", QByteArray("\x08\0\0\0", 4) + sides) +
+                             file.mid(12) + chunk("EXIF", data));
+}
+
 } // namespace
 
 class ReadPicturesTest : public QObject {
@@ -54,6 +98,7 @@ private Q_SLOTS:
     void readPictureFile_truncated_isRefusedOrPartlyRead_data() { formats(); }
     void readPictureFile_truncated_isRefusedOrPartlyRead();
     void readPictureFile_turnedByExif_isTold();
+    void readPhotoFile_exif_isFollowed();
     void readPictureFile_unreadColourSpace_isTold();
     void readPictures_pixelLimit_appliesToAllTogether();
     void pictureCount_widePictures_countTwice();
@@ -61,6 +106,10 @@ private Q_SLOTS:
 private:
     static void formats();
     QString written(const QString& format) const;
+    QString saved(const QByteArray& bytes, const QString& format) const;
+
+    const QStringList withExifHere{QStringLiteral("jpg"), QStringLiteral("png"),
+                                   QStringLiteral("webp")};
 
     QTemporaryDir folder_;
 };
@@ -80,6 +129,12 @@ QString ReadPicturesTest::written(const QString& format) const {
     QImageWriter writer(path);
     writer.setQuality(100);
     return writer.write(slope().convertToFormat(QImage::Format_RGB32)) ? path : QString();
+}
+
+QString ReadPicturesTest::saved(const QByteArray& bytes, const QString& format) const {
+    QFile file(folder_.filePath(QStringLiteral("other.") + format));
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() ? file.fileName()
+                                                                                : QString();
 }
 
 void ReadPicturesTest::readPictureFile_everyFormat_isRead() {
@@ -124,44 +179,44 @@ void ReadPicturesTest::readPictureFile_truncated_isRefusedOrPartlyRead() {
 
 // The pixels stay as they are stored, but the picture tells that a viewer would turn them.
 void ReadPicturesTest::readPictureFile_turnedByExif_isTold() {
-    const QByteArray plain = contents(written(QStringLiteral("jpg")));
-    for (const char orientation : {'\1', '\6'}) { // upright; to be turned by 90°
-        QByteArray exif("\xff\xe1\0\x22"
-                        "Exif\0\0MM\0\x2a\0\0\0\x08"
-                        "\0\1\1\x12\0\3\0\0\0\1\0?\0\0\0\0\0\0",
-                        36);
-        exif[29] = orientation;
-        QFile file(folder_.filePath("exif.jpg"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QByteArray(plain).insert(2, exif)); // after the marker of the start
-        file.close();
-        const QImage read = readPictureFile(file.fileName());
-        QCOMPARE(read.size(), slope().size());
-        QCOMPARE(colourNoteText(read, "logo.jpg").startsWith("logo.jpg is to be shown turned"),
-                 orientation != '\1');
+    for (const QString& format : withExifHere) {
+        const QByteArray plain = contents(written(format));
+        for (const char orientation : {'\1', '\6'}) { // upright; to be turned by 90°
+            const QImage read =
+                readPictureFile(saved(withExif(plain, format, orientation), format));
+            QCOMPARE(read.size(), slope().size());
+            QCOMPARE(colourNoteText(read, "logo").startsWith("logo is to be shown turned"),
+                     orientation != '\1');
+        }
+    }
+}
+
+void ReadPicturesTest::readPhotoFile_exif_isFollowed() {
+    for (const QString& format : withExifHere) {
+        const QByteArray plain = contents(written(format));
+        for (char orientation = 1; orientation <= 8; ++orientation) {
+            const QString path = saved(withExif(plain, format, orientation), format);
+            const Photo photo = readPhotoFile(path, {});
+            QCOMPARE(photo.taken, QDateTime(QDate(2026, 11, 22), QTime(14, 3, 7)));
+            // Qt itself turns JPEG.
+            QImageReader jpeg(
+                saved(withExif(contents(written("jpg")), QStringLiteral("jpg"), orientation),
+                      QStringLiteral("jpg")));
+            jpeg.setAutoTransform(true);
+            const QImage expected = jpeg.read().convertToFormat(QImage::Format_RGBA8888);
+            QCOMPARE(photo.picture.size(), expected.size());
+            QVERIFY(difference(photo.picture, expected) <= 10);
+        }
     }
 }
 
 void ReadPicturesTest::readPictureFile_unreadColourSpace_isTold() {
     const auto read = [&](const QByteArray& primariesAndTransfer) {
-        QByteArray chunk = "cICP" + primariesAndTransfer + QByteArray("\0\1", 2), file;
-        const auto number = [](quint32 value) {
-            QByteArray bytes(4, '\0');
-            qToBigEndian(value, bytes.data());
-            return bytes;
-        };
-        chunk = number(4) + chunk +
-                number(quint32(crc32(0, reinterpret_cast<const Bytef*>(chunk.constData()),
-                                     uInt(chunk.size()))));
-        QBuffer buffer(&file);
-        buffer.open(QIODevice::WriteOnly);
-        slope().save(&buffer, "png");
-        QFile png(folder_.filePath("cicp.png"));
-        png.open(QIODevice::WriteOnly);
-        constexpr int signatureAndHeader = 33; // bytes
-        png.write(file.insert(signatureAndHeader, chunk));
-        png.close();
-        return colourNoteText(readPictureFile(png.fileName()), "flag.png");
+        const QByteArray plain = contents(written(QStringLiteral("png")));
+        const QByteArray chunk = pngChunk("cICP" + primariesAndTransfer + QByteArray("\0\1", 2));
+        const QString png =
+            saved(QByteArray(plain).insert(pngHeader, chunk), QStringLiteral("png"));
+        return colourNoteText(readPictureFile(png), "flag.png");
     };
     QVERIFY(read("\x0c\x0d").startsWith("flag.png names its colour space in a cICP chunk")); // P3
     QCOMPARE(read("\x01\x0d"), QString());                                                   // sRGB
