@@ -22,6 +22,8 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 
 namespace dipwright {
@@ -142,6 +144,36 @@ private:
     Assimp::IOStream* model_ = nullptr;
 };
 
+// Replaces words of a line that are not numbers (nan, inf, 1.#IND) by 9e9, up to a comment.
+void replaceOddNumbers(QByteArray& file, qsizetype begin, qsizetype end) {
+    constexpr QByteArrayView letters = "nNiI";
+    const auto isBlank = [](char byte) { return std::isspace(uchar(byte)) != 0; };
+    const char* bytes = file.constData();
+    for (qsizetype word = begin; word < end && bytes[word] != '#'; ++word) {
+        const qsizetype after = std::find_if(bytes + word, bytes + end, isBlank) - bytes;
+        const bool isOdd = std::any_of(bytes + word, bytes + after,
+                                       [&](char byte) { return letters.contains(byte); });
+        if (isOdd) {
+            file.replace(word, after - word,
+                         QByteArray("9e9").leftJustified(after - word, ' ', true));
+            bytes = file.constData();
+        }
+        word = after;
+    }
+}
+
+// Returns an OBJ file in which texture coordinates that are not numbers are too large instead, so
+// that they are reported. assimp 5.2.5 would read them as 0.
+QByteArray withoutOddCoordinates(QByteArray obj) {
+    constexpr QByteArrayView keyword = "\nvt ";
+    for (qsizetype at = obj.indexOf(keyword); at >= 0; at = obj.indexOf(keyword, at)) {
+        at += keyword.size();
+        const qsizetype end = obj.indexOf('\n', at);
+        replaceOddNumbers(obj, at, end < 0 ? obj.size() : end);
+    }
+    return obj;
+}
+
 QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStringList& warnings) {
     if (format == QStringLiteral("stl")) {
         return stlForAssimp(source);
@@ -155,7 +187,9 @@ QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStr
     if (format == QStringLiteral("3ds")) {
         return threeDsForAssimp(source, warnings);
     }
-    return format == QStringLiteral("obj") ? withoutByteOrderMark(source.bytes) : source.bytes;
+    return format == QStringLiteral("obj")
+               ? withoutOddCoordinates(withoutByteOrderMark(source.bytes))
+               : source.bytes;
 }
 
 class ReadingProgress : public Assimp::ProgressHandler {

@@ -7,6 +7,8 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace dipwright {
 
@@ -49,6 +51,11 @@ bool isPastPicture(const std::array<Eigen::Vector2f, 3>& coordinates) {
     return std::any_of(coordinates.begin(), coordinates.end(), [](const Eigen::Vector2f& each) {
         return each.minCoeff() < -slack || each.maxCoeff() > 1 + slack;
     });
+}
+
+Eigen::Vector2f statedCoordinates(float u, float v) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    return {std::isnan(u) ? infinite : u, std::isnan(v) ? infinite : v};
 }
 
 QString notRepeatedWarning() {

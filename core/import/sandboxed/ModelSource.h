@@ -46,5 +46,8 @@ inline std::array<Eigen::Vector2f, 3> noCoordinates() {
     corners.fill(Eigen::Vector2f::Constant(std::numeric_limits<float>::quiet_NaN()));
     return corners;
 }
+// Texture coordinates as a file states them. NaN becomes infinite, because NaN means that there are
+// none; ImportModel.h reports both infinite and too large ones.
+Eigen::Vector2f statedCoordinates(float u, float v);
 
 } // namespace dipwright

@@ -334,7 +334,7 @@ private:
         forEachRow(element, [&](const Row& row) {
             model_.mesh.positions.emplace_back(value(row, x), value(row, y), value(row, z));
             if (u >= 0 && v >= 0) {
-                pointCoordinates_.emplace_back(value(row, u), value(row, v));
+                pointCoordinates_.push_back(statedCoordinates(value(row, u), value(row, v)));
             }
         });
     }
@@ -409,8 +409,8 @@ private:
             for (int i = 0; i < 3; ++i) {
                 triangle[i] = std::uint32_t(corners[chosen[i]]);
                 if (coordinates.size() == 2 * corners.size()) {
-                    uv[i] = Eigen::Vector2f(float(coordinates[2 * chosen[i]]),
-                                            float(coordinates[2 * chosen[i] + 1]));
+                    uv[i] = statedCoordinates(float(coordinates[2 * chosen[i]]),
+                                              float(coordinates[2 * chosen[i] + 1]));
                 }
             }
             source_.checkTriangleCount(model_.mesh.triangles.size());

@@ -354,7 +354,9 @@ private:
             triangle[corner] = firstPosition + corners[corner];
             if (coordinates) {
                 const aiVector3D& coordinate = coordinates[corners[corner]];
-                uv[corner] = placement.of(Eigen::Vector2f(coordinate.x, coordinate.y));
+                const Eigen::Vector2f placed =
+                    placement.of(Eigen::Vector2f(coordinate.x, coordinate.y));
+                uv[corner] = statedCoordinates(placed.x(), placed.y());
             }
         }
     }

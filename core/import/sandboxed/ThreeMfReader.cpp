@@ -173,7 +173,7 @@ private:
         } else if (name == u"triangle") {
             readTriangle();
         } else if (name == u"tex2coord") {
-            group().coordinates.emplace_back(float(real("u")), float(real("v")));
+            group().coordinates.push_back(statedCoordinates(float(real("u")), float(real("v"))));
         } else if (name == u"base") {
             group().materials.push_back({text("name"), colourNamed(text("displaycolor")), -1});
         } else if (name == u"color") {

@@ -13,6 +13,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dipwright {
@@ -193,20 +194,22 @@ void dropUselessTextures(TexturedMesh& model, QStringList& warnings) {
 }
 
 void dropUnusableCoordinates(TexturedMesh& model, QStringList& warnings) {
+    const auto isMissing = [](const Eigen::Vector2f& uv) { return uv.array().isNaN().all(); };
+    const auto isUsable = [](const Eigen::Vector2f& uv) { // false for NaN
+        return (uv.array().abs() <= maximumTextureCoordinate).all();
+    };
     std::size_t dropped = 0;
     for (auto& corners : model.textureCoordinates) {
-        for (auto& uv : corners) {
-            const bool isUnusable = uv.cwiseAbs().maxCoeff() > maximumTextureCoordinate;
-            dropped += isUnusable;
-            if (isUnusable) {
-                corners.fill(Eigen::Vector2f::Constant(std::nanf("")));
-            }
+        if (!std::all_of(corners.begin(), corners.end(), isMissing) &&
+            !std::all_of(corners.begin(), corners.end(), isUsable)) {
+            ++dropped;
+            corners.fill(Eigen::Vector2f::Constant(std::nanf("")));
         }
     }
     if (dropped > 0) {
         warnings.push_back(
-            Text::tr("%1 texture coordinates are too large to be used; their triangles "
-                     "show the material's colour")
+            Text::tr("The texture coordinates of %1 triangles are not numbers or are too large; "
+                     "these triangles show their material's colour")
                 .arg(dropped));
     }
 }

@@ -145,6 +145,8 @@ private Q_SLOTS:
     void fbx_swappedTexture_isALoss_data();
     void fbx_swappedTexture_isALoss();
     void obj_someCoordinatesMissing_isALoss();
+    void textureCoordinates_notUsable_areALoss_data();
+    void textureCoordinates_notUsable_areALoss();
     void gltf_byteOrderMark_isRead();
     void obj_byteOrderMark_isRead();
     void gltf_deeplyNested_isRefused();
@@ -642,6 +644,32 @@ void OddModelsTest::obj_someCoordinatesMissing_isALoss() {
     const QStringList found = losses("f 2 3 4\nf 3 1 4\n");
     QCOMPARE(found.size(), 1);
     QVERIFY2(found[0].startsWith(QStringLiteral("2 triangles")), qPrintable(found[0]));
+}
+
+void OddModelsTest::textureCoordinates_notUsable_areALoss_data() {
+    QTest::addColumn<QByteArray>("first"); // of the square's four corners
+    QTest::addColumn<QByteArray>("others");
+    QTest::newRow("one is NaN") << QByteArray("nan nan") << QByteArray("0.2 0.3");
+    QTest::newRow("half of one is NaN") << QByteArray("nan 0.5") << QByteArray("0.2 0.3");
+    QTest::newRow("one is infinite") << QByteArray("inf 0") << QByteArray("0.2 0.3");
+    QTest::newRow("one is too large") << QByteArray("1e30 0") << QByteArray("0.2 0.3");
+    QTest::newRow("all are NaN") << QByteArray("nan nan") << QByteArray("nan nan");
+}
+
+void OddModelsTest::textureCoordinates_notUsable_areALoss() {
+    QFETCH(QByteArray, first);
+    QFETCH(QByteArray, others);
+    const QByteArray vt = "vt " + others + "\n";
+    const ImportedModel imported =
+        importModel(write(QStringLiteral("nan.obj"),
+                          "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nvt " + first + "\n" + vt + vt + vt +
+                              "vt 0 0\nvt 1 0\nvt 1 1\n" + "f 1/1 2/2 3/3\nf 1/5 3/6 4/7\n"),
+                    {}, {});
+    QVERIFY2(warningsOf(imported).contains(
+                 QStringLiteral("The texture coordinates of 1 triangles are not numbers")),
+             qPrintable(warningsOf(imported)));
+    QVERIFY(!imported.model.hasTextureCoordinates(0));
+    QVERIFY(imported.model.hasTextureCoordinates(1));
 }
 
 void OddModelsTest::gltf_byteOrderMark_isRead() {
