@@ -420,6 +420,12 @@ public:
         if (isPastPicture_) {
             warnings_.push_back(notRepeatedWarning());
         }
+        if (mixesColours_) {
+            warnings_.push_back(Text::tr(
+                "The model mixes colours within its triangles, or mixes materials (3MF "
+                "compositematerials or multiproperties), which is not shown; bake its colours "
+                "into a texture to print them"));
+        }
         return std::move(model_);
     }
 
@@ -506,6 +512,9 @@ private:
                 fillCoordinates(group->second, triangle, uv);
                 isPastPicture_ |=
                     source_.withTextures && group->second.isNotRepeated && isPastPicture(uv);
+                mixesColours_ |= source_.withTextures && mixesColours(group->second, triangle);
+            } else { // compositematerials and multiproperties are not read as groups
+                mixesColours_ |= source_.withTextures && triangle.group != noGroup;
             }
             for (auto& corner : corners) {
                 corner += first;
@@ -528,6 +537,17 @@ private:
                 uv[i] = group.coordinates[index];
             }
         }
+    }
+
+    // Whether the corners of a triangle have different colours.
+    static bool mixesColours(const PropertyGroup& group, const ObjectTriangle& triangle) {
+        const auto colour = [&](int property) {
+            return std::size_t(property) < group.materials.size()
+                       ? group.materials[std::size_t(property)].colour
+                       : QColor();
+        };
+        const auto [first, second, third] = triangle.properties;
+        return colour(first) != colour(second) || colour(first) != colour(third);
     }
 
     // Returns the model's material for a triangle. All triangles of one picture share a material.
@@ -577,7 +597,7 @@ private:
     Package package_;
     std::map<QString, Part> parts_;
     TexturedMesh model_;
-    bool isPastPicture_ = false;
+    bool isPastPicture_ = false, mixesColours_ = false;
     std::map<std::tuple<QString, int, int>, std::uint16_t> materials_;
     std::map<QString, int> textures_;
     std::map<std::pair<QString, int>, std::size_t> triangleCounts_;

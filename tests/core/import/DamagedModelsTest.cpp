@@ -141,6 +141,8 @@ private Q_SLOTS:
     void threeMf_unusualButClear_isRead_data();
     void threeMf_unusualButClear_isRead();
     void threeMf_textureAfterItsUse_isRead();
+    void threeMf_mixedColours_areALoss_data();
+    void threeMf_mixedColours_areALoss();
     void threeMf_damaged_isRefused_data();
     void threeMf_damaged_isRefused();
     void collada_negativeIndex_isRefused_data();
@@ -329,6 +331,39 @@ void DamagedModelsTest::threeMf_textureAfterItsUse_isRead() {
     const TexturedMesh mesh = importModel(path, ImportOptions(), Progress()).model;
     QCOMPARE(mesh.textures.size(), std::size_t(1));
     QCOMPARE(mesh.textures[0], quarters());
+}
+
+void DamagedModelsTest::threeMf_mixedColours_areALoss_data() {
+    QTest::addColumn<QByteArray>("resources");
+    QTest::addColumn<QByteArray>("triangle"); // its attributes
+    QTest::addColumn<bool>("isLoss");
+    const QByteArray colours = R"(<colorgroup id="3"><color color="#FF0000"/>)"
+                               R"(<color color="#0000FF"/><color color="#FF0000"/></colorgroup>)";
+    const QByteArray mixed = R"(<basematerials id="4"><base name="a" displaycolor="#FF0000"/>)"
+                             R"(</basematerials><compositematerials id="5" matid="4" )"
+                             R"(matindices="0"><composite values="1"/></compositematerials>)"
+                             R"(<multiproperties id="6" pids="4 3"><multi pindices="0 1"/>)"
+                             R"(</multiproperties>)";
+    const auto row = [](const char* name, const QByteArray& resources, const char* triangle,
+                        bool isLoss) {
+        QTest::newRow(name) << resources << QByteArray(triangle) << isLoss;
+    };
+    row("one colour", colours, R"(pid="3" p1="1")", false);
+    row("equal colours", colours, R"(pid="3" p1="0" p2="2" p3="0")", false);
+    row("a gradient", colours, R"(pid="3" p1="0" p2="1" p3="0")", true);
+    row("a composite", colours + mixed, R"(pid="5" p1="0")", true);
+    row("multiproperties", colours + mixed, R"(pid="6" p1="0")", true);
+    row("a texture", QByteArray(textureOf5) + texture5, R"(pid="6" p1="0" p2="1" p3="2")", false);
+}
+
+void DamagedModelsTest::threeMf_mixedColours_areALoss() {
+    QFETCH(QByteArray, resources);
+    QFETCH(QByteArray, triangle);
+    QFETCH(bool, isLoss);
+    const QString path = writePackage(model(resources + object(QByteArray(), triangle)));
+    const QStringList losses = importModel(path, ImportOptions(), Progress()).report.losses;
+    QCOMPARE(losses.size(), isLoss ? 1 : 0);
+    QVERIFY(!isLoss || losses[0].contains(QStringLiteral("mixes colours")));
 }
 
 void DamagedModelsTest::threeMf_damaged_isRefused_data() {
