@@ -356,7 +356,8 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     if (source.withTextures) {
         warnings += files->warnings();
     }
-    const SceneMeaning meaning{isGltf, files->placements(), frameOf(format, *scene, source)};
+    const SceneMeaning meaning{isGltf, files->placements(), frameOf(format, *scene, source),
+                               format == QStringLiteral("dae") && hasTextureThatEnds(source.bytes)};
     TexturedMesh model = convertScene(*scene, source, meaning, warnings, progress.part(0.8, 1));
     if (isMisplaced && !model.textures.empty()) {
         warnings.push_back(Text::tr(

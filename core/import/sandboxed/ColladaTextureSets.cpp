@@ -120,4 +120,21 @@ QByteArray withTextureSets(const ModelSource& source, QStringList& warnings) {
     return file;
 }
 
+bool hasTextureThatEnds(const QByteArray& file) {
+    if (!file.contains("wrap_")) {
+        return false;
+    }
+    QXmlStreamReader xml(file);
+    while (!xml.atEnd()) {
+        if (xml.readNext() == QXmlStreamReader::StartElement &&
+            (xml.name() == QLatin1String("wrap_s") || xml.name() == QLatin1String("wrap_t"))) {
+            const QString mode = xml.readElementText(QXmlStreamReader::SkipChildElements).trimmed();
+            if (!mode.isEmpty() && mode != QLatin1String("WRAP")) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 } // namespace dipwright

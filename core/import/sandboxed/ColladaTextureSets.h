@@ -1,4 +1,5 @@
-// Finds out which texture coordinates the textures of a Collada file use. Private to this folder.
+// Finds out which texture coordinates the textures of a Collada file use, and whether they repeat.
+// Private to this folder.
 #pragma once
 
 #include "import/sandboxed/ModelSource.h"
@@ -11,5 +12,9 @@ namespace dipwright {
 // symbol unchanged if the file does not say clearly which set it means, and warns of it if a
 // geometry has several sets. Damaged XML is left to checkCollada().
 QByteArray withTextureSets(const ModelSource& source, QStringList& warnings);
+
+// Whether a sampler of the file mirrors its texture or ends it at its edge (COLLADA 1.4.1, wrap_s
+// and wrap_t), which assimp 5.2.5 does not read. Which of several textures it is, is not looked up.
+bool hasTextureThatEnds(const QByteArray& file);
 
 } // namespace dipwright

@@ -132,7 +132,8 @@ private:
                                   modes.data()) == aiReturn_SUCCESS) {
                 material.texture =
                     source_.withTextures ? textureIndex(name, opaqueFrom(source)) : -1;
-                found.isNotRepeated = material.texture >= 0 && (modes[0] != aiTextureMapMode_Wrap ||
+                found.isNotRepeated = material.texture >= 0 && (meaning_.hasTextureThatEnds ||
+                                                                modes[0] != aiTextureMapMode_Wrap ||
                                                                 modes[1] != aiTextureMapMode_Wrap);
                 noteTint(material);
                 return;

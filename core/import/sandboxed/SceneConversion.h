@@ -18,6 +18,7 @@ struct SceneMeaning {
     // Turns the scene's coordinates into the model's coordinates: mm, with Y up, if the file states
     // its unit and axes.
     Eigen::Matrix3f frame = Eigen::Matrix3f::Identity();
+    bool hasTextureThatEnds = false; // or one that is mirrored, in a way that assimp does not read
 };
 
 // Returns all triangles of the scene, with the transforms of its nodes, its skins and the

@@ -125,6 +125,8 @@ private Q_SLOTS:
     void gltf_alphaModesOfOnePicture_areIndependent();
     void collada_transformedTexture_isALoss_data();
     void collada_transformedTexture_isALoss();
+    void collada_textureThatEnds_isALossWhereItRepeats_data();
+    void collada_textureThatEnds_isALossWhereItRepeats();
     void collada_unit_givesTheTrueSize_data();
     void collada_unit_givesTheTrueSize();
     void collada_textureSet_isTheBoundOne_data();
@@ -396,6 +398,30 @@ void OddModelsTest::collada_transformedTexture_isALoss() {
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
     QVERIFY2(imported.report.losses.size() == (isLoss ? 1 : 0), qPrintable(warningsOf(imported)));
     QVERIFY(!isLoss || imported.report.losses[0].contains(QStringLiteral("scales or rotates")));
+}
+
+void OddModelsTest::collada_textureThatEnds_isALossWhereItRepeats_data() {
+    QTest::addColumn<QByteArray>("wrap");
+    QTest::addColumn<bool>("isLoss");
+    QTest::newRow("none") << QByteArray() << false;
+    QTest::newRow("WRAP") << QByteArray("<wrap_s>WRAP</wrap_s><wrap_t> WRAP </wrap_t>") << false;
+    for (const char* mode : {"CLAMP", "MIRROR", "BORDER", "NONE"}) {
+        QTest::addRow("%s", mode) << "<wrap_t>" + QByteArray(mode) + "</wrap_t>" << true;
+    }
+}
+
+void OddModelsTest::collada_textureThatEnds_isALossWhereItRepeats() {
+    QFETCH(QByteArray, wrap);
+    QFETCH(bool, isLoss);
+    const QByteArray file = squareCollada().replace("</sampler2D>", wrap + "</sampler2D>");
+    const auto losses = [&](const QByteArray& bytes) {
+        return importModel(write(QStringLiteral("wrap.dae"), bytes), {}, {}).report.losses;
+    };
+    QCOMPARE(losses(file), QStringList());
+    const QStringList past =
+        losses(QByteArray(file).replace(">0 0 1 0 1 1 0 1<", ">0 0 2 0 2 2 0 2<"));
+    QCOMPARE(past.size(), isLoss ? 1 : 0);
+    QVERIFY(!isLoss || past[0].contains(QStringLiteral("mirrors a texture")));
 }
 
 void OddModelsTest::collada_unit_givesTheTrueSize_data() {
