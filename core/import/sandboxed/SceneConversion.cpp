@@ -34,36 +34,44 @@ int colourByte(float value, bool linear) {
     return int(std::lround(255 * toShow));
 }
 
-// The alpha from which a picture's pixels are opaque, 0 … 1; the others are transparent. Nothing:
-// their alpha is kept.
-using OpaqueFrom = std::optional<float>;
+// How a material's alpha, 0 … 1, follows from that of its picture, or from 1 if it has none.
+struct AlphaRule {
+    float factor = 1; // multiplies the picture's alpha
+    // The alpha from which the product is opaque; below, it is transparent. Nothing: it is kept.
+    std::optional<float> opaqueFrom;
+    auto operator<=>(const AlphaRule&) const = default;
+
+    float of(float alpha) const {
+        const float product = alpha * factor;
+        return !opaqueFrom ? product : product >= *opaqueFrom ? 1.0F : 0.0F;
+    }
+};
 
 // glTF 2.0, "Alpha Coverage". Other formats keep alpha.
-OpaqueFrom opaqueFrom(const aiMaterial& material) {
+AlphaRule alphaRule(const aiMaterial& material) {
     aiString mode;
-    if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != aiReturn_SUCCESS ||
-        mode == aiString("BLEND")) {
-        return std::nullopt;
+    if (material.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != aiReturn_SUCCESS) {
+        return {};
     }
-    if (mode != aiString("MASK")) {
-        return 0.0F;
+    aiColor4D factor(1, 1, 1, 1);
+    material.Get(AI_MATKEY_BASE_COLOR, factor);
+    const float alpha = std::isfinite(factor.a) ? std::clamp(factor.a, 0.0F, 1.0F) : 1.0F;
+    if (mode == aiString("BLEND")) {
+        return {alpha, std::nullopt};
     }
     float cutoff = 0.5F;
-    aiColor4D factor(1, 1, 1, 1); // its alpha multiplies that of the picture
     material.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
-    material.Get(AI_MATKEY_BASE_COLOR, factor);
-    return cutoff / std::max(factor.a, 1e-6F);
+    return mode == aiString("MASK") ? AlphaRule{alpha, cutoff} : AlphaRule{1, 0.0F};
 }
 
-// Makes each pixel opaque or transparent. Does not touch a picture that stays the same, because
-// PictureReader::inksOf() must recognise it.
+// Does not touch a picture that stays the same, because PictureReader::inksOf() must recognise it.
 template <typename Number>
-void setAlpha(QImage& picture, float opaqueFrom) {
-    constexpr Number opaque = std::numeric_limits<Number>::max();
+void setAlpha(QImage& picture, const AlphaRule& rule) {
+    constexpr auto opaque = float(std::numeric_limits<Number>::max());
     for (int y = 0; y < picture.height(); ++y) {
         for (int at = 3; at < 4 * picture.width(); at += 4) {
             const Number before = reinterpret_cast<const Number*>(picture.constScanLine(y))[at];
-            const Number after = float(before) >= opaqueFrom * float(opaque) ? opaque : Number(0);
+            const auto after = Number(std::lround(opaque * rule.of(float(before) / opaque)));
             if (after != before) {
                 reinterpret_cast<Number*>(picture.scanLine(y))[at] = after;
             }
@@ -71,10 +79,9 @@ void setAlpha(QImage& picture, float opaqueFrom) {
     }
 }
 
-QImage withAlpha(QImage picture, const OpaqueFrom& opaqueFrom) {
-    if (opaqueFrom && picture.hasAlphaChannel()) {
-        isWide(picture) ? setAlpha<quint16>(picture, *opaqueFrom)
-                        : setAlpha<quint8>(picture, *opaqueFrom);
+QImage withAlpha(QImage picture, const AlphaRule& rule) {
+    if (rule != AlphaRule() && picture.hasAlphaChannel()) {
+        isWide(picture) ? setAlpha<quint16>(picture, rule) : setAlpha<quint8>(picture, rule);
     }
     return picture;
 }
@@ -131,13 +138,19 @@ private:
             if (source.GetTexture(type, 0, &name, nullptr, &found.channel, nullptr, nullptr,
                                   modes.data()) == aiReturn_SUCCESS) {
                 material.texture =
-                    source_.withTextures ? textureIndex(name, opaqueFrom(source)) : -1;
+                    source_.withTextures ? textureIndex(name, alphaRule(source)) : -1;
                 found.isNotRepeated = material.texture >= 0 && (meaning_.hasTextureThatEnds ||
                                                                 modes[0] != aiTextureMapMode_Wrap ||
                                                                 modes[1] != aiTextureMapMode_Wrap);
                 noteTint(material);
                 return;
             }
+        }
+        if (alphaRule(source).of(1) < 1 && !isTransparencyNoted_) {
+            isTransparencyNoted_ = true;
+            warnings_.push_back(Text::tr(
+                "The model has a transparent material without a texture, which is shown opaque; "
+                "give the material a texture with transparency"));
         }
     }
 
@@ -152,8 +165,8 @@ private:
         }
     }
 
-    int textureIndex(const aiString& name, const OpaqueFrom& opaqueFrom) {
-        const auto key = std::pair(std::string(name.C_Str()), opaqueFrom);
+    int textureIndex(const aiString& name, const AlphaRule& alpha) {
+        const auto key = std::pair(std::string(name.C_Str()), alpha);
         const auto known = textures_.find(key);
         if (known != textures_.end()) {
             return known->second;
@@ -161,7 +174,7 @@ private:
         int index = -1;
         if (QImage image = readPicture(name); !image.isNull()) {
             index = int(model_.textures.size());
-            model_.textures.push_back(withAlpha(std::move(image), opaqueFrom));
+            model_.textures.push_back(withAlpha(std::move(image), alpha));
         }
         return textures_.emplace(key, index).first->second;
     }
@@ -200,8 +213,8 @@ private:
     TexturedMesh& model_;
     QStringList& warnings_;
     std::map<unsigned, Found> found_;
-    std::map<std::pair<std::string, OpaqueFrom>, int> textures_;
-    bool isTintNoted_ = false;
+    std::map<std::pair<std::string, AlphaRule>, int> textures_;
+    bool isTintNoted_ = false, isTransparencyNoted_ = false;
 };
 
 // Whether vertex colours would change a picture that they multiply.

@@ -122,6 +122,9 @@ private Q_SLOTS:
     void gltf_tintedTexture_isALoss();
     void gltf_alphaMode_decidesWhatIsTransparent_data();
     void gltf_alphaMode_decidesWhatIsTransparent();
+    void gltf_alphaOfTheMaterial_multipliesThePicture_data();
+    void gltf_alphaOfTheMaterial_multipliesThePicture();
+    void gltf_transparentMaterialWithoutTexture_isALoss();
     void gltf_alphaModesOfOnePicture_areIndependent();
     void collada_transformedTexture_isALoss_data();
     void collada_transformedTexture_isALoss();
@@ -351,6 +354,54 @@ void OddModelsTest::gltf_alphaMode_decidesWhatIsTransparent() {
     const ImportedModel imported = importModel(write(QStringLiteral("alpha.gltf"), text), {}, {});
     QCOMPARE(alphasOf(imported.model.textures.at(0)), alphas);
     QCOMPARE(imported.model.textures.at(0).pixelColor(0, 0).red(), 255);
+}
+
+namespace {
+
+// Returns a square whose material has an alpha, and a picture with different alphas or none.
+QByteArray alphaGltf(const QByteArray& mode, const QByteArray& factor, bool hasPicture) {
+    const QByteArray colour = R"("baseColorFactor":[1,1,1,)" + factor + "],";
+    QByteArray text = squareGltf(png(fourAlphas()))
+                          .replace(tint, colour)
+                          .replace(R"("name":"paint")", mode + R"("name":"paint")");
+    return hasPicture ? text
+                      : text.replace(R"("baseColorTexture":{"index":0})", R"("metallicFactor":0)");
+}
+
+} // namespace
+
+void OddModelsTest::gltf_alphaOfTheMaterial_multipliesThePicture_data() {
+    QTest::addColumn<QByteArray>("mode");
+    QTest::addColumn<QByteArray>("factor");
+    QTest::addColumn<QList<int>>("alphas"); // of pixels with alpha 0, 127, 128 and 255
+    const QByteArray blend = R"("alphaMode":"BLEND",)", mask = R"("alphaMode":"MASK",)";
+    QTest::newRow("BLEND") << blend << QByteArray("0.5") << QList<int>{0, 64, 64, 128};
+    QTest::newRow("BLEND, 0") << blend << QByteArray("0") << QList<int>{0, 0, 0, 0};
+    QTest::newRow("MASK") << mask << QByteArray("0.8") << QList<int>{0, 0, 0, 255};
+    QTest::newRow("MASK, below") << mask << QByteArray("0.4") << QList<int>{0, 0, 0, 0};
+    QTest::newRow("OPAQUE") << QByteArray() << QByteArray("0.5") << QList<int>{255, 255, 255, 255};
+}
+
+void OddModelsTest::gltf_alphaOfTheMaterial_multipliesThePicture() {
+    QFETCH(QByteArray, mode);
+    QFETCH(QByteArray, factor);
+    QFETCH(QList<int>, alphas);
+    const QString path = write(QStringLiteral("factor.gltf"), alphaGltf(mode, factor, true));
+    const ImportedModel imported = importModel(path, {}, {});
+    QCOMPARE(alphasOf(imported.model.textures.at(0)), alphas);
+    QCOMPARE(imported.report.losses, QStringList());
+}
+
+void OddModelsTest::gltf_transparentMaterialWithoutTexture_isALoss() {
+    const auto losses = [&](const QByteArray& mode, const QByteArray& factor) {
+        const QString path = write(QStringLiteral("bare.gltf"), alphaGltf(mode, factor, false));
+        return importModel(path, {}, {}).report.losses.filter("transparent material").size();
+    };
+    QCOMPARE(losses(R"("alphaMode":"BLEND",)", "0.5"), 1);
+    QCOMPARE(losses(R"("alphaMode":"BLEND",)", "1"), 0);
+    QCOMPARE(losses(R"("alphaMode":"MASK",)", "0.4"), 1);
+    QCOMPARE(losses(R"("alphaMode":"MASK",)", "0.6"), 0);
+    QCOMPARE(losses("", "0.5"), 0);
 }
 
 void OddModelsTest::gltf_alphaModesOfOnePicture_areIndependent() {
