@@ -507,14 +507,20 @@ std::size_t mergeDoubledTriangles(TexturedMesh& mesh) {
     return remove(mesh, removed);
 }
 
-std::size_t removeDegenerateTriangles(TexturedMesh& mesh) {
-    const std::size_t count = mesh.mesh.triangles.size();
-    std::vector<bool> collapsed(count);
-    for (std::size_t t = 0; t < count; ++t) {
+std::size_t removeCollapsedTriangles(TexturedMesh& mesh) {
+    std::vector<bool> collapsed(mesh.mesh.triangles.size());
+    for (std::size_t t = 0; t < collapsed.size(); ++t) {
         collapsed[t] = hasRepeatedCorner(mesh.mesh.triangles[t]);
     }
     const std::size_t removed = remove(mesh, collapsed);
+    if (removed > 0) {
+        weldPositions(mesh.mesh);
+    }
+    return removed;
+}
 
+std::size_t removeDegenerateTriangles(TexturedMesh& mesh) {
+    const std::size_t removed = removeCollapsedTriangles(mesh);
     std::vector<bool> flat(mesh.mesh.triangles.size());
     for (std::size_t t = 0; t < flat.size(); ++t) {
         flat[t] = triangleArea(mesh.mesh, t) == 0;

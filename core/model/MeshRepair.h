@@ -32,6 +32,10 @@ void weldPositions(TriangleMesh& mesh);
 // afterwards.
 std::size_t joinOpenSeams(TriangleMesh& mesh);
 
+// Removes triangles that use a position twice, and the positions that no triangle uses then;
+// returns how many triangles. `mesh` must be welded, and is welded afterwards.
+std::size_t removeCollapsedTriangles(TexturedMesh& mesh);
+
 // Removes triangles without area and their attributes; returns how many. From a closed mesh,
 // removes only triangles whose removal leaves the mesh closed.
 std::size_t removeDegenerateTriangles(TexturedMesh& mesh);

@@ -93,14 +93,65 @@ std::function<void()> repairCheckpoint(const QString& path, qint64 fileBytes,
     };
 }
 
+double median(std::vector<double> numbers) {
+    const auto middle = numbers.begin() + std::ssize(numbers) / 2;
+    std::nth_element(numbers.begin(), middle, numbers.end());
+    return *middle;
+}
+
+// Returns the distance of each position from the middle of most positions.
+std::vector<double> distancesFromMiddle(const TriangleMesh& mesh) {
+    Eigen::Vector3d middle;
+    std::vector<double> numbers(mesh.positions.size());
+    for (int axis = 0; axis < 3; ++axis) {
+        std::transform(mesh.positions.begin(), mesh.positions.end(), numbers.begin(),
+                       [&](const Eigen::Vector3f& point) { return double(point[axis]); });
+        middle[axis] = median(numbers);
+    }
+    std::transform(
+        mesh.positions.begin(), mesh.positions.end(), numbers.begin(),
+        [&](const Eigen::Vector3f& point) { return (point.cast<double>() - middle).norm(); });
+    return numbers;
+}
+
+// Throws if a few points lie absurdly far from the others, or most lie absurdly far apart. Repairs
+// compare distances with the longest edge of the bounding box, so such points would let them merge
+// the rest of the model. `mesh` must be welded.
+void requireSoundSize(const TriangleMesh& mesh, const QString& path) {
+    constexpr double farthest = 1e4; // times the distance of most points from their middle
+    constexpr double largest = 1e12; // in the file's unit; in floats, squares must not overflow
+    if (mesh.positions.empty()) {
+        return;
+    }
+    const std::vector<double> distances = distancesFromMiddle(mesh);
+    const double usual = median(distances);
+    if (usual > largest) {
+        throw Error(Text::tr("The model's coordinates are too large; scale the model down in a "
+                             "modelling program and save it again"),
+                    path);
+    }
+    const auto stray = std::count_if(distances.begin(), distances.end(),
+                                     [&](double distance) { return distance > farthest * usual; });
+    if (stray > 0) {
+        throw Error(Text::tr("%1 points of the model lie more than %2 times as far from its middle "
+                             "as most points; delete them in a modelling program and save the "
+                             "model again")
+                        .arg(stray)
+                        .arg(farthest),
+                    path);
+    }
+}
+
 ModelRepairs repair(TexturedMesh& model, const QString& path,
                     const std::function<void()>& checkpoint) {
     ModelRepairs repairs;
     weldPositions(model.mesh);
     checkpoint();
+    repairs.removedTriangles = int(removeCollapsedTriangles(model));
+    requireSoundSize(model.mesh, path);
     repairs.joinedPoints = int(joinOpenSeams(model.mesh));
     checkpoint();
-    repairs.removedTriangles = int(removeDegenerateTriangles(model));
+    repairs.removedTriangles += int(removeDegenerateTriangles(model));
     // A closed mesh keeps triangles without area, and all its triangles may be such.
     if (surfaceArea(model.mesh) == 0) {
         throw Error(Text::tr("None of the model's triangles has an area; choose another model"),
@@ -111,6 +162,7 @@ ModelRepairs repair(TexturedMesh& model, const QString& path,
     repairs.turnedTriangles = int(orientTriangles(model));
     repairs.turnedParts = int(flipInsideOutParts(model, checkpoint));
     repairs.cavityTriangles = int(removeCavities(model, checkpoint));
+    weldPositions(model.mesh); // drops the points of removed triangles
     return repairs;
 }
 

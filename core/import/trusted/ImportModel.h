@@ -77,8 +77,9 @@ struct ImportedModel {
 // degenerate and duplicate triangles. Recomputes unset normals, and turns reversed triangles and
 // inside-out parts.
 // Throws Error if the model or its textures are unreadable, or if the model exceeds Budgets.h.
-// Throws Error if the model has no triangles, no extent, or coordinates that are not finite. Throws
-// OutsideFiles if the model names files outside its folder that are not allowed.
+// Throws Error if the model has no triangles, no extent, coordinates that are not finite, or points
+// that lie absurdly far from most others. Throws OutsideFiles if the model names files outside its
+// folder that are not allowed.
 ImportedModel importModel(const QString& path, const ImportOptions& options,
                           const Progress& progress);
 

@@ -204,6 +204,9 @@ private Q_SLOTS:
     void importOptions_longestEdgeAndUnit_setTheSize();
     void stl_separateTriangles_areWeldedAndClosed();
     void repair_degenerateTriangles_areRemoved();
+    void repair_strayPoints_areRefused_data();
+    void repair_strayPoints_areRefused();
+    void repair_strayTriangleWithoutArea_leavesNoPoints();
     void repair_insideOutBody_isFlipped();
     void repair_insideOutBodyWithOpenSeam_isFlipped();
     void repair_duplicateFaces_areMerged();
@@ -590,6 +593,47 @@ void ImportModelTest::repair_degenerateTriangles_areRemoved() {
     QCOMPARE(model.material.size(), std::size_t(12));
 }
 
+void ImportModelTest::repair_strayPoints_areRefused_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("says");
+    const QByteArray box = stl(boxMesh({40, 6, 40}));
+    for (const char* far : {"1e7", "1e9", "1e20", "3e38"}) {
+        QByteArray text = box;
+        const qsizetype at = text.indexOf("vertex -20") + 7;
+        QTest::newRow(far) << text.replace(at, 3, far) << "1 points of the model lie more than";
+    }
+    QTest::newRow("all") << QByteArray(box).replace("20 ", "20e20 ").replace("20\n", "20e20\n")
+                         << "coordinates are too large";
+}
+
+void ImportModelTest::repair_strayPoints_areRefused() {
+    QFETCH(QByteArray, text);
+    QFETCH(QString, says);
+    const QString path = write(QStringLiteral("stray.stl"), text);
+    ImportOptions scaled;
+    scaled.longestEdge = Millimetres(40);
+    for (const ImportOptions& options : {ImportOptions(), scaled}) {
+        try {
+            import(path, options);
+            QFAIL("a model with a stray point was imported, expected a refusal");
+        } catch (const Error& error) {
+            QVERIFY2(error.sentence().contains(says), qPrintable(error.sentence()));
+        }
+    }
+}
+
+void ImportModelTest::repair_strayTriangleWithoutArea_leavesNoPoints() {
+    const QByteArray stray = "facet normal 0 0 0\nouter loop\nvertex 1e20 0 0\nvertex 1e20 0 0\n"
+                             "vertex 1e20 0 0\nendloop\nendfacet\n";
+    QByteArray text = stl(boxMesh({40, 6, 40}));
+    const auto [model, report, cad] =
+        import(write(QStringLiteral("stray.stl"), text.insert(text.indexOf("facet"), stray)));
+    QCOMPARE(report.repaired.removedTriangles, 1);
+    QCOMPARE(model.mesh.positions.size(), std::size_t(8));
+    QVERIFY(report.closed);
+    QVERIFY(std::abs(report.volume - 9600) < 0.01);
+}
+
 void ImportModelTest::repair_insideOutBody_isFlipped() {
     TriangleMesh sphere = sphereMesh(35, 20, 40);
     for (auto& triangle : sphere.triangles) {
@@ -748,7 +792,7 @@ void ImportModelTest::model_unreadable_isRefused_data() {
     row("all corners in one place", "dot.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", "area");
     row("all corners on one line", "line.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "area");
     row("huge coordinate", "huge.obj", QByteArray(cubeObj()).replace("v 5 5 5", "v 1e30 5 5"),
-        "mm");
+        "delete them");
     row("truncated glb", "cut.glb", squareGlb(png(quarters())).chopped(200), "cannot be read");
     row("truncated ply header", "cut.ply", squarePly("x.png").left(100), "cannot be read");
     row("truncated ply", "cut.ply", squarePly("x.png").chopped(6), "cannot be read");
