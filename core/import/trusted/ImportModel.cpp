@@ -162,7 +162,9 @@ ModelRepairs repair(TexturedMesh& model, const QString& path,
     repairs.turnedTriangles = int(orientTriangles(model));
     repairs.turnedParts = int(flipInsideOutParts(model, checkpoint));
     repairs.cavityTriangles = int(removeCavities(model, checkpoint));
-    weldPositions(model.mesh); // drops the points of removed triangles
+    if (repairs.removedTriangles + repairs.mergedTriangles + repairs.cavityTriangles > 0) {
+        weldPositions(model.mesh); // drops the points of removed triangles
+    }
     return repairs;
 }
 
