@@ -8,6 +8,7 @@
 #include "disk/AtomicFile.h"
 #include "disk/FolderTransaction.h"
 #include "inspection/BuiltPlaces.h"
+#include "project/DipKeys.h"
 #include "project/ProjectFile.h"
 #include "project/ProjectStore.h"
 
@@ -39,19 +40,24 @@ void setCorrection(AsBuilt& built, const QCommandLineParser& parser) {
     }
 }
 
-void writePictures(const Project& project, const QString& folder) {
+// Writes the picture of each dip's repeating error and returns the sentences about them.
+QStringList writePictures(const Project& project, const QString& folder) {
     constexpr int height = 1400; // pixels
+    const AsBuilt built = partsDippedAlike(project);
+    QStringList sentences;
     FolderTransaction files(folder, {pictureName(1), pictureName(2)});
     for (int dip = 1; dip <= int(project.immersions.size()); ++dip) {
-        const RepeatingError error(project.asBuilt, dip);
+        const RepeatingError error(built, dip);
         if (!error.isNothing()) {
+            sentences << repeatingSentence(error, dip);
             files.write(pictureName(dip),
                         pngBytes(correctionPicture(error, project.film.width, project.film.height,
-                                                   project.asBuilt.strength, height),
+                                                   built.strength, height),
                                  pictureName(dip)));
         }
     }
     files.commit();
+    return sentences;
 }
 
 // Throws Error if a place belongs to a dip that the job does not have.
@@ -91,10 +97,10 @@ void addPart(Project& project, const QStringList& files, const QCommandLineParse
     for (const PartPhoto& photo : photos) {
         hashes << photo.sha256;
     }
-    project.asBuilt = withBuiltPart(
-        std::move(project.asBuilt), built,
-        {dateOf(photos.front().taken), parser.value(acceptedOption), hashes.join(u' '), 0}, sheet,
-        parser.value(projectOption));
+    project.asBuilt = withBuiltPart(std::move(project.asBuilt), built,
+                                    {dateOf(photos.front().taken), parser.value(acceptedOption),
+                                     hashes.join(u' '), 0, dipKeys(project).join(u' ')},
+                                    sheet, parser.value(projectOption));
 }
 
 } // namespace
@@ -134,17 +140,14 @@ void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
     const Progress progress = console.progress();
     addPart(project, files, parser, lens, dateOf, progress);
     setCorrection(project.asBuilt, parser);
-    writePictures(project, parser.value(QStringLiteral("out")));
+    const QStringList sentences = writePictures(project, parser.value(QStringLiteral("out")));
     progress(1, QStringLiteral("Done"));
     const BuiltPart& part = project.asBuilt.parts.back();
     console.out() << QStringLiteral("Part %1: root mean square error %2 mm on the sheet\n")
                          .arg(project.asBuilt.parts.size())
                          .arg(number(part.residual, 3));
-    for (int dip = 1; dip <= int(project.immersions.size()); ++dip) {
-        const RepeatingError error(project.asBuilt, dip);
-        if (!error.isNothing()) {
-            console.out() << repeatingSentence(error, dip) << '\n';
-        }
+    for (const QString& sentence : sentences) {
+        console.out() << sentence << '\n';
     }
     if (file) {
         file->save(project);

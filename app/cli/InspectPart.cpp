@@ -9,6 +9,7 @@
 #include "inspection/FindPrint.h"
 #include "inspection/PartViewFiles.h"
 #include "pipeline/Pipeline.h"
+#include "project/DipKeys.h"
 #include "project/ProjectStore.h"
 
 #include <algorithm>
@@ -156,9 +157,10 @@ std::vector<PrintedPlace> onJobsSheet(std::vector<PrintedPlace> places,
                                       const QCommandLineParser& parser) {
     JobOptions options;
     applyFilmImage(options, parser);
-    return options.chessboard ? places
-                              : onPrintedSheet(std::move(places),
-                                               loadProject(parser.value(projectOption)).asBuilt);
+    return options.chessboard
+               ? places
+               : onPrintedSheet(std::move(places),
+                                partsDippedAlike(loadProject(parser.value(projectOption))));
 }
 
 void declarePart(CommandSyntax& syntax) {

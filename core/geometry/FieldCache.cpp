@@ -1,5 +1,6 @@
 #include "geometry/FieldCache.h"
 
+#include "base/Bytes.h"
 #include "base/Sha256.h"
 #include "disk/AtomicFile.h"
 #include "disk/PlainFile.h"
@@ -22,11 +23,6 @@ QString cacheFolder() {
     const QString chosen = qEnvironmentVariable("DIPWRIGHT_CACHE");
     return chosen.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::CacheLocation)
                             : chosen;
-}
-
-template <typename Value>
-QByteArrayView bytesOf(const std::vector<Value>& values) {
-    return {reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(Value))};
 }
 
 QByteArray contentHash(const TriangleMesh& body, int resolution) {

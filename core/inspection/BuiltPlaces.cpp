@@ -281,7 +281,8 @@ AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, Buil
     part.residual = residualOf(places);
     built.parts.push_back(std::move(part));
     built.places.insert(built.places.end(), places.begin(), places.end());
-    requirePossibleErrors(built, width, height, where);
+    requirePossibleErrors(dippedAlike(built, built.parts.back().dips.split(u' ')), width, height,
+                          where);
     return built;
 }
 

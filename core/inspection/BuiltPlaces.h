@@ -35,8 +35,9 @@ void requireOnTargets(const std::vector<PrintedPlace>& places,
 // millimetre or two off. Mirrored or swapped coordinates move places by tens of millimetres.
 inline constexpr double mostOffTarget = 5;
 
-// Converts places on the uncorrected sheet to the same places on the sheet that `built` corrects.
-// Returns the places unchanged if `built` corrects nothing.
+// Converts places on the uncorrected sheet to the same places on the sheet that `built` corrects:
+// the parts that were dipped alike (partsDippedAlike()). Returns the places unchanged if `built`
+// corrects nothing.
 std::vector<PrintedPlace> onPrintedSheet(std::vector<PrintedPlace> places, const AsBuilt& built);
 
 // Returns the root mean square of the places' offsets, in mm on the sheet.
@@ -45,8 +46,8 @@ double residualOf(const std::vector<BuiltPlace>& places);
 // Adds a part with these places to the parts of `built`. The places already carry the part's future
 // number. Fills in the residual of `part`. `sheet` is the size of the sheets. Throws Error, naming
 // `where`, if there are no places, if the job already has the part's photos, if its limits are
-// exceeded, or if the errors of this part or of all parts are impossible (requirePossibleErrors()
-// in SheetCorrection.h).
+// exceeded, or if the errors of this part or of all parts that were dipped alike are impossible
+// (requirePossibleErrors() in SheetCorrection.h).
 AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, BuiltPart part,
                       QSizeF sheet, const QString& where);
 

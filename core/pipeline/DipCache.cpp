@@ -9,6 +9,7 @@
 #include "disk/ZipWriter.h"
 #include "pipeline/CachedDip.h"
 #include "pipeline/SolverChoice.h"
+#include "project/DipKeys.h"
 #include "project/ZipReader.h"
 
 #include <QCoreApplication>
@@ -31,11 +32,6 @@ constexpr quint32 keptVersion = 10;
 constexpr int mostDips = 1000;
 constexpr qint64 entryBytes = 256; // upper limit of the zip's overhead per entry
 
-template <typename Value>
-QByteArrayView bytesOf(const std::vector<Value>& values) {
-    return {reinterpret_cast<const char*>(values.data()), qsizetype(values.size() * sizeof(Value))};
-}
-
 // Returns a hash of what marks can name: the material of each triangle, and the materials' names.
 QString materialsHash(const TexturedMesh& model) {
     Sha256 hash;
@@ -52,16 +48,13 @@ QString materialsHash(const TexturedMesh& model) {
 class DipKeys {
 public:
     explicit DipKeys(const Project& project) {
-        Sha256 hash;
-        hash.add(bytesOf(project.model->mesh.positions));
-        hash.add(bytesOf(project.model->mesh.triangles));
         const QJsonObject values = toJson(project);
         QJsonObject process = values[QLatin1String("process")].toObject();
         process.remove(
             QStringLiteral("solver")); // this may be "auto"; the key has the chosen solver
         common_ = {{QStringLiteral("kept"), int(keptVersion)},
                    {QStringLiteral("program"), programVersion()},
-                   {QStringLiteral("mesh"), QString::fromLatin1(hash.result().toHex())},
+                   {QStringLiteral("mesh"), meshHash(project.model)},
                    {QStringLiteral("film"), values[QLatin1String("film")]},
                    {QStringLiteral("process"), process},
                    {QStringLiteral("field"), project.fieldResolution}};

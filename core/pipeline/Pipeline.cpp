@@ -20,6 +20,7 @@
 #include "pipeline/PrintedBody.h"
 #include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
+#include "project/DipKeys.h"
 #include "project/Profiles.h"
 #include "results/Results.h"
 #include "sheet/prepress/PrinterColour.h"
@@ -815,7 +816,7 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
     }
     if (std::any_of(inputs.begin(), inputs.end(),
                     [](const SheetInputs& dip) { return dip.correction.has_value(); })) {
-        requirePossibleErrors(project.asBuilt, project.film.width, project.film.height,
+        requirePossibleErrors(partsDippedAlike(project), project.film.width, project.film.height,
                               project.name);
     }
     result.fieldInputs = fieldInputs(project);

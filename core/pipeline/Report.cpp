@@ -3,6 +3,7 @@
 #include "accuracy/correction/RepeatingError.h"
 #include "cost/CostText.h"
 #include "pipeline/JobCost.h"
+#include "project/DipKeys.h"
 #include "project/Profiles.h"
 
 #include "pipeline/InkOptions.h"
@@ -356,11 +357,16 @@ QJsonObject filmUseJson(const JobResult& result) {
 // for it.
 QJsonObject asBuiltJson(const JobResult& result) {
     const AsBuilt& built = result.project.asBuilt;
+    const QStringList keys = dipKeys(result.project);
+    const AsBuilt alike = dippedAlike(built, keys);
     QJsonArray dips;
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
-        const RepeatingError error(built, int(i) + 1);
+        const RepeatingError error(alike, int(i) + 1);
+        const BuiltParts parts = countParts(built, int(i) + 1, keys);
         dips.append(QJsonObject{{"corrected", result.immersions[i].inputs.correction.has_value()},
                                 {"parts", error.parts()},
+                                {"parts_of_unknown_dips", parts.unknown},
+                                {"parts_of_other_dips", parts.otherwise},
                                 {"places", qint64(error.places().size())},
                                 {"scatter_mm", error.scatter()},
                                 {"part_scatter_mm", error.partScatter()},

@@ -3,8 +3,11 @@
 #include "accuracy/correction/SheetCorrection.h"
 #include "dip/FilmUnderBody.h"
 #include "pipeline/JobOptions.h"
+#include "project/DipKeys.h"
 #include "project/Project.h"
 #include "texture/InkAppearance.h"
+
+#include <utility>
 
 namespace dipwright {
 
@@ -92,10 +95,6 @@ TextureInputs textureInputs(const Project& project, const JobOptions& options, s
             options.filmInks};
 }
 
-bool isSheetCorrected(const Project& project, const JobOptions& options, std::size_t number) {
-    return options.printsTexture() && isCorrected(project.asBuilt, int(number) + 1);
-}
-
 SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::size_t number,
                         const QString& solver) {
     SheetInputs inputs{textureInputs(project, options, number, solver),
@@ -106,11 +105,17 @@ SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::
                        project.baseColour,
                        withoutCosts(project.profiles),
                        project.unknown,
-                       isSheetCorrected(project, options, number) ? std::optional(project.asBuilt)
-                                                                  : std::nullopt,
+                       std::nullopt,
+                       {},
                        {project.verdict, project.tolerance.limits, project.tolerance.marks}};
-    if (inputs.correction) {
-        inputs.correction->times.clear();
+    const int dip = int(number) + 1;
+    if (options.printsTexture() && isCorrected(project.asBuilt, dip)) {
+        inputs.built = countParts(project.asBuilt, dip, dipKeys(project));
+        AsBuilt alike = partsDippedAlike(project);
+        if (isCorrected(alike, dip)) {
+            alike.times.clear();
+            inputs.correction = std::move(alike);
+        }
     }
     return inputs;
 }

@@ -134,7 +134,9 @@ struct SheetInputs {
     QString baseColour; // colour of the body; shown in the proof
     ProjectProfiles profiles;
     QJsonObject unknown; // unknown keys of the project file, which are part of the job's hash
-    std::optional<AsBuilt> correction; // none: the sheet is not corrected
+    // The measured parts that were dipped like this dip. None: the sheet is not corrected.
+    std::optional<AsBuilt> correction;
+    BuiltParts built; // the parts that the project wants to correct by; none if it does not
     VerdictInputs verdict;
     bool operator==(const SheetInputs&) const = default;
 };
@@ -152,9 +154,8 @@ TextureInputs textureInputs(const Project& project, const JobOptions& options, s
                             const QString& solver);
 // Tells whether the dips of `project` share the body.
 bool isShared(const Project& project);
-// Tells whether the sheet is corrected for the repeating error of earlier parts. A chessboard or a
-// given picture is never corrected, because it may be used for measuring.
-bool isSheetCorrected(const Project& project, const JobOptions& options, std::size_t number);
+// A sheet with a chessboard or a given picture is never corrected, because it may be used for
+// measuring.
 SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::size_t number,
                         const QString& solver);
 

@@ -13,6 +13,7 @@
 #include "pipeline/ModelNotes.h"
 #include "pipeline/SheetMemory.h"
 #include "pipeline/SolverChoice.h"
+#include "project/DipKeys.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
 #include "settings/Profile.h"
@@ -136,9 +137,9 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     pageSize(Sheet{{}, project.film.width, project.film.height, project.sheet, {}});
     checkSpots(project);
     checkMemory(project, Printed::Texture);
-    if (isCorrected(project.asBuilt, 1) || isCorrected(project.asBuilt, 2)) {
-        requirePossibleErrors(project.asBuilt, project.film.width, project.film.height,
-                              project.name);
+    const AsBuilt built = partsDippedAlike(project);
+    if (isCorrected(built, 1) || isCorrected(built, 2)) {
+        requirePossibleErrors(built, project.film.width, project.film.height, project.name);
     }
     QStringList warnings;
     if (const QString note = memoryNote(project, Printed::Texture); !note.isEmpty()) {

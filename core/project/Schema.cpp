@@ -717,7 +717,7 @@ const std::vector<Field<MaskMark>>& maskMarkFields() {
 }
 
 const std::vector<Field<BuiltPart>>& builtPartFields() {
-    constexpr int longestHashes = 4096;
+    constexpr int longestHashes = 4096, longestDips = 100;
     static const std::vector<Field<BuiltPart>> fields{
         text<BuiltPart>(
             "date", 10, [](auto& p) -> auto& { return p.date; }),
@@ -726,7 +726,9 @@ const std::vector<Field<BuiltPart>>& builtPartFields() {
         text<BuiltPart>(
             "photos", longestHashes, [](auto& p) -> auto& { return p.photos; }),
         number<BuiltPart>(
-            "residual_mm", 0, 100, [](auto& p) -> auto& { return p.residual; })};
+            "residual_mm", 0, 100, [](auto& p) -> auto& { return p.residual; }),
+        omittedIfDefault(text<BuiltPart>(
+            "dips", longestDips, [](auto& p) -> auto& { return p.dips; }))};
     return fields;
 }
 

@@ -1,8 +1,23 @@
 #include "settings/AsBuilt.h"
 
+#include <set>
 #include <utility>
 
 namespace dipwright {
+namespace {
+
+// Tells whether the part of a place was dipped as `dips` say; nothing if that is not known.
+std::optional<bool> isAlike(const AsBuilt& built, const BuiltPlace& place,
+                            const QStringList& dips) {
+    const auto part = std::size_t(place.part) - 1;
+    if (part >= built.parts.size() || built.parts[part].dips.isEmpty()) {
+        return std::nullopt;
+    }
+    const QString key = built.parts[part].dips.split(u' ').value(place.dip - 1);
+    return !key.isEmpty() && key == dips.value(place.dip - 1);
+}
+
+} // namespace
 
 AsBuilt withTankRun(AsBuilt built, std::vector<TankTime> times) {
     const int run = built.times.empty() ? 1 : built.times.back().run + 1;
@@ -15,6 +30,25 @@ AsBuilt withTankRun(AsBuilt built, std::vector<TankTime> times) {
         std::erase_if(built.times, [&](const TankTime& time) { return time.run == oldest; });
     }
     return built;
+}
+
+AsBuilt dippedAlike(AsBuilt built, const QStringList& dips) {
+    std::erase_if(built.places, [&](const BuiltPlace& place) {
+        return !isAlike(built, place, dips).value_or(true);
+    });
+    return built;
+}
+
+BuiltParts countParts(const AsBuilt& built, int dip, const QStringList& dips) {
+    BuiltParts parts;
+    std::set<int> counted;
+    for (const BuiltPlace& place : built.places) {
+        if (place.dip == dip && counted.insert(place.part).second) {
+            const std::optional<bool> alike = isAlike(built, place, dips);
+            ++(!alike ? parts.unknown : *alike ? parts.alike : parts.otherwise);
+        }
+    }
+    return parts;
 }
 
 } // namespace dipwright

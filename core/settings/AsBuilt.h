@@ -17,6 +17,9 @@ struct BuiltPart {
     QString acceptedBy;  // who accepted its measurements
     QString photos;      // SHA-256 of the photos' files, hexadecimal, separated by spaces
     double residual = 0; // rms error of the places, mm on the sheet
+    // dipKeys() of the job when the part was dipped, separated by spaces. Empty: not known, for
+    // parts that an earlier version of the program kept.
+    QString dips = {};
     bool operator==(const BuiltPart&) const = default;
 };
 
@@ -70,5 +73,19 @@ struct AsBuilt {
 // Returns `built` with the times of one more run, which get its number. The times of the oldest
 // runs are dropped beyond the limit.
 AsBuilt withTankRun(AsBuilt built, std::vector<TankTime> times);
+
+// Returns `built` without the places whose part was dipped otherwise than `dips` say: the keys of
+// the dips (BuiltPart::dips). Keeps the places of parts whose dips are not known.
+AsBuilt dippedAlike(AsBuilt built, const QStringList& dips);
+
+// How many parts with measured places on one dip's sheet were dipped in which way.
+struct BuiltParts {
+    int alike = 0;     // as the keys say
+    int unknown = 0;   // the part's dips are not known
+    int otherwise = 0; // their errors say nothing about the next sheet
+    bool operator==(const BuiltParts&) const = default;
+};
+// Counts the parts of a dip, counted from 1.
+BuiltParts countParts(const AsBuilt& built, int dip, const QStringList& dips);
 
 } // namespace dipwright

@@ -1,6 +1,7 @@
 #include "workbench/inspection/BuiltController.h"
 
 #include "inspection/BuiltPlaces.h"
+#include "project/DipKeys.h"
 #include "workbench/inspection/InspectionEdits.h"
 #include "workbench/jobs/StartJob.h"
 
@@ -36,11 +37,12 @@ void BuiltController::showProject() {
     }
     const Project& project = document->project();
     page_->setBuilt(project.asBuilt, project.film.width, project.film.height);
-    if (project.asBuilt.places != places_) {
-        places_ = project.asBuilt.places;
+    const AsBuilt built = partsDippedAlike(project);
+    if (built.places != places_) {
+        places_ = built.places;
         page_->setErrors(nullptr);
         if (!places_.empty()) {
-            computeRepeatingError(project.asBuilt, int(project.immersions.size()));
+            computeRepeatingError(built, int(project.immersions.size()));
         }
     }
 }
@@ -82,10 +84,10 @@ void BuiltController::keep(const QString& acceptedBy) {
             const std::vector<BuiltPlace> places = builtPlaces(
                 printedOnSheet(*measured), measured->view, measured->photos.front().picture.size(),
                 measured->dips, sheet, int(built.parts.size()) + 1);
-            return withBuiltPart(
-                built, places,
-                {QDate::currentDate().toString(Qt::ISODate), acceptedBy, hashes.join(u' '), 0},
-                sheet, measured->project.name);
+            return withBuiltPart(built, places,
+                                 {QDate::currentDate().toString(Qt::ISODate), acceptedBy,
+                                  hashes.join(u' '), 0, dipKeys(measured->project).join(u' ')},
+                                 sheet, measured->project.name);
         },
         [this, built](const AsBuilt& more) {
             Document* document = session_.document();

@@ -1,6 +1,7 @@
 #include "workbench/inspection/MeasuredPart.h"
 
 #include "inspection/BuiltPlaces.h"
+#include "project/DipKeys.h"
 
 namespace dipwright {
 
@@ -17,7 +18,7 @@ std::vector<PlacePair> clickedPairs(const InspectedPart& part) {
 std::vector<PrintedPlace> printedOnSheet(const MeasuredPart& measured) {
     return measured.project.inspection.chessboard
                ? measured.places
-               : onPrintedSheet(measured.places, measured.project.asBuilt);
+               : onPrintedSheet(measured.places, partsDippedAlike(measured.project));
 }
 
 } // namespace dipwright

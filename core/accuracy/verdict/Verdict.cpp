@@ -150,6 +150,18 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
     }
 }
 
+// Adds reasons if measured parts do not or may not belong to this dip.
+void addBuiltReasons(ReasonList& found, const BuiltParts& built) {
+    const int used = built.alike + built.unknown;
+    if (built.otherwise > 0) {
+        found.add({Kind::OtherDips, used > 0 ? Advice::Print : Advice::CheckFirst,
+                   double(built.otherwise), double(built.otherwise + used)});
+    }
+    if (built.unknown > 0) {
+        found.add({Kind::UnknownDips, Advice::CheckFirst});
+    }
+}
+
 } // namespace
 
 void ReasonList::add(VerdictReason reason) {
@@ -198,6 +210,7 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
     const PlacesToCheck uncertain =
         addNumericalReasons(found, dip.laid, dip.numericalError, dip.zones, dip.mask, tolerance);
     addPaintReasons(found, dip, limits);
+    addBuiltReasons(found, dip.built);
     for (const TankFault& fault : dip.tankFaults) {
         found.add({Kind::Tank, Advice::DoNotPrint, fault.value, fault.limit, fault.sentence});
     }
@@ -265,6 +278,8 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"tank", ""},
                                KindWords{"no_ink", ""},
                                KindWords{"lost_plates", ""},
+                               KindWords{"other_dips", "as_built.correct"},
+                               KindWords{"unknown_dips", "as_built.correct"},
                                KindWords{"unreached", "verdict.unreached"},
                                KindWords{"narrow", "verdict.narrow"},
                                KindWords{"zone_bare", "verdict.zone_bare"},

@@ -7,6 +7,7 @@
 #include "accuracy/tolerance/Zones.h"
 #include "dip/Coverage.h"
 #include "dip/TankFit.h"
+#include "settings/AsBuilt.h"
 #include "settings/VerdictSettings.h"
 
 #include <functional>
@@ -41,7 +42,10 @@ struct VerdictReason {
         Tank,     // `text`: which limit of the tank or its machine the dip exceeds by `value` mm,
                   // mm/s or °/s
         NoInk,    // the sheet takes no ink
-        LostPlates, // `text`: the plates that the project's printer cannot print
+        LostPlates,  // `text`: the plates that the project's printer cannot print
+        OtherDips,   // `value` of `limit` measured parts were dipped otherwise, so the sheet is not
+                     // corrected by them
+        UnknownDips, // it is not known how the measured parts were dipped that correct the sheet
         // Reasons about all dips together.
         Unreached,    // neither dip paints the share `value` of the body's surface
         Narrow,       // the share `value` of the overlap is too narrow
@@ -140,6 +144,7 @@ struct JudgedDip {
     bool isOnlyDip = false;                 // the job has no other dip
     bool takesInk = true;                   // the sheet's picture has ink
     QString lostPlates = {}; // sentences on plates that the printer cannot print; empty: none
+    BuiltParts built = {};   // the measured parts by which the project wants to correct the sheet
 };
 
 // Returns the verdict on one dip by the limits in `tolerance` and `limits`.

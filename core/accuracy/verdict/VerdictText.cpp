@@ -133,6 +133,26 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
     }
 }
 
+// Returns the text of a reason about the measured parts of a job.
+QString builtText(const VerdictReason& reason) {
+    if (reason.kind == Kind::UnknownDips) {
+        return Text::tr("It is not known whether the measured parts by which the sheet is "
+                        "corrected were dipped with the present pose, film, process and model. "
+                        "Check this, or turn the correction off (As built).");
+    }
+    if (reason.kind != Kind::OtherDips) {
+        return {};
+    }
+    return reason.value == reason.limit
+               ? Text::tr("The sheet is not corrected, because all measured parts were dipped "
+                          "with another pose, film, process or model. Measure a part of the "
+                          "present dip, or turn the correction off (As built).")
+               : Text::tr("The sheet is corrected without %1 of %2 measured parts, which were "
+                          "dipped with another pose, film, process or model.")
+                     .arg(reason.value)
+                     .arg(reason.limit);
+}
+
 // Returns the text of a reason about all dips together.
 QString jobText(const VerdictReason& reason, const LengthText& length) {
     const std::array<QString, 2> shares = percents(reason);
@@ -234,7 +254,8 @@ QString millimetres(double length) {
 }
 
 QString reasonText(const VerdictReason& reason, const LengthText& length) {
-    QString text = errorText(reason, length) + paintText(reason, length) + jobText(reason, length);
+    QString text = errorText(reason, length) + paintText(reason, length) + jobText(reason, length) +
+                   builtText(reason);
     if (reason.isOnlyDip && secondDipHelps(reason.kind)) {
         text += QLatin1Char(' ') + Text::tr("A second dip may help, too.");
     }

@@ -132,12 +132,16 @@ private slots:
         const QByteArray on = sheetOf("on", {});
         QVERIFY(!off.isEmpty() && off == never);
         QVERIFY(on != off);
-        const QJsonObject report =
-            QJsonDocument::fromJson(bytesOf(path("on/report.json"))).object();
-        const QJsonObject dip =
-            report.value("as_built").toObject().value("dips").toArray().at(0).toObject();
+        const QJsonObject dip = dipOf(path("on"));
         QCOMPARE(dip.value("corrected").toBool(), true);
         QCOMPARE(dip.value("parts").toInt(), 1);
+
+        const Outcome turned = cli({"run", path("job.dipw"), "--out", path("turned"), "--set",
+                                    "immersions[0].rotation_deg=0;5;0"});
+        QVERIFY2(turned.out.contains("The sheet is not corrected"), turned.out.constData());
+        const QJsonObject other = dipOf(path("turned"));
+        QCOMPARE(other.value("corrected").toBool(), false);
+        QCOMPARE(other.value("parts_of_other_dips").toInt(), 1);
     }
 
     void inspectFit_updateJob_writesFittedOffset() {
@@ -181,6 +185,12 @@ private:
         }
         writeFile(path("changed.csv"), changed);
         words.replaceInStrings(path("places.csv"), path("changed.csv"));
+    }
+    // Returns what the report in this folder says of the parts of the first dip.
+    static QJsonObject dipOf(const QString& folder) {
+        const QJsonObject report =
+            QJsonDocument::fromJson(bytesOf(folder + "/report.json")).object();
+        return report.value("as_built").toObject().value("dips").toArray().at(0).toObject();
     }
     QByteArray sheetOf(const QString& name, const QStringList& more) const {
         const Outcome outcome =

@@ -14,6 +14,7 @@
 #include "pipeline/SmallerFilm.h"
 #include "pipeline/ValidateJob.h"
 #include "pipeline/WriteResults.h"
+#include "project/DipKeys.h"
 #include "results/Results.h"
 #include "texture/Chessboard.h"
 
@@ -209,6 +210,39 @@ private slots:
         job.asBuilt.corrects = true;
         QVERIFY_EXCEPTION_THROWN(runJob(job, *registry_, options, nullptr, {}), Error);
         QVERIFY_EXCEPTION_THROWN(validateJob(job, *registry_), Error);
+    }
+
+    // A part that was dipped with another pose says nothing about the next sheet.
+    void runJob_partsOfAnotherDip_doNotCorrect() {
+        Project job = ballJob();
+        job.immersions.resize(1);
+        job.asBuilt.corrects = true;
+        job.asBuilt.parts.resize(1);
+        job.asBuilt.places = {
+            {1, 1, {}, {}, {Millimetres(1), Millimetres(-0.5)}}}; // shifts the whole sheet
+        JobOptions options;
+        options.estimatesNumericalError = false;
+        const auto sheetOf = [&](const QString& dips, std::optional<VerdictReason::Kind> reason) {
+            job.asBuilt.parts.front().dips = dips;
+            const JobResult result = runJob(job, *registry_, options, nullptr, {});
+            const Verdict& verdict = result.immersions.front().verdict;
+            for (const auto kind :
+                 {VerdictReason::Kind::OtherDips, VerdictReason::Kind::UnknownDips}) {
+                const bool isExpected = hasReason(verdict, kind) == (kind == reason);
+                if (!isExpected || (kind == reason && verdict.advice != Advice::CheckFirst)) {
+                    return QImage();
+                }
+            }
+            return result.immersions.front().sheet.image;
+        };
+        const QImage corrected = sheetOf(dipKeys(job).join(u' '), std::nullopt);
+        QVERIFY(!corrected.isNull());
+        QCOMPARE(sheetOf({}, VerdictReason::Kind::UnknownDips), corrected);
+        const QImage other =
+            sheetOf(QStringLiteral("0123456789abcdef"), VerdictReason::Kind::OtherDips);
+        QVERIFY(!other.isNull() && other != corrected);
+        job.asBuilt.corrects = false;
+        QCOMPARE(sheetOf(QStringLiteral("0123456789abcdef"), std::nullopt), other);
     }
 
     void runJob_maskOnUnknownFace_isToBeChecked() {

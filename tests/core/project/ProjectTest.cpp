@@ -2,6 +2,8 @@
 #include "SampleProject.h"
 
 #include "base/Error.h"
+#include "model/TexturedMesh.h"
+#include "project/DipKeys.h"
 #include "project/NewProject.h"
 #include "project/ProjectValues.h"
 #include "project/Schema.h"
@@ -221,6 +223,62 @@ private slots:
         QCOMPARE(kept, (QJsonObject{{"weights", QJsonObject{{"trapped_air", 0}, {"zone_a", 7.5}}},
                                     {"limits", QJsonObject{{"coverage", 0.9}}}}));
         QVERIFY(fromJson(toJson(project), "x").poseAims == project.poseAims);
+    }
+
+    // Errors measured on a part hold for the same dip only.
+    void dipKeys_whatADipDependsOn_changesThem() {
+        Project project = sampleProject();
+        const QStringList keys = dipKeys(project);
+        QCOMPARE(keys.size(), qsizetype(project.immersions.size()));
+        Project read = fromJson(toJson(project), file);
+        read.model = project.model;
+        QCOMPARE(dipKeys(read), keys);
+        const auto after = [&](const QString& path, const QString& value) {
+            Project changed = project;
+            setByPath(changed, path, value);
+            return dipKeys(changed);
+        };
+        for (const auto& [path, value] :
+             {std::pair("film.swell", "1.07x1.02"), std::pair("film.preset", "A3"),
+              std::pair("film.growth_per_s", "0.0123"), std::pair("process.dip_speed_mm_s", "7.7"),
+              std::pair("process.depth_mm", "12.5")}) {
+            const QStringList others = after(QString::fromLatin1(path), QString::fromLatin1(value));
+            QVERIFY2(others[0] != keys[0] && others[1] != keys[1], path);
+        }
+        for (const auto& [path, value] : {std::pair("immersions[1].rotation_deg", "0;180;0"),
+                                          std::pair("immersions[1].offset_mm", "3x-4"),
+                                          std::pair("immersions[1].path.kind", "slanted"),
+                                          std::pair("immersions[1].path.turn_deg", "7")}) {
+            const QStringList others = after(QString::fromLatin1(path), QString::fromLatin1(value));
+            QVERIFY2(others[0] == keys[0] && others[1] != keys[1], path);
+        }
+        for (const auto& [path, value] :
+             {std::pair("film.points", "40x50"), std::pair("process.solver", "pbd-cpu"),
+              std::pair("process.contact_travel_cells", "0.1"), std::pair("sheet.dpi", "72")}) {
+            QCOMPARE(after(QString::fromLatin1(path), QString::fromLatin1(value)), keys);
+        }
+        auto otherModel = std::make_shared<TexturedMesh>(*project.model);
+        otherModel->mesh.positions.front().x() += 1;
+        project.model = otherModel;
+        QVERIFY(dipKeys(project)[0] != keys[0]);
+    }
+
+    void partsDippedAlike_partsOfOtherDips_areLeftOut() {
+        Project project = sampleProject();
+        project.asBuilt.parts.assign(3, {});
+        project.asBuilt.places.clear();
+        for (int part = 1; part <= 3; ++part) {
+            for (const int dip : {1, 2}) {
+                project.asBuilt.places.push_back({part, dip, {}, {}, {}});
+            }
+        }
+        const QStringList keys = dipKeys(project);
+        project.asBuilt.parts[0].dips = keys.join(u' ');
+        project.asBuilt.parts[1].dips = keys[0] + QStringLiteral(" 0123456789abcdef");
+        const AsBuilt alike = partsDippedAlike(project); // nothing is known about the third part
+        QCOMPARE(alike.places.size(), std::size_t(5));
+        QVERIFY(countParts(project.asBuilt, 1, keys) == BuiltParts({2, 1, 0}));
+        QVERIFY(countParts(project.asBuilt, 2, keys) == BuiltParts({1, 1, 1}));
     }
 
     void fromJson_version1_hasNoShare() {

@@ -123,8 +123,9 @@ Project sampleProject() {
     project.poseAims.zoneWeights = {9, 3, 0.5};
     project.asBuilt.corrects = true;
     project.asBuilt.strength = 0.8;
-    project.asBuilt.parts = {
-        {QStringLiteral("2026-02-01"), QStringLiteral("Ada"), QStringLiteral("00ff"), 0.4}};
+    project.asBuilt.parts = {{QStringLiteral("2026-02-01"), QStringLiteral("Ada"),
+                              QStringLiteral("00ff"), 0.4,
+                              QStringLiteral("0123456789abcdef 00ff00ff00ff00ff")}};
     project.asBuilt.places = {{1,
                                2,
                                {Millimetres(10), Millimetres(-20.5)},

@@ -1,0 +1,81 @@
+#include "project/DipKeys.h"
+
+#include "base/Bytes.h"
+#include "base/Sha256.h"
+#include "model/TexturedMesh.h"
+#include "project/Project.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <mutex>
+
+namespace dipwright {
+namespace {
+
+constexpr qsizetype keyLetters = 16;
+
+// Returns the settings of film and process that every dip depends on.
+QJsonObject filmAndProcess(const Project& project) {
+    Project part;
+    part.film = project.film;
+    part.process = project.process;
+    const QJsonObject counted = countedSettings(part);
+    QJsonObject film = counted[QLatin1String("film")].toObject();
+    for (const char* key :
+         {"preset", "points", "cell_mm", "resolution", "work_million", "wanted_error_mm"}) {
+        film.remove(QLatin1String(key));
+    }
+    QJsonObject process = counted[QLatin1String("process")].toObject();
+    for (const char* key :
+         {"solver", "time_step_s", "iterations", "relaxation", "contact_travel_cells"}) {
+        process.remove(QLatin1String(key));
+    }
+    return {{QStringLiteral("film"), film}, {QStringLiteral("process"), process}};
+}
+
+} // namespace
+
+QString meshHash(const std::shared_ptr<const TexturedMesh>& model) {
+    static std::mutex mutex;
+    static std::weak_ptr<const TexturedMesh> last;
+    static QString lastHash;
+    const std::scoped_lock lock(mutex);
+    if (last.lock() != model) {
+        Sha256 hash;
+        hash.add(bytesOf(model->mesh.positions));
+        hash.add(bytesOf(model->mesh.triangles));
+        lastHash = QString::fromLatin1(hash.result().toHex());
+        last = model;
+    }
+    return lastHash;
+}
+
+QStringList dipKeys(const Project& project) {
+    QJsonObject all = filmAndProcess(project);
+    all[QLatin1String("mesh")] = meshHash(project.model);
+    QStringList keys;
+    for (const Immersion& immersion : project.immersions) {
+        QJsonArray pose;
+        for (const Degrees angle : immersion.rotation) {
+            pose.append(angle.value());
+        }
+        for (const Millimetres offset : immersion.offset) {
+            pose.append(offset.value());
+        }
+        all[QLatin1String("pose")] = pose;
+        all.remove(QLatin1String("path"));
+        if (!immersion.path.isStraightDown()) {
+            all[QLatin1String("path")] = pathToJson(immersion);
+        }
+        keys << sha256Hex(QJsonDocument(all).toJson(QJsonDocument::Compact)).left(keyLetters);
+    }
+    return keys;
+}
+
+AsBuilt partsDippedAlike(const Project& project) {
+    return project.asBuilt.places.empty() || !project.model
+               ? project.asBuilt
+               : dippedAlike(project.asBuilt, dipKeys(project));
+}
+
+} // namespace dipwright

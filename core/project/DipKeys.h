@@ -1,0 +1,29 @@
+// Identifies dips, so that errors measured on dipped parts are only used for the same dip
+// (docs/inspection.md, "As built").
+#pragma once
+
+#include "settings/AsBuilt.h"
+
+#include <QString>
+#include <QStringList>
+#include <memory>
+
+namespace dipwright {
+
+struct Project;
+struct TexturedMesh;
+
+// Returns the SHA-256 of the model's triangles, hexadecimal. Remembers the hash of the last model.
+// Any thread may call it.
+QString meshHash(const std::shared_ptr<const TexturedMesh>& model);
+
+// Returns a key for each dip of the project: 16 hexadecimal digits of a SHA-256. It depends on the
+// model's triangles, the pose and path, and the settings of film and process, but not on the
+// solver, its points and steps: these only change the numerical error. The fields of later versions
+// of the program do not change the key as long as they have their default values.
+QStringList dipKeys(const Project& project);
+
+// Returns the measured parts whose errors the next sheets may correct: dippedAlike().
+AsBuilt partsDippedAlike(const Project& project);
+
+} // namespace dipwright
