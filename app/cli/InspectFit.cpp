@@ -76,6 +76,9 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
         part.job = std::make_unique<ProjectFile>(path);
     }
     part.project = loadProject(path);
+    if (part.job) {
+        requireUncorrected(part.project, path);
+    }
     const Project& project = part.project;
     const Progress progress = console.progress();
     std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));

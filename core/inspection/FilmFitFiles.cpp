@@ -1,7 +1,10 @@
 #include "inspection/FilmFitFiles.h"
 
+#include "accuracy/correction/SheetCorrection.h"
+#include "base/Error.h"
 #include "base/MinusSign.h"
 #include "disk/FolderTransaction.h"
+#include "project/DipKeys.h"
 #include "project/Profiles.h"
 #include "project/Project.h"
 
@@ -283,6 +286,17 @@ Project withFit(const Project& project, const FilmFit& fit, const std::vector<Fi
     changed.process.overhang = project.process.overhang; // the fit does not determine it
     changed.process.tearStretch = project.process.tearStretch;
     return changed;
+}
+
+void requireUncorrected(const Project& project, const QString& where) {
+    const AsBuilt built = partsDippedAlike(project);
+    if (isCorrected(built, 1) || isCorrected(built, 2)) {
+        throw Error(Text::tr("The job's sheets are already corrected by its measured parts, so "
+                             "fitted values in the job would correct the same error twice; turn "
+                             "the correction off (As built) and fit a part whose sheet was not "
+                             "corrected"),
+                    where);
+    }
 }
 
 Project withPlacement(Project project, const FilmFit& fit) {

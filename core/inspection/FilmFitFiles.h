@@ -44,6 +44,10 @@ QString otherFilmNote(const FilmProfile& profile, const Project& project, const 
 Project withFit(const Project& project, const FilmFit& fit, const std::vector<FittedPhoto>& photos,
                 const WatchNotes& notes, const QString& newProfile);
 
+// Throws Error, naming `where`, if measured parts correct the project's sheets. A fit that is
+// written into the project would correct the same error once more.
+void requireUncorrected(const Project& project, const QString& where);
+
 // Returns the project with the fitted offsets, turns and depth, rounded to the digits of its file.
 // Throws Error if a value is outside the project's limits.
 Project withPlacement(Project project, const FilmFit& fit);

@@ -100,6 +100,7 @@ void setCorrectionStrength(Document& document, double strength) {
 }
 
 void useFit(Document& document, const FittedPart& fitted, const WatchNotes& notes) {
+    requireUncorrected(document.project(), document.project().name);
     document.edit(Text::tr("Use fit in project"), {}, [&](Project& project) {
         project = withFit(project, fitted.fit, fitted.photos, notes,
                           Text::tr("Measured %1").arg(notes.date));

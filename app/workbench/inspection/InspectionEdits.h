@@ -27,7 +27,8 @@ void keepBuilt(Document& document, const AsBuilt& built);
 void setCorrects(Document& document, bool corrects);
 // Sets the share of the repeating error that the next sheets correct, 0 to 1.
 void setCorrectionStrength(Document& document, double strength);
-// Throws Error if a fitted value is outside the limits of a project or profile.
+// Throws Error if a fitted value is outside the limits of a project or profile, or if measured
+// parts correct the project's sheets.
 void useFit(Document& document, const FittedPart& fitted, const WatchNotes& notes);
 
 } // namespace dipwright

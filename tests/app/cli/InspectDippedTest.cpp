@@ -144,6 +144,20 @@ private slots:
         QCOMPARE(other.value("parts_of_other_dips").toInt(), 1);
     }
 
+    // The job corrects its sheets by the part of the test before.
+    void inspectFit_updateJobOfCorrectedSheets_isRefused() {
+        const QByteArray job = bytesOf(path("job.dipw"));
+        const Outcome refused = cli(words(
+            "fit", {"--fit", "shift_x,shift_z", "--film-image", "chessboard", "--update-job"}));
+        QCOMPARE(refused.exitCode, 1);
+        QCOMPARE(refused.errorLines().size(), 1);
+        QVERIFY2(refused.err.contains("correct the same error twice"), refused.err.constData());
+        QCOMPARE(bytesOf(path("job.dipw")), job);
+        Project uncorrected = loadProject(path("job.dipw"));
+        uncorrected.asBuilt.corrects = false;
+        saveProject(uncorrected, path("job.dipw"));
+    }
+
     void inspectFit_updateJob_writesFittedOffset() {
         const Outcome outcome = cli(words(
             "fit", {"--fit", "shift_x,shift_z", "--update-job", "--profile", "Fitted", "--set"}));
