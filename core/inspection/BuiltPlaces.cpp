@@ -2,6 +2,7 @@
 
 #include "accuracy/correction/SheetCorrection.h"
 #include "base/Error.h"
+#include "geometry/SurfaceQuery.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -178,6 +179,24 @@ QString adviceOnPlaces(const std::vector<PrintedPlace>& places,
     return advice;
 }
 
+template <typename Place>
+void requireAllOnBody(const std::vector<Place>& places, const TriangleMesh& model,
+                      const QString& where) {
+    const SurfaceQuery surface(model);
+    const auto off = std::count_if(places.begin(), places.end(), [&](const Place& place) {
+        return !surface.isNear(place.model.template cast<float>(), float(farOffBody));
+    });
+    if (double(off) > mostOffBody * double(places.size())) {
+        throw Error(Text::tr("%1 of %2 places x_mm, y_mm, z_mm lie more than %3 mm from the "
+                             "surface of the job's model; check that the table belongs to this "
+                             "part, and is in millimetres and in the model's coordinates")
+                        .arg(off)
+                        .arg(places.size())
+                        .arg(farOffBody),
+                    where);
+    }
+}
+
 } // namespace
 
 void requireOnTargets(const std::vector<PrintedPlace>& places,
@@ -195,6 +214,16 @@ void requireOnTargets(const std::vector<PrintedPlace>& places,
                         .arg(adviceOnPlaces(places, onModel, sheet)),
                     where);
     }
+}
+
+void requireOnBody(const std::vector<PrintedPlace>& places, const TriangleMesh& model,
+                   const QString& where) {
+    requireAllOnBody(places, model, where);
+}
+
+void requireOnBody(const std::vector<PlacePair>& pairs, const TriangleMesh& model,
+                   const QString& where) {
+    requireAllOnBody(pairs, model, where);
 }
 
 std::vector<BuiltPlace> builtPlaces(const std::vector<PrintedPlace>& seen, const PartView& camera,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dip/LaidFilm.h"
+#include "geometry/TriangleMesh.h"
 #include "inspection/PartCamera.h"
 #include "inspection/PrintedPlace.h"
 #include "settings/AsBuilt.h"
@@ -34,6 +35,17 @@ void requireOnTargets(const std::vector<PrintedPlace>& places,
 // mm on the model. Places that are read from a sheet by hand, or simulated with other cells, are a
 // millimetre or two off. Mirrored or swapped coordinates move places by tens of millimetres.
 inline constexpr double mostOffTarget = 5;
+
+// Throws Error, naming `where`, if more than the share mostOffBody of the places in these tables
+// lie more than farOffBody from the model's surface. Then they belong to another part, or their
+// unit or frame is wrong. The targets of places and the places of pairs are compared.
+void requireOnBody(const std::vector<PrintedPlace>& places, const TriangleMesh& model,
+                   const QString& where);
+void requireOnBody(const std::vector<PlacePair>& pairs, const TriangleMesh& model,
+                   const QString& where);
+// mm. Places that are measured by hand on a part, or read from its drawing, are less far off.
+inline constexpr double farOffBody = 1;
+inline constexpr double mostOffBody = 0.1;
 
 // Converts places on the uncorrected sheet to the same places on the sheet that `built` corrects:
 // the parts that were dipped alike (partsDippedAlike()). Returns the places unchanged if `built`

@@ -113,6 +113,25 @@ private slots:
         QCOMPARE(bytesOf(path("job.dipw")), job);
     }
 
+    // Tables of a part that is a tenth larger.
+    void inspectBuilt_tableOfAnotherPart_isRefusedAndNotSaved() {
+        const QByteArray job = bytesOf(path("job.dipw"));
+        for (const QString& table : {path("places.csv"), path("pairs.csv")}) {
+            QStringList with = words("built", {"--accepted-by", "Ada", "--update-job"});
+            useTable(with, table, [](QList<QByteArray>& cells, int) {
+                for (qsizetype cell = cells.size() - 3; cell < cells.size(); ++cell) {
+                    cells[cell] = QByteArray::number(1.1 * cells[cell].toDouble());
+                }
+            });
+            const Outcome outcome = cli(with);
+            QCOMPARE(outcome.exitCode, 1);
+            QCOMPARE(outcome.errorLines().size(), 1);
+            QVERIFY2(outcome.err.contains("from the surface of the job's model"),
+                     outcome.err.constData());
+            QCOMPARE(bytesOf(path("job.dipw")), job);
+        }
+    }
+
     void inspectBuilt_acceptedPart_correctsNextSheet() {
         const Outcome outcome = cli(words("built", {"--accepted-by", "Ada", "--correct", "1",
                                                     "--date", "2026-11-22", "--update-job"}));
@@ -184,13 +203,17 @@ private:
                            path("places.csv"), "--out",           path("out")} +
                more;
     }
-    // Changes each row of the table of places, counted from 2 below the header, and uses the
-    // changed table in these words.
     template <typename Change>
     void usePlaces(QStringList& words, const Change& change) const {
+        useTable(words, path("places.csv"), change);
+    }
+    // Changes each row of a table, counted from 2 below the header, and uses the changed table in
+    // these words.
+    template <typename Change>
+    void useTable(QStringList& words, const QString& table, const Change& change) const {
         QByteArray changed;
         int row = 1;
-        for (const QByteArray& line : bytesOf(path("places.csv")).trimmed().split('\n')) {
+        for (const QByteArray& line : bytesOf(table).trimmed().split('\n')) {
             QList<QByteArray> cells = line.split(',');
             if (row++ > 1) {
                 change(cells, row - 1);
@@ -198,7 +221,7 @@ private:
             changed += cells.join(',') + '\n';
         }
         writeFile(path("changed.csv"), changed);
-        words.replaceInStrings(path("places.csv"), path("changed.csv"));
+        words.replaceInStrings(table, path("changed.csv"));
     }
     // Returns what the report in this folder says of the parts of the first dip.
     static QJsonObject dipOf(const QString& folder) {
