@@ -370,6 +370,7 @@ QJsonObject asBuiltJson(const JobResult& result) {
                                 {"places", qint64(error.places().size())},
                                 {"scatter_mm", error.scatter()},
                                 {"part_scatter_mm", error.partScatter()},
+                                {"shift_mm", QJsonArray{error.shift().x(), error.shift().y()}},
                                 {"repeating_mm", error.repeating()},
                                 {"reach_mm", error.reach()}});
     }

@@ -30,10 +30,12 @@ public:
     Eigen::Vector2d at(const Eigen::Vector2d& sheet) const;
 
     const std::vector<RepeatedPlace>& places() const { return places_; }
+    // Returns the part of the repeating error that is the same everywhere, in mm.
+    Eigen::Vector2d shift() const { return mean_; }
     // The next three are standard deviations along each axis, in mm.
     double scatter() const { return scatter_; }         // of single places between parts
     double partScatter() const { return partScatter_; } // of whole parts
-    double repeating() const { return repeating_; }     // of the repeating error
+    double repeating() const { return repeating_; }     // of the repeating error without shift()
     double reach() const { return reach_; } // correlation length of the repeating error, mm
     int parts() const { return parts_; }    // number of measured parts
 

@@ -154,6 +154,9 @@ private slots:
         const QJsonObject dip = dipOf(path("on"));
         QCOMPARE(dip.value("corrected").toBool(), true);
         QCOMPARE(dip.value("parts").toInt(), 1);
+        const QJsonArray shift = dip.value("shift_mm").toArray(); // of the body, seen on the sheet
+        QVERIFY(std::abs(shift.at(0).toDouble() + hidden.shiftX / 1.03) < 0.15);
+        QVERIFY(std::abs(shift.at(1).toDouble() + hidden.shiftZ / 1.03) < 0.15);
 
         const Outcome turned = cli({"run", path("job.dipw"), "--out", path("turned"), "--set",
                                     "immersions[0].rotation_deg=0;5;0"});
