@@ -9,6 +9,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace dipwright {
@@ -66,6 +67,19 @@ void requireBeginSeen(const FilmWatch& watch, double beyond) {
                              "photos both before and after the start of the dip")
                         .arg(number(first, 0), number(last, 0), number(watch.begin, 0)),
                     watch.photos.front().where);
+    }
+}
+
+// A photo that is given several times would look like film that does not grow.
+void requireDifferent(const std::vector<WatchedPhoto>& photos) {
+    std::map<QString, QString> known; // the photo of each hash
+    for (const WatchedPhoto& photo : photos) {
+        const auto [other, isNew] = known.emplace(photo.sha256, photo.where);
+        if (!isNew && !photo.sha256.isEmpty()) {
+            throw Error(Text::tr("The photo is the same as %1; give each photo only once")
+                            .arg(other->second),
+                        photo.where);
+        }
     }
 }
 
@@ -177,6 +191,7 @@ FlatFilm measureFlatFilm(const QImage& photo, const FlatSettings& settings, cons
 }
 
 FilmWatch evaluatedFilmWatch(std::vector<WatchedPhoto> photos, double begin, double rulerError) {
+    requireDifferent(photos);
     FilmWatch watch{std::move(photos), {}, begin, rulerError};
     std::stable_sort(watch.photos.begin(), watch.photos.end(),
                      [&](const WatchedPhoto& a, const WatchedPhoto& b) {

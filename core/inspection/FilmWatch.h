@@ -40,8 +40,9 @@ struct FilmWatch {
 // Evaluates all photos together; needs at least one photo. Photos without a time count as taken
 // when the dip begins. The swell's interval includes the error of reading the rulers. Growth does
 // not depend on that error, because all photos share one scale. Throws Error as fitGrowth() does,
-// and if there are three or more times and the dip begins before or after them. If rate and limit
-// of the growth are known, it may begin somewhat before or after.
+// if there are three or more times and the dip begins before or after them, and if two photos have
+// the same content. If rate and limit of the growth are known, the dip may begin somewhat before or
+// after.
 FilmWatch evaluatedFilmWatch(std::vector<WatchedPhoto> photos, double begin, double rulerError = 0);
 
 // What the user noted when the photos were taken.

@@ -141,6 +141,18 @@ private slots:
         QVERIFY(profile.contains("L7"));
     }
 
+    // A copy of a photo would look like film that does not grow.
+    void inspectFilm_samePhotoTwice_isRefused() {
+        const QString copy = path("copy.jpg");
+        QVERIFY(QFile::copy(photos_.first(), copy));
+        const Outcome outcome = cli({"inspect", "film", photos_.first(), copy, "--out",
+                                     path("none"), "--time", "30", "--time", "60"});
+        QCOMPARE(outcome.exitCode, 1);
+        QCOMPARE(outcome.errorLines().size(), 1);
+        QVERIFY2(outcome.err.contains("give each photo only once"), outcome.err.constData());
+        QVERIFY(!QFileInfo::exists(path("none")));
+    }
+
     void inspectFilm_noTimes_isRefused() {
         const Outcome outcome =
             cli(QStringList{"inspect", "film"} + photos_ + QStringList{"--out", path("none")});

@@ -364,8 +364,8 @@ FilmWatch watched(const std::vector<double>& times, double begin, double rate, d
     for (const double seconds : times) {
         const double growth = limit > 0 ? grown(seconds - begin, rate, limit) : 1;
         const Tank scene = tank(1.08 * growth, 1.04 * growth);
-        photos.push_back({QStringLiteral("photo.jpg"), QStringLiteral("ab12"), seconds,
-                          scene.camera.size, fitted(scene, noise, random)});
+        photos.push_back({QStringLiteral("photo.jpg"), QStringLiteral("ab%1").arg(photos.size()),
+                          seconds, scene.camera.size, fitted(scene, noise, random)});
     }
     return evaluatedFilmWatch(std::move(photos), begin);
 }
