@@ -296,8 +296,11 @@ AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, Buil
                 .arg(mostBuiltPlaces),
             where);
     }
-    if (std::any_of(built.parts.begin(), built.parts.end(),
-                    [&](const BuiltPart& other) { return other.photos == part.photos; })) {
+    const QStringList photos = part.photos.split(u' ');
+    if (std::any_of(built.parts.begin(), built.parts.end(), [&](const BuiltPart& other) {
+            return std::ranges::any_of(other.photos.split(u' ', Qt::SkipEmptyParts),
+                                       [&](const QString& one) { return photos.contains(one); });
+        })) {
         throw Error(
             Text::tr(
                 "The job already contains the part in these photos; a part may be added only once"),

@@ -57,8 +57,8 @@ double residualOf(const std::vector<BuiltPlace>& places);
 
 // Adds a part with these places to the parts of `built`. The places already carry the part's future
 // number. Fills in the residual of `part`. `sheet` is the size of the sheets. Throws Error, naming
-// `where`, if there are no places, if the job already has the part's photos, if its limits are
-// exceeded, or if the errors of this part or of all parts that were dipped alike are impossible
+// `where`, if there are no places, if the job already has one of the part's photos, if its limits
+// are exceeded, or if the errors of this part or of all parts that were dipped alike are impossible
 // (requirePossibleErrors() in SheetCorrection.h).
 AsBuilt withBuiltPart(AsBuilt built, const std::vector<BuiltPlace>& places, BuiltPart part,
                       QSizeF sheet, const QString& where);

@@ -166,7 +166,20 @@ private slots:
         QCOMPARE(other.value("parts_of_other_dips").toInt(), 1);
     }
 
-    // The job corrects its sheets by the part of the test before.
+    // One of the photos shows the part of the test before.
+    void inspectBuilt_photoOfAKeptPart_isRefused() {
+        QImage photo(path("2.png"));
+        photo.fill(100);
+        QVERIFY(photo.save(path("3.png")));
+        QStringList with = words("built", {"--accepted-by", "Ada", "--update-job"});
+        with.replaceInStrings(path("2.png"), path("3.png"));
+        const Outcome outcome = cli(with);
+        QCOMPARE(outcome.exitCode, 1);
+        QVERIFY2(outcome.err.contains("already contains the part"), outcome.err.constData());
+        QCOMPARE(loadProject(path("job.dipw")).asBuilt.parts.size(), std::size_t(1));
+    }
+
+    // The job corrects its sheets by the part of the first of these tests.
     void inspectFit_updateJobOfCorrectedSheets_isRefused() {
         const QByteArray job = bytesOf(path("job.dipw"));
         const Outcome refused = cli(words(
