@@ -1749,6 +1749,14 @@
         <source>Fins or pins of the model, %1 mm² in all, are at most %2 mm thick. The film may miss them, because the cells of the distance field are %3 mm. Increase the resolution of the distance field, or make these places thicker.</source>
         <translation>Finnen oder Stifte des Modells, zusammen %1 mm², sind höchstens %2 mm dick. Der Film kann sie verfehlen, weil die Zellen des Abstandsfelds %3 mm groß sind. Erhöhen Sie die Auflösung des Abstandsfelds, oder machen Sie diese Stellen dicker.</translation>
     </message>
+    <message>
+        <source>The film of this job swells, relaxes or grows differently from that of %1; pack only jobs for the same film together</source>
+        <translation>Der Film dieses Auftrags quillt, erschlafft oder wächst anders als der von %1; packen Sie nur Aufträge für denselben Film zusammen</translation>
+    </message>
+    <message>
+        <source>This job has another printer profile than %1; give both the same profile (on the command line, --profile gives it to all jobs)</source>
+        <translation>Dieser Auftrag hat ein anderes Druckerprofil als %1; geben Sie beiden dasselbe Profil (auf der Befehlszeile gibt --profile es allen Aufträgen)</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -5447,6 +5455,18 @@
         <source>On the part&apos;s own colour, the picture keeps only %1 % of its contrast; at least %2 % are required. Coat the part, print a white layer under the colours, or correct the part colour.</source>
         <translation>Auf der Eigenfarbe des Teils behält das Bild nur %1 % seines Kontrasts; mindestens %2 % sind nötig. Grundieren Sie das Teil, drucken Sie eine weiße Schicht unter die Farben, oder berichtigen Sie die Farbe des Teils.</translation>
     </message>
+    <message>
+        <source>It is not known whether the measured parts by which the sheet is corrected were dipped with the present pose, film, process and model. Check this, or turn the correction off (As built).</source>
+        <translation>Es ist nicht bekannt, ob die gemessenen Teile, nach denen das Blatt korrigiert wird, mit der jetzigen Lage, dem jetzigen Film, Prozess und Modell getaucht wurden. Prüfen Sie das, oder schalten Sie die Korrektur aus (Gefertigt).</translation>
+    </message>
+    <message>
+        <source>The sheet is not corrected, because all measured parts were dipped with another pose, film, process or model. Measure a part of the present dip, or turn the correction off (As built).</source>
+        <translation>Das Blatt wird nicht korrigiert, weil alle gemessenen Teile mit anderer Lage, anderem Film, Prozess oder Modell getaucht wurden. Messen Sie ein Teil des jetzigen Tauchvorgangs, oder schalten Sie die Korrektur aus (Gefertigt).</translation>
+    </message>
+    <message>
+        <source>The sheet is corrected without %1 of %2 measured parts, which were dipped with another pose, film, process or model.</source>
+        <translation>Das Blatt wird ohne %1 von %2 gemessenen Teilen korrigiert, die mit anderer Lage, anderem Film, Prozess oder Modell getaucht wurden.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -6161,6 +6181,10 @@
     <message>
         <source>The simulation carries half of the printed places more than %1 mm away from their targets x_mm, y_mm, z_mm; %2</source>
         <translation>In der Simulation liegt die Hälfte der gedruckten Stellen mehr als %1 mm von ihren Zielen x_mm, y_mm, z_mm entfernt; %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places x_mm, y_mm, z_mm lie more than %3 mm from the surface of the job&apos;s model; check that the table belongs to this part, and is in millimetres and in the model&apos;s coordinates</source>
+        <translation>%1 von %2 Stellen x_mm, y_mm, z_mm liegen mehr als %3 mm von der Oberfläche des Modells entfernt; prüfen Sie, ob die Tabelle zu diesem Teil gehört und in Millimetern und Koordinaten des Modells ist</translation>
     </message>
 </context>
 <context>
@@ -7008,6 +7032,10 @@
         <source>The film profile %1 has other values than the project&apos;s film, under which the values were fitted; compare the two before you use it</source>
         <translation>Das Filmprofil %1 hat andere Werte als der Film des Projekts, mit dem angepasst wurde; vergleichen Sie beide, bevor Sie es verwenden</translation>
     </message>
+    <message>
+        <source>The job&apos;s sheets are already corrected by its measured parts, so fitted values in the job would correct the same error twice; turn the correction off (As built) and fit a part whose sheet was not corrected</source>
+        <translation>Die Blätter des Auftrags werden schon nach den gemessenen Teilen korrigiert, angepasste Werte im Auftrag würden denselben Fehler also zweimal korrigieren; schalten Sie die Korrektur aus (Gefertigt) und passen Sie ein Teil an, dessen Blatt nicht korrigiert war</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmPage</name>
@@ -7320,6 +7348,10 @@
     <message>
         <source>The sizes of the film in these photos do not determine its growth; check that the times are in the order of the photos, and take photos from before the dip begins until the film stops growing</source>
         <translation>Die Größen des Films auf diesen Fotos bestimmen sein Wachstum nicht; prüfen Sie, ob die Zeiten in der Reihenfolge der Fotos stehen, und nehmen Sie Fotos von vor dem Beginn des Tauchvorgangs bis zum Ende des Wachstums auf</translation>
+    </message>
+    <message>
+        <source>The photo is the same as %1; give each photo only once</source>
+        <translation>Das Foto ist dasselbe wie %1; geben Sie jedes Foto nur einmal an</translation>
     </message>
 </context>
 <context>
@@ -7673,10 +7705,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Die Datei %1, die das Modell nennt, wurde nicht gefunden</translation>
     </message>
     <message>
-        <source>%1 texture coordinates are too large to be used; their triangles show the material&apos;s colour</source>
-        <translation>%1 Texturkoordinaten sind zu groß, um verwendet zu werden; ihre Dreiecke zeigen die Farbe des Materials</translation>
-    </message>
-    <message>
         <source>The model has no triangles; save it with its surface</source>
         <translation>Das Modell hat keine Dreiecke; speichern Sie es mit seiner Oberfläche</translation>
     </message>
@@ -8015,6 +8043,26 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>The sizes of the file&apos;s parts do not fit together, so its scale and its mirrored objects are not known; export the model again</source>
         <translation>Die Größen der Teile dieser Datei passen nicht zusammen; daher sind ihr Maßstab und ihre gespiegelten Objekte nicht bekannt; exportieren Sie das Modell erneut</translation>
+    </message>
+    <message>
+        <source>The model has a transparent material without a texture, which is shown opaque; give the material a texture with transparency</source>
+        <translation>Das Modell hat ein durchsichtiges Material ohne Textur, das deckend gezeigt wird; geben Sie dem Material eine Textur mit Transparenz</translation>
+    </message>
+    <message>
+        <source>The model mixes colours within its triangles, or mixes materials (3MF compositematerials or multiproperties), which is not shown; bake its colours into a texture to print them</source>
+        <translation>Das Modell mischt Farben innerhalb seiner Dreiecke oder mischt Materialien (compositematerials oder multiproperties von 3MF), was nicht gezeigt wird; backen Sie seine Farben in eine Textur, um sie zu drucken</translation>
+    </message>
+    <message>
+        <source>The model&apos;s coordinates are too large; scale the model down in a modelling program and save it again</source>
+        <translation>Die Koordinaten des Modells sind zu groß; verkleinern Sie das Modell in einem Modellierprogramm und speichern Sie es neu</translation>
+    </message>
+    <message>
+        <source>%1 points of the model lie more than %2 times as far from its middle as most points; delete them in a modelling program and save the model again</source>
+        <translation>%1 Punkte des Modells liegen mehr als %2-mal so weit von seiner Mitte entfernt wie die meisten Punkte; löschen Sie sie in einem Modellierprogramm und speichern Sie das Modell neu</translation>
+    </message>
+    <message>
+        <source>The texture coordinates of %1 triangles are not numbers or are too large; these triangles show their material&apos;s colour</source>
+        <translation>Die Texturkoordinaten von %1 Dreiecken sind keine Zahlen oder zu groß; diese Dreiecke zeigen die Farbe ihres Materials</translation>
     </message>
 </context>
 <context>
@@ -12381,6 +12429,10 @@ mm je mm</translation>
     <message>
         <source>The Lab picture is damaged or stored in an unsupported way; save it again as RGB, or as TIFF in 8 or 16 bits without tiles or planes</source>
         <translation>Das Lab-Bild ist beschädigt oder auf eine nicht unterstützte Art gespeichert; speichern Sie es neu als RGB, oder als TIFF in 8 oder 16 Bit ohne Kacheln und Ebenen</translation>
+    </message>
+    <message>
+        <source>The TIFF file stores its pixels in a way that is not supported, such as in planes, as floating-point numbers or with extra channels; save the picture again as PNG, or as TIFF with 8 or 16 bits, without planes and extra channels</source>
+        <translation>Die TIFF-Datei speichert ihre Pixel auf eine nicht unterstützte Art, etwa in Ebenen, als Gleitkommazahlen oder mit zusätzlichen Kanälen; speichern Sie das Bild neu als PNG, oder als TIFF mit 8 oder 16 Bit ohne Ebenen und zusätzliche Kanäle</translation>
     </message>
 </context>
 <context>

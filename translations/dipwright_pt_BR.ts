@@ -1749,6 +1749,14 @@
         <source>Fins or pins of the model, %1 mm² in all, are at most %2 mm thick. The film may miss them, because the cells of the distance field are %3 mm. Increase the resolution of the distance field, or make these places thicker.</source>
         <translation>Aletas ou pinos do modelo, %1 mm² ao todo, têm no máximo %2 mm de espessura. A película pode não encontrá-los, porque as células do campo de distância têm %3 mm. Aumente a resolução do campo de distância ou torne esses pontos mais espessos.</translation>
     </message>
+    <message>
+        <source>The film of this job swells, relaxes or grows differently from that of %1; pack only jobs for the same film together</source>
+        <translation>A película deste trabalho incha, relaxa ou cresce de outro modo que a de %1; junte só trabalhos para a mesma película</translation>
+    </message>
+    <message>
+        <source>This job has another printer profile than %1; give both the same profile (on the command line, --profile gives it to all jobs)</source>
+        <translation>Este trabalho tem outro perfil de impressora que %1; dê a ambos o mesmo perfil (na linha de comando, --profile o dá a todos os trabalhos)</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -5447,6 +5455,18 @@
         <source>On the part&apos;s own colour, the picture keeps only %1 % of its contrast; at least %2 % are required. Coat the part, print a white layer under the colours, or correct the part colour.</source>
         <translation>Na cor própria da peça, a imagem conserva apenas %1 % do contraste; são exigidos ao menos %2 %. Pinte a peça com uma base, imprima uma camada branca sob as cores ou corrija a cor da peça.</translation>
     </message>
+    <message>
+        <source>It is not known whether the measured parts by which the sheet is corrected were dipped with the present pose, film, process and model. Check this, or turn the correction off (As built).</source>
+        <translation>Não se sabe se as peças medidas pelas quais a folha é corrigida foram mergulhadas com a pose, a película, o processo e o modelo atuais. Verifique isso ou desative a correção (Como saiu).</translation>
+    </message>
+    <message>
+        <source>The sheet is not corrected, because all measured parts were dipped with another pose, film, process or model. Measure a part of the present dip, or turn the correction off (As built).</source>
+        <translation>A folha não é corrigida, porque todas as peças medidas foram mergulhadas com outra pose, película, processo ou modelo. Meça uma peça da imersão atual ou desative a correção (Como saiu).</translation>
+    </message>
+    <message>
+        <source>The sheet is corrected without %1 of %2 measured parts, which were dipped with another pose, film, process or model.</source>
+        <translation>A folha é corrigida sem %1 de %2 peças medidas, que foram mergulhadas com outra pose, película, processo ou modelo.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -6161,6 +6181,10 @@
     <message>
         <source>The simulation carries half of the printed places more than %1 mm away from their targets x_mm, y_mm, z_mm; %2</source>
         <translation>Na simulação, metade dos pontos impressos fica a mais de %1 mm dos seus alvos x_mm, y_mm, z_mm; %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places x_mm, y_mm, z_mm lie more than %3 mm from the surface of the job&apos;s model; check that the table belongs to this part, and is in millimetres and in the model&apos;s coordinates</source>
+        <translation>%1 de %2 pontos x_mm, y_mm, z_mm ficam a mais de %3 mm da superfície do modelo; verifique se a tabela é desta peça e está em milímetros e nas coordenadas do modelo</translation>
     </message>
 </context>
 <context>
@@ -7008,6 +7032,10 @@
         <source>The film profile %1 has other values than the project&apos;s film, under which the values were fitted; compare the two before you use it</source>
         <translation>O perfil de película %1 tem valores diferentes dos da película do projeto com que foi feito o ajuste; compare os dois antes de usá-lo</translation>
     </message>
+    <message>
+        <source>The job&apos;s sheets are already corrected by its measured parts, so fitted values in the job would correct the same error twice; turn the correction off (As built) and fit a part whose sheet was not corrected</source>
+        <translation>As folhas do trabalho já são corrigidas pelas peças medidas, então os valores ajustados corrigiriam o mesmo erro duas vezes; desative a correção (Como saiu) e ajuste uma peça cuja folha não foi corrigida</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::FilmPage</name>
@@ -7320,6 +7348,10 @@
     <message>
         <source>The sizes of the film in these photos do not determine its growth; check that the times are in the order of the photos, and take photos from before the dip begins until the film stops growing</source>
         <translation>Os tamanhos da película nestas fotos não determinam o crescimento; verifique se os tempos estão na ordem das fotos, e tire fotos de antes do início da imersão até a película parar de crescer</translation>
+    </message>
+    <message>
+        <source>The photo is the same as %1; give each photo only once</source>
+        <translation>A foto é igual a %1; indique cada foto só uma vez</translation>
     </message>
 </context>
 <context>
@@ -7673,10 +7705,6 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>O arquivo %1, citado pelo modelo, não foi encontrado</translation>
     </message>
     <message>
-        <source>%1 texture coordinates are too large to be used; their triangles show the material&apos;s colour</source>
-        <translation>%1 coordenadas de textura são grandes demais; seus triângulos mostram a cor do material</translation>
-    </message>
-    <message>
         <source>The model has no triangles; save it with its surface</source>
         <translation>O modelo não tem triângulos; salve-o com a superfície</translation>
     </message>
@@ -8015,6 +8043,26 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>The sizes of the file&apos;s parts do not fit together, so its scale and its mirrored objects are not known; export the model again</source>
         <translation>Os tamanhos das partes do arquivo não combinam; por isso não se conhecem sua escala nem seus objetos espelhados; exporte o modelo novamente</translation>
+    </message>
+    <message>
+        <source>The model has a transparent material without a texture, which is shown opaque; give the material a texture with transparency</source>
+        <translation>O modelo tem um material transparente sem textura, que é mostrado opaco; dê ao material uma textura com transparência</translation>
+    </message>
+    <message>
+        <source>The model mixes colours within its triangles, or mixes materials (3MF compositematerials or multiproperties), which is not shown; bake its colours into a texture to print them</source>
+        <translation>O modelo mistura cores dentro dos seus triângulos, ou mistura materiais (compositematerials ou multiproperties do 3MF), o que não é mostrado; grave suas cores em uma textura para imprimi-las</translation>
+    </message>
+    <message>
+        <source>The model&apos;s coordinates are too large; scale the model down in a modelling program and save it again</source>
+        <translation>As coordenadas do modelo são grandes demais; reduza o modelo em um programa de modelagem e salve-o de novo</translation>
+    </message>
+    <message>
+        <source>%1 points of the model lie more than %2 times as far from its middle as most points; delete them in a modelling program and save the model again</source>
+        <translation>%1 pontos do modelo ficam mais de %2 vezes mais longe do seu centro do que a maioria dos pontos; exclua-os em um programa de modelagem e salve o modelo de novo</translation>
+    </message>
+    <message>
+        <source>The texture coordinates of %1 triangles are not numbers or are too large; these triangles show their material&apos;s colour</source>
+        <translation>As coordenadas de textura de %1 triângulos não são números ou são grandes demais; esses triângulos mostram a cor do seu material</translation>
     </message>
 </context>
 <context>
@@ -12381,6 +12429,10 @@ mm por mm</translation>
     <message>
         <source>The Lab picture is damaged or stored in an unsupported way; save it again as RGB, or as TIFF in 8 or 16 bits without tiles or planes</source>
         <translation>A imagem Lab está danificada ou gravada de um modo não suportado; salve-a de novo como RGB, ou como TIFF em 8 ou 16 bits sem blocos nem planos</translation>
+    </message>
+    <message>
+        <source>The TIFF file stores its pixels in a way that is not supported, such as in planes, as floating-point numbers or with extra channels; save the picture again as PNG, or as TIFF with 8 or 16 bits, without planes and extra channels</source>
+        <translation>O arquivo TIFF grava seus pixels de um modo não suportado, como em planos, como números de ponto flutuante ou com canais adicionais; salve a imagem de novo como PNG, ou como TIFF com 8 ou 16 bits, sem planos nem canais adicionais</translation>
     </message>
 </context>
 <context>

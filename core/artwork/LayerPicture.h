@@ -31,7 +31,7 @@ private:
 
     int columns_ = 0, rows_ = 0;
     bool repeats_ = false;
-    double texel_; // mm
+    double texel_;                // mm
     Eigen::Vector2d size_, area_; // sizes of one picture and of the whole layer, mm
     std::vector<std::array<std::uint16_t, 4>> pixels_;
 };
