@@ -114,7 +114,11 @@ public:
         }
         if (parser.isSet(laidOption)) {
             laid_ = QDateTime::fromString(parser.value(laidOption), Qt::ISODate);
-            if (!laid_.isValid()) {
+            if (!times_.empty()) {
+                throw UsageError(QStringLiteral("Give --time or --laid, not both"),
+                                 QStringLiteral("--laid"));
+            }
+            if (!laid_.isValid() || laid_.timeSpec() != Qt::LocalTime) { // cameras state no zone
                 throw UsageError(
                     QStringLiteral("“%1” is not a date and time; write it as 2026-11-22T14:03:07")
                         .arg(parser.value(laidOption)),

@@ -153,11 +153,16 @@ private slots:
         QVERIFY(!QFileInfo::exists(path("none")));
     }
 
-    void inspectFilm_noTimes_isRefused() {
-        const Outcome outcome =
-            cli(QStringList{"inspect", "film"} + photos_ + QStringList{"--out", path("none")});
-        QCOMPARE(outcome.exitCode, 2);
-        QVERIFY(!QFileInfo::exists(path("none")));
+    void inspectFilm_noClearTimes_isRefused() {
+        for (const QStringList& times :
+             {QStringList(),
+              QStringList{"--laid", "2026-11-22T14:00:00+05:00"}, // cameras state no zone
+              QStringList{"--laid", "2026-11-22T14:00:00", "--time", "3"}}) {
+            const Outcome outcome = cli(QStringList{"inspect", "film"} + photos_ + times +
+                                        QStringList{"--out", path("none")});
+            QCOMPARE(outcome.exitCode, 2);
+            QVERIFY(!QFileInfo::exists(path("none")));
+        }
     }
 
     void inspectFilm_badPhoto_isRefusedInOneSentence_data() {
