@@ -41,12 +41,23 @@ bool isWebAlongHeight(const Project& project) {
 // A film has the same values whichever way round a sheet of it lies.
 std::array<double, 5> behaviourOf(const Project& project) {
     const FilmSettings& film = project.film;
+    const bool grows = film.growthRate > 0 && film.growthLimit > 0;
     std::array<double, 5> behaviour{film.swellX, film.swellY, film.relaxationTime.value(),
-                                    film.growthRate, film.growthLimit};
+                                    grows ? film.growthRate : 0, grows ? film.growthLimit : 0};
     if (!isWebAlongHeight(project)) {
         std::swap(behaviour[0], behaviour[1]);
     }
     return behaviour;
+}
+
+// Returns what the print depends on of the project's printer profile.
+std::optional<PrinterProfile> printOf(const Project& project) {
+    std::optional<PrinterProfile> printer = withoutCosts(project.profiles).printer;
+    if (printer) {
+        printer->name.clear();
+        printer->queue.clear();
+    }
+    return printer;
 }
 
 // Throws Error if the sheets of two projects cannot be right on one film, or by one printer.
@@ -57,7 +68,7 @@ void refuseOtherMaterial(const Project& project, const Project& first) {
                         .arg(first.name),
                     project.name);
     }
-    if (withoutCosts(project.profiles).printer != withoutCosts(first.profiles).printer) {
+    if (printOf(project) != printOf(first)) {
         throw Error(Text::tr("This job has another printer profile than %1; give both the same "
                              "profile (on the command line, --profile gives it to all jobs)")
                         .arg(first.name),

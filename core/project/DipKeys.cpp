@@ -7,6 +7,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <cmath>
 #include <mutex>
 
 namespace dipwright {
@@ -14,11 +15,26 @@ namespace {
 
 constexpr qsizetype keyLetters = 16;
 
+// Sets values that have no effect to their defaults.
+void leaveOutUnused(FilmSettings& film, ProcessSettings& process) {
+    if (film.growthRate == 0 || film.growthLimit == 0) {
+        film.growthRate = FilmSettings().growthRate;
+        film.growthLimit = FilmSettings().growthLimit;
+    }
+    if (process.depth) {
+        process.margin = ProcessSettings().margin;
+    }
+    if (solver::isProductionFilm(film.lattice, film.support)) {
+        process.selfContact = ProcessSettings().selfContact;
+    }
+}
+
 // Returns the settings of film and process that every dip depends on.
 QJsonObject filmAndProcess(const Project& project) {
     Project part;
     part.film = project.film;
     part.process = project.process;
+    leaveOutUnused(part.film, part.process);
     const QJsonObject counted = countedSettings(part);
     QJsonObject film = counted[QLatin1String("film")].toObject();
     for (const char* key :
@@ -57,7 +73,7 @@ QStringList dipKeys(const Project& project) {
     for (const Immersion& immersion : project.immersions) {
         QJsonArray pose;
         for (const Degrees angle : immersion.rotation) {
-            pose.append(angle.value());
+            pose.append(angle.value() - 360 * std::floor(angle.value() / 360));
         }
         for (const Millimetres offset : immersion.offset) {
             pose.append(offset.value());

@@ -165,11 +165,16 @@ void replaceOddNumbers(QByteArray& file, qsizetype begin, qsizetype end) {
 // Returns an OBJ file in which texture coordinates that are not numbers are too large instead, so
 // that they are reported. assimp 5.2.5 would read them as 0.
 QByteArray withoutOddCoordinates(QByteArray obj) {
-    constexpr QByteArrayView keyword = "\nvt ";
+    constexpr QByteArrayView keyword = "vt";
+    const auto isEnd = [](char byte) { return byte == '\n' || byte == '\r'; };
     for (qsizetype at = obj.indexOf(keyword); at >= 0; at = obj.indexOf(keyword, at)) {
+        const bool isFirst = at == 0 || isEnd(obj[at - 1]);
         at += keyword.size();
-        const qsizetype end = obj.indexOf('\n', at);
-        replaceOddNumbers(obj, at, end < 0 ? obj.size() : end);
+        if (isFirst && at < obj.size() && (obj[at] == ' ' || obj[at] == '\t')) {
+            const char* const end = obj.constData() + obj.size();
+            replaceOddNumbers(obj, at + 1,
+                              std::find_if(obj.constData() + at, end, isEnd) - obj.constData());
+        }
     }
     return obj;
 }

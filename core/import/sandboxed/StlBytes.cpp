@@ -35,12 +35,12 @@ bool isAscii(QByteArrayView text) {
     return text.first(std::min(text.size(), solid.size())).compare(solid, Qt::CaseInsensitive) == 0;
 }
 
-// Whether the last line of an ASCII file closes a solid.
+// Whether an ASCII file closes its last solid. Some programs write comments or zeros after it.
 bool isClosed(QByteArrayView text) {
-    const qsizetype line = std::max(text.lastIndexOf('\n'), text.lastIndexOf('\r'));
-    const QByteArrayView last = text.sliced(line + 1).trimmed();
-    const QByteArrayView end = "endsolid";
-    return last.first(std::min(last.size(), end.size())).compare(end, Qt::CaseInsensitive) == 0;
+    constexpr qsizetype farthest = 1 << 16; // bytes from the end
+    const QByteArray end = text.last(std::min(text.size(), farthest)).toByteArray().toLower();
+    return std::max(end.lastIndexOf("endsolid"), end.lastIndexOf("end solid")) >
+           end.lastIndexOf("endfacet");
 }
 
 bool isInCapitals(QByteArrayView text) {

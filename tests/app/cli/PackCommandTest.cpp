@@ -159,8 +159,8 @@ private slots:
                                      << "“Cut contour” differs between this job and plain";
         QTest::newRow("swell") << "film.swell=1.05x1.05"
                                << "differently from that of plain";
-        QTest::newRow("growth") << "film.growth_per_s=0.01"
-                                << "differently from that of plain";
+        QTest::newRow("relaxation") << "film.relaxation_time_s=3"
+                                    << "differently from that of plain";
         QTest::newRow("printer") << ""
                                  << "another printer profile than plain";
     }

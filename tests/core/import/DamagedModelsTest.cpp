@@ -265,6 +265,8 @@ void DamagedModelsTest::stl_unusualButClear_isRead_data() {
                                                     .replace("solid", "Solid")
                                                     .replace("facet", "Facet")
                                                     .replace("vertex", "Vertex");
+    QTest::newRow("ASCII, comment and zeros after the end")
+        << asciiStl() + "; made by a test\n" + QByteArray(512, '\0');
     QTest::newRow("binary") << binaryStl("made by a test");
     QTest::newRow("binary that begins like ASCII") << binaryStl("solid body");
     QTest::newRow("binary that begins like ASCII in capitals") << binaryStl("SOLID FACET");

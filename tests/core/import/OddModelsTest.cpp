@@ -737,16 +737,17 @@ void OddModelsTest::textureCoordinates_notUsable_areALoss() {
     QFETCH(QByteArray, first);
     QFETCH(QByteArray, others);
     const QByteArray vt = "vt " + others + "\n";
-    const ImportedModel imported =
-        importModel(write(QStringLiteral("nan.obj"),
-                          "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nvt " + first + "\n" + vt + vt + vt +
-                              "vt 0 0\nvt 1 0\nvt 1 1\n" + "f 1/1 2/2 3/3\nf 1/5 3/6 4/7\n"),
-                    {}, {});
-    QVERIFY2(warningsOf(imported).contains(
-                 QStringLiteral("The texture coordinates of 1 triangles are not numbers")),
-             qPrintable(warningsOf(imported)));
-    QVERIFY(!imported.model.hasTextureCoordinates(0));
-    QVERIFY(imported.model.hasTextureCoordinates(1));
+    const QByteArray text = "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nvt " + first + "\n" + vt + vt +
+                            vt + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1/5 3/6 4/7\n";
+    for (const char* keyword : {"vt ", "vt\t"}) {
+        const ImportedModel imported = importModel(
+            write(QStringLiteral("nan.obj"), QByteArray(text).replace("vt ", keyword)), {}, {});
+        QVERIFY2(warningsOf(imported).contains(
+                     QStringLiteral("The texture coordinates of 1 triangles are not numbers")),
+                 qPrintable(warningsOf(imported)));
+        QVERIFY(!imported.model.hasTextureCoordinates(0));
+        QVERIFY(imported.model.hasTextureCoordinates(1));
+    }
 }
 
 void OddModelsTest::gltf_byteOrderMark_isRead() {

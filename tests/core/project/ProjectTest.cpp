@@ -228,6 +228,8 @@ private slots:
     // Errors measured on a part hold for the same dip only.
     void dipKeys_whatADipDependsOn_changesThem() {
         Project project = sampleProject();
+        project.process.depth.reset();
+        project.immersions[1].rotation = {Degrees(0), Degrees(90), Degrees(0)};
         const QStringList keys = dipKeys(project);
         QCOMPARE(keys.size(), qsizetype(project.immersions.size()));
         Project read = fromJson(toJson(project), file);
@@ -254,7 +256,8 @@ private slots:
         }
         for (const auto& [path, value] :
              {std::pair("film.points", "40x50"), std::pair("process.solver", "pbd-cpu"),
-              std::pair("process.contact_travel_cells", "0.1"), std::pair("sheet.dpi", "72")}) {
+              std::pair("process.contact_travel_cells", "0.1"), std::pair("sheet.dpi", "72"),
+              std::pair("immersions[1].rotation_deg", "360;-270;0")}) {
             QCOMPARE(after(QString::fromLatin1(path), QString::fromLatin1(value)), keys);
         }
         auto otherModel = std::make_shared<TexturedMesh>(*project.model);
