@@ -119,11 +119,9 @@ void add(Project& project, Words& words, const QCommandLineParser& parser, QText
     if (const QString face = parser.value(onOption); !face.isEmpty()) {
         added = movedOnto(*project.model, added, face);
     }
-    applyToLayer(project, index, parser);
-    out << QStringLiteral("Added %1 as layer %2\n")
-               .arg(project.artwork.layers.back().name)
-               .arg(project.artwork.layers.size());
-    if (const QString note = colourNoteOf(project.artwork.layers.back()); !note.isEmpty()) {
+    applyToLayer(project, index, parser); // a stated place or size replaces that of placedOn()
+    out << QStringLiteral("Added %1 as layer %2\n").arg(added.name).arg(index + 1);
+    if (const QString note = colourNoteOf(added); !note.isEmpty()) {
         printWarnings({note}, out);
     }
 }

@@ -82,13 +82,14 @@ void addPart(Project& project, const QStringList& files, const QCommandLineParse
     const std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));
     const QSize picture = photos.front().picture.size();
     const std::vector<PlacePair> pairs = partPairs(parser, photos);
-    requireOnBody(pairs, project.model->mesh, parser.value(pairsOption));
+    const SurfaceQuery surface(project.model->mesh);
+    requireOnBody(pairs, surface, parser.value(pairsOption));
     const PartView camera =
         fitPartCamera(pairs, int(photos.size()), picture, parser.value(pairsOption), lens);
     const auto places = placesOnPart(photos, pairs, parser, lens, progress.part(0.1, 0.5));
     const QString table = parser.value(parser.isSet(placesOption) ? placesOption : projectOption);
     requireDips(places, project, table);
-    requireOnBody(places, project.model->mesh, table);
+    requireOnBody(places, surface, table);
     const QSizeF sheet(project.film.width.value(), project.film.height.value());
     const auto films = dippedFilms(project, progress.part(0.5, 1));
     requireOnTargets(places, films, sheet, table);

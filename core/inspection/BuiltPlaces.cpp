@@ -2,7 +2,6 @@
 
 #include "accuracy/correction/SheetCorrection.h"
 #include "base/Error.h"
-#include "geometry/SurfaceQuery.h"
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -180,9 +179,8 @@ QString adviceOnPlaces(const std::vector<PrintedPlace>& places,
 }
 
 template <typename Place>
-void requireAllOnBody(const std::vector<Place>& places, const TriangleMesh& model,
+void requireAllOnBody(const std::vector<Place>& places, const SurfaceQuery& surface,
                       const QString& where) {
-    const SurfaceQuery surface(model);
     const auto off = std::count_if(places.begin(), places.end(), [&](const Place& place) {
         return !surface.isNear(place.model.template cast<float>(), float(farOffBody));
     });
@@ -216,14 +214,14 @@ void requireOnTargets(const std::vector<PrintedPlace>& places,
     }
 }
 
-void requireOnBody(const std::vector<PrintedPlace>& places, const TriangleMesh& model,
+void requireOnBody(const std::vector<PrintedPlace>& places, const SurfaceQuery& surface,
                    const QString& where) {
-    requireAllOnBody(places, model, where);
+    requireAllOnBody(places, surface, where);
 }
 
-void requireOnBody(const std::vector<PlacePair>& pairs, const TriangleMesh& model,
+void requireOnBody(const std::vector<PlacePair>& pairs, const SurfaceQuery& surface,
                    const QString& where) {
-    requireAllOnBody(pairs, model, where);
+    requireAllOnBody(pairs, surface, where);
 }
 
 std::vector<BuiltPlace> builtPlaces(const std::vector<PrintedPlace>& seen, const PartView& camera,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dip/LaidFilm.h"
-#include "geometry/TriangleMesh.h"
+#include "geometry/SurfaceQuery.h"
 #include "inspection/PartCamera.h"
 #include "inspection/PrintedPlace.h"
 #include "settings/AsBuilt.h"
@@ -37,11 +37,11 @@ void requireOnTargets(const std::vector<PrintedPlace>& places,
 inline constexpr double mostOffTarget = 5;
 
 // Throws Error, naming `where`, if more than the share mostOffBody of the places in these tables
-// lie more than farOffBody from the model's surface. Then they belong to another part, or their
-// unit or frame is wrong. The targets of places and the places of pairs are compared.
-void requireOnBody(const std::vector<PrintedPlace>& places, const TriangleMesh& model,
+// lie more than farOffBody from the surface of the job's model. Then they belong to another part,
+// or their unit or frame is wrong. The targets of places and the places of pairs are compared.
+void requireOnBody(const std::vector<PrintedPlace>& places, const SurfaceQuery& surface,
                    const QString& where);
-void requireOnBody(const std::vector<PlacePair>& pairs, const TriangleMesh& model,
+void requireOnBody(const std::vector<PlacePair>& pairs, const SurfaceQuery& surface,
                    const QString& where);
 // mm. Places that are measured by hand on a part, or read from its drawing, are less far off.
 inline constexpr double farOffBody = 1;

@@ -45,9 +45,9 @@ QString materialsHash(const TexturedMesh& model) {
 
 // Computes each dip's key: a hash of everything that the dip depends on (DipInputs), including the
 // versions of program and solver.
-class DipKeys {
+class CacheKeys {
 public:
-    explicit DipKeys(const Project& project) {
+    explicit CacheKeys(const Project& project) {
         const QJsonObject values = toJson(project);
         QJsonObject process = values[QLatin1String("process")].toObject();
         process.remove(
@@ -145,8 +145,8 @@ std::vector<std::pair<QString, QByteArray>> readAll(const QString& path) {
 
 // Returns the cached dips of the project's immersions; empty if one is missing. Reports every fault
 // of the archive as damage.
-std::vector<QByteArray> readWanted(const QString& path, const DipKeys& keys, const Project& project,
-                                   const SolverInfo& solver) {
+std::vector<QByteArray> readWanted(const QString& path, const CacheKeys& keys,
+                                   const Project& project, const SolverInfo& solver) {
     std::vector<QByteArray> dips;
     try {
         ZipReader archive(path);
@@ -178,7 +178,7 @@ QString dipCacheFile(const QString& project) {
 
 void cacheDips(const JobResult& result, const QString& project, qint64 most) {
     const QString path = dipCacheFile(project);
-    const DipKeys keys(result.project);
+    const CacheKeys keys(result.project);
     std::vector<std::pair<QString, QByteArray>> dips = readAll(path);
     bool isNew = false;
     for (const ImmersionResult& dip : result.immersions) {
@@ -242,7 +242,7 @@ std::shared_ptr<const JobResult> cachedDipsOf(const Project& project, const Solv
     result->project = project;
     result->wantedSolver = project.process.solver;
     result->chosenSolver = solver.id;
-    const std::vector<QByteArray> kept = readWanted(file, DipKeys(project), project, solver);
+    const std::vector<QByteArray> kept = readWanted(file, CacheKeys(project), project, solver);
     for (std::size_t number = 0; number < kept.size(); ++number) {
         progress(double(number) / double(kept.size()), Text::tr("Reading the cached dips"));
         ImmersionResult& dip = result->immersions.emplace_back();

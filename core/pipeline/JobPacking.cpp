@@ -50,7 +50,7 @@ std::array<double, 5> behaviourOf(const Project& project) {
     return behaviour;
 }
 
-// Returns what the print depends on of the project's printer profile.
+// Returns the project's printer profile without the fields that do not change the print.
 std::optional<PrinterProfile> printOf(const Project& project) {
     std::optional<PrinterProfile> printer = withoutCosts(project.profiles).printer;
     if (printer) {

@@ -53,7 +53,7 @@ QString jobHash(const Project& project, const Immersion& immersion, const Printe
     anonymous.process.solver = ProcessSettings().solver;
     anonymous.baseColour.clear(); // this colour is not printed
     anonymous.profiles = withoutCosts(project.profiles);
-    anonymous.profiles.printer.reset(); // has digits of its own (numberedFor() in PrintFile.h)
+    anonymous.profiles.printer.reset(); // numberedFor() in PrintFile.h adds its digits
     anonymous.asBuilt.times.clear();
     QJsonObject settings = countedSettings(anonymous);
     for (const char* key : {"model", "immersions", "name", "cradle", "tolerance", "verdict",

@@ -28,8 +28,8 @@ QImage afterDip(const PoseView& view, const Progress& progress) {
     return pictures;
 }
 
-// Returns the verdict on the job, then its reasons: those that concern this dip or all dips
-// together, and those of the other dip that decide the verdict.
+// Returns the verdict on the job, then its reasons: all that concern this dip or the whole job. Of
+// the other dip, only the reasons for this verdict.
 QStringList verdictLines(const JobResult& result, std::size_t number) {
     const Advice advice = adviceOf(result);
     QStringList lines{adviceText(advice)};

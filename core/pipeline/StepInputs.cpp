@@ -110,8 +110,9 @@ SheetInputs sheetInputs(const Project& project, const JobOptions& options, std::
                        {project.verdict, project.tolerance.limits, project.tolerance.marks}};
     const int dip = int(number) + 1;
     if (options.printsTexture() && isCorrected(project.asBuilt, dip)) {
-        inputs.built = countParts(project.asBuilt, dip, dipKeys(project));
-        AsBuilt alike = partsDippedAlike(project);
+        const QStringList keys = dipKeys(project);
+        inputs.built = countParts(project.asBuilt, dip, keys);
+        AsBuilt alike = dippedAlike(project.asBuilt, keys);
         if (isCorrected(alike, dip)) {
             alike.times.clear();
             inputs.correction = std::move(alike);

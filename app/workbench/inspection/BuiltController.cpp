@@ -75,8 +75,8 @@ void BuiltController::keep(const QString& acceptedBy) {
     startJob(
         jobs_, messages_, tr("Measuring the error on the sheet"), tr("Keep part"),
         [measured = measured_, built, acceptedBy](const Progress&) {
-            requireOnBody(clickedPairs(measured->project.inspection), measured->project.model->mesh,
-                          measured->project.name);
+            requireOnBody(clickedPairs(measured->project.inspection),
+                          SurfaceQuery(measured->project.model->mesh), measured->project.name);
             QStringList hashes;
             for (const PartPhoto& photo : measured->photos) {
                 hashes << photo.sha256;

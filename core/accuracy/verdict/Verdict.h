@@ -45,7 +45,7 @@ struct VerdictReason {
         LostPlates,  // `text`: the plates that the project's printer cannot print
         OtherDips,   // `value` of `limit` measured parts were dipped otherwise, so the sheet is not
                      // corrected by them
-        UnknownDips, // it is not known how the measured parts were dipped that correct the sheet
+        UnknownDips, // measured parts correct the sheet, but nothing says how they were dipped
         // Reasons about all dips together.
         Unreached,    // neither dip paints the share `value` of the body's surface
         Narrow,       // the share `value` of the overlap is too narrow

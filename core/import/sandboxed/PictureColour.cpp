@@ -607,10 +607,10 @@ QByteArray embeddedProfile(const QByteArray& file, const QString& where) {
     return profile;
 }
 
-bool isReadableTiff(const QByteArray& file) {
+bool isMisreadTiff(const QByteArray& file) {
     const TiffFile tiff(file);
     if (!isTiff(file) || !tiff.get()) {
-        return true;
+        return false;
     }
     const int photometric = tiff.number<std::uint16_t>(TIFFTAG_PHOTOMETRIC);
     const int samples = tiff.number<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL);
@@ -619,10 +619,10 @@ bool isReadableTiff(const QByteArray& file) {
         photometric == PHOTOMETRIC_RGB && samples == 4 && hasTransparency(tiff);
     const bool isInPlanes =
         tiff.number<std::uint16_t>(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE && samples > 1;
-    return (samples == colours || isTransparent) &&
-           tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE) <= (isInPlanes ? 8 : 16) &&
-           tiff.number<std::uint16_t>(TIFFTAG_SAMPLEFORMAT) == SAMPLEFORMAT_UINT &&
-           !(photometric == PHOTOMETRIC_PALETTE && hasNarrowColourMap(tiff));
+    return !(samples == colours || isTransparent) ||
+           tiff.number<std::uint16_t>(TIFFTAG_BITSPERSAMPLE) > (isInPlanes ? 8 : 16) ||
+           tiff.number<std::uint16_t>(TIFFTAG_SAMPLEFORMAT) != SAMPLEFORMAT_UINT ||
+           (photometric == PHOTOMETRIC_PALETTE && hasNarrowColourMap(tiff));
 }
 
 QImage inkPictureOf(const InkPicture& picture, const QByteArray& profile) {

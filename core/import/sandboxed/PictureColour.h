@@ -15,10 +15,9 @@ namespace dipwright {
 // naming `where`, if the profile is damaged, incomplete or far too large.
 QByteArray embeddedProfile(const QByteArray& file, const QString& where);
 
-// Whether all decoders here read the pixels of a TIFF file as it means them. True for damaged files
-// and other formats, which the decoders refuse themselves. Qt reads the first plane of 16-bit
-// planes only, and drops or misreads channels that are not one transparency beside RGB.
-bool isReadableTiff(const QByteArray& file);
+// Whether a file is TIFF that the decoders here would read wrongly. Qt reads the first plane of
+// 16-bit planes only, and drops or misreads channels that are not one transparency beside RGB.
+bool isMisreadTiff(const QByteArray& file);
 
 // Pixels in four inks, row by row without gaps: cyan, magenta, yellow, black; 0 is no ink, 65535
 // full ink.

@@ -202,7 +202,7 @@ QImage PictureReader::decoded(const QByteArray& bytes, const QString& where, Tur
         count(announced, bytes.size(), where);
     }
     requireWhole(bytes, where, turned);
-    if (!isReadableTiff(bytes)) {
+    if (isMisreadTiff(bytes)) {
         throw Error(Text::tr("The TIFF file stores its pixels in a way that is not supported, such "
                              "as in planes, as floating-point numbers or with extra channels; "
                              "save the picture again as PNG, or as TIFF with 8 or 16 bits, without "
