@@ -129,6 +129,14 @@ bool lacksPicture(const QJsonObject& texture, const QJsonObject& model) {
     return named.isObject() && !named.toObject().contains(u"source");
 }
 
+// Whether the model wants hard edges between the pixels of the texture's picture.
+bool hasHardPixels(const QJsonObject& texture, const QJsonObject& model) {
+    constexpr int nearest = 9728; // glTF 2.0, sampler.magFilter
+    const QJsonValue named = model[u"textures"].toArray().at(texture[u"index"].toInt(-1));
+    const QJsonValue sampler = model[u"samplers"].toArray().at(named[u"sampler"].toInt(-1));
+    return sampler[u"magFilter"].toInt() == nearest;
+}
+
 // Whether assimp 5.2 would misplace a texture. It applies an offset correctly. But it rotates and
 // scales about the wrong point, and ignores a change of texture coordinates.
 bool isMovedOtherwise(const QJsonObject& texture) {
@@ -141,11 +149,12 @@ bool isMovedOtherwise(const QJsonObject& texture) {
 }
 
 void checkTextures(const QJsonObject& model, const ModelSource& source, QStringList& warnings) {
-    bool lacks = false, isMoved = false;
+    bool lacks = false, isMoved = false, isHard = false;
     for (const QJsonValue& material : model[u"materials"].toArray()) {
         const QJsonObject texture = textureOf(material.toObject());
         lacks |= lacksPicture(texture, model);
         isMoved |= isMovedOtherwise(texture);
+        isHard |= hasHardPixels(texture, model);
     }
     if (isMoved && model[u"extensionsRequired"].toArray().contains(textureTransform)) {
         throwNotRead(source, textureTransform);
@@ -154,6 +163,12 @@ void checkTextures(const QJsonObject& model, const ModelSource& source, QStringL
         warnings.push_back(Text::tr(
             "The model scales or rotates a texture (KHR_texture_transform), which is not shown "
             "correctly; apply the transform to the texture coordinates in a modelling program"));
+    }
+    if (isHard) {
+        warnings.push_back(Text::tr(
+            "The model wants hard edges between the pixels of a picture (magFilter NEAREST), "
+            "but the sheet shows smooth changes of colour; enlarge the picture without "
+            "smoothing in an image program"));
     }
     if (lacks) {
         warnings.push_back(

@@ -133,12 +133,13 @@ void requireSoundSize(const TriangleMesh& mesh, const QString& path) {
     const auto stray = std::count_if(distances.begin(), distances.end(),
                                      [&](double distance) { return distance > farthest * usual; });
     if (stray > 0) {
-        throw Error(Text::tr("%1 points of the model lie more than %2 times as far from its middle "
-                             "as most points; delete them in a modelling program and save the "
-                             "model again")
-                        .arg(stray)
-                        .arg(farthest),
-                    path);
+        throw Error(
+            Text::tr("Some points of the model (%1) lie more than %2 times as far from its "
+                     "middle as most points; delete them in a modelling program and save the "
+                     "model again")
+                .arg(stray)
+                .arg(farthest),
+            path);
     }
 }
 
