@@ -6,18 +6,22 @@
 namespace dipwright {
 namespace {
 
-// Tells whether the part of a place was dipped as `dips` say; nothing if that is not known.
 std::optional<bool> isAlike(const AsBuilt& built, const BuiltPlace& place,
                             const QStringList& dips) {
     const auto part = std::size_t(place.part) - 1;
-    if (part >= built.parts.size() || built.parts[part].dips.isEmpty()) {
-        return std::nullopt;
-    }
-    const QString key = built.parts[part].dips.split(u' ').value(place.dip - 1);
-    return !key.isEmpty() && key == dips.value(place.dip - 1);
+    return part < built.parts.size() ? isDippedAlike(built.parts[part], place.dip, dips)
+                                     : std::nullopt;
 }
 
 } // namespace
+
+std::optional<bool> isDippedAlike(const BuiltPart& part, int dip, const QStringList& dips) {
+    if (part.dips.isEmpty()) {
+        return std::nullopt;
+    }
+    const QString key = part.dips.split(u' ').value(dip - 1);
+    return !key.isEmpty() && key == dips.value(dip - 1);
+}
 
 AsBuilt withTankRun(AsBuilt built, std::vector<TankTime> times) {
     const int run = built.times.empty() ? 1 : built.times.back().run + 1;

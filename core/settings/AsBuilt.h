@@ -74,8 +74,11 @@ struct AsBuilt {
 // runs are dropped beyond the limit.
 AsBuilt withTankRun(AsBuilt built, std::vector<TankTime> times);
 
-// Returns `built` without the places whose part was dipped otherwise than `dips` say: the keys of
-// the dips (BuiltPart::dips). Keeps the places of parts whose dips are not known.
+// Tells whether a part's dip, counted from 1, was as `dips` say, the keys of the dips
+// (BuiltPart::dips); nothing if that is not known.
+std::optional<bool> isDippedAlike(const BuiltPart& part, int dip, const QStringList& dips);
+// Returns `built` without the places whose part was dipped otherwise than `dips` say. Keeps the
+// places of parts whose dips are not known.
 AsBuilt dippedAlike(AsBuilt built, const QStringList& dips);
 
 // How many parts with measured places on one dip's sheet were dipped in which way.

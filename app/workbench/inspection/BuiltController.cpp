@@ -32,11 +32,13 @@ void BuiltController::showDocument() {
 void BuiltController::showProject() {
     const Document* document = session_.document();
     if (!document) {
-        page_->setBuilt({}, Millimetres(210), Millimetres(297));
+        page_->setBuilt({}, {}, Millimetres(210), Millimetres(297));
         return;
     }
     const Project& project = document->project();
-    page_->setBuilt(project.asBuilt, project.film.width, project.film.height);
+    page_->setBuilt(project.asBuilt,
+                    project.asBuilt.parts.empty() ? QStringList() : dipKeys(project),
+                    project.film.width, project.film.height);
     const AsBuilt built = partsDippedAlike(project);
     if (built.places != places_) {
         places_ = built.places;

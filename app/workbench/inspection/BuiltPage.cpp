@@ -1,6 +1,7 @@
 #include "workbench/inspection/BuiltPage.h"
 
 #include "accuracy/correction/SheetCorrection.h"
+#include "base/NumberText.h"
 #include "cost/CostText.h"
 #include "traveller/TankTasks.h"
 #include "workbench/widgets/NumberBox.h"
@@ -25,10 +26,28 @@ namespace {
 constexpr int pictureHeight = 1200; // pixels
 constexpr int rows = 4;             // parts visible without scrolling
 
+// Tells which dips of a part were as the job's dips are now.
+QString alikeText(const BuiltPart& part, const QStringList& dips) {
+    if (part.dips.isEmpty()) {
+        return BuiltPage::tr("not known");
+    }
+    QStringList alike;
+    for (int dip = 1; dip <= dips.size(); ++dip) {
+        if (isDippedAlike(part, dip, dips).value_or(false)) {
+            alike << QString::number(dip);
+        }
+    }
+    if (alike.size() == dips.size()) {
+        return BuiltPage::tr("yes");
+    }
+    return alike.isEmpty() ? BuiltPage::tr("no")
+                           : BuiltPage::tr("only dip %1").arg(alike.join(QStringLiteral(", ")));
+}
+
 } // namespace
 
 BuiltPage::BuiltPage(QWidget* parent)
-    : QWidget(parent), parts_(new QTableWidget(0, 4)), times_(new QTableWidget(0, 4)),
+    : QWidget(parent), parts_(new QTableWidget(0, 5)), times_(new QTableWidget(0, 4)),
       acceptedBy_(new QLineEdit), corrects_(new QCheckBox(tr("&Correct the next sheets"))),
       strength_(new NumberBox), dip_(new QComboBox), hint_(new QLabel), words_(new QLabel),
       legend_(new QLabel),
@@ -37,9 +56,13 @@ BuiltPage::BuiltPage(QWidget* parent)
     parts_->setObjectName(QStringLiteral("builtParts"));
     parts_->setCornerButtonEnabled(false);
     parts_->setAccessibleName(tr("Measured parts of the job"));
-    parts_->setHorizontalHeaderLabels({tr("Date"), tr("Accepted by"), tr("Photos"), tr("Error")});
+    parts_->setHorizontalHeaderLabels(
+        {tr("Date"), tr("Accepted by"), tr("Photos"), tr("Error"), tr("Dips as now")});
     parts_->horizontalHeaderItem(3)->setToolTip(
         tr("Root mean square of the part's error, measured on the sheet"));
+    parts_->horizontalHeaderItem(4)->setToolTip(
+        tr("Whether the part was dipped with the present pose, film, process and model. The next "
+           "sheets are corrected without dips of which this is not so."));
     parts_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     parts_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     parts_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -75,7 +98,7 @@ BuiltPage::BuiltPage(QWidget* parent)
     layout->addWidget(picture_, 1);
     layout->addWidget(legend_);
     layout->addWidget(makeCorrectionBar());
-    setBuilt({}, width_, height_);
+    setBuilt({}, {}, width_, height_);
 }
 
 QWidget* BuiltPage::makeKeepBar() {
@@ -127,14 +150,15 @@ QWidget* BuiltPage::makeCorrectionBar() {
     return bar;
 }
 
-void BuiltPage::setBuilt(const AsBuilt& built, Millimetres width, Millimetres height) {
+void BuiltPage::setBuilt(const AsBuilt& built, const QStringList& dips, Millimetres width,
+                         Millimetres height) {
     built_ = built;
     width_ = width;
     height_ = height;
     corrects_->setChecked(built.corrects);
     const QSignalBlocker quiet(strength_);
     strength_->setValue(100 * built.strength);
-    showParts();
+    showParts(dips);
     showTimes();
     showPicture();
     enable();
@@ -159,13 +183,14 @@ void BuiltPage::setErrors(std::shared_ptr<const std::vector<RepeatingError>> err
     showPicture();
 }
 
-void BuiltPage::showParts() {
+void BuiltPage::showParts(const QStringList& dips) {
     parts_->setRowCount(int(built_.parts.size()));
     for (int row = 0; row < parts_->rowCount(); ++row) {
         const BuiltPart& part = built_.parts[std::size_t(row)];
         const QStringList hashes = part.photos.split(u' ', Qt::SkipEmptyParts);
         const QStringList texts{part.date, part.acceptedBy, QString::number(hashes.size()),
-                                tr("%1 mm").arg(QLocale().toString(part.residual, 'f', 2))};
+                                tr("%1 mm").arg(numberText(part.residual, 2)),
+                                alikeText(part, dips)};
         for (int column = 0; column < texts.size(); ++column) {
             parts_->setItem(row, column, new QTableWidgetItem(texts[column]));
         }

@@ -26,8 +26,9 @@ class BuiltPage : public QWidget {
 public:
     explicit BuiltPage(QWidget* parent = nullptr);
 
-    // Sets the job's measured parts and the size of its film.
-    void setBuilt(const AsBuilt& built, Millimetres width, Millimetres height);
+    // Sets the job's measured parts, the keys of its dips (dipKeys()) and the size of its film.
+    void setBuilt(const AsBuilt& built, const QStringList& dips, Millimetres width,
+                  Millimetres height);
     // Sets the repeating error of each dip; null: unknown.
     void setErrors(std::shared_ptr<const std::vector<RepeatingError>> errors);
     // Sets whether there is a measured part to keep.
@@ -42,7 +43,7 @@ signals:
 private:
     QWidget* makeKeepBar();
     QWidget* makeCorrectionBar();
-    void showParts();
+    void showParts(const QStringList& dips);
     void showTimes();
     void showPicture();
     void enable();

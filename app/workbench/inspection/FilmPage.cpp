@@ -1,5 +1,6 @@
 #include "workbench/inspection/FilmPage.h"
 
+#include "base/NumberText.h"
 #include "import/trusted/ReadPhotos.h"
 #include "inspection/FilmWatchFiles.h"
 #include "workbench/widgets/Icons.h"
@@ -14,7 +15,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
@@ -378,7 +378,7 @@ void FilmPage::showPicture() {
                              .arg(QFileInfo(photo.where).fileName())
                              .arg(photo.film.corners.size())
                              .arg(photo.film.cardCorners.size())
-                             .arg(QLocale().toString(photo.film.residualPixels, 'f', 3)));
+                             .arg(numberText(photo.film.residualPixels, 3)));
     const QImage map = unevennessMap(photo, mapHeight);
     map_->setPicture(map, QSizeF(map.size()) / mapPixelsPerMillimetre);
 }

@@ -1,12 +1,11 @@
 #include "workbench/inspection/FitPage.h"
 
-#include "base/MinusSign.h"
+#include "base/NumberText.h"
 #include "workbench/widgets/Icons.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -171,10 +170,8 @@ void FitPage::showCorrelations() {
         correlations_->setItem(row, 0,
                                cell(QStringLiteral("%1  %2").arg(row + 1).arg(name), false));
         for (int column = 0; column < row; ++column) {
-            correlations_->setItem(row, column + 1,
-                                   cell(withMinusSign(QLocale().toString(
-                                            fitted_->fit.correlation(row, column), 'f', 2)),
-                                        true));
+            correlations_->setItem(
+                row, column + 1, cell(numberText(fitted_->fit.correlation(row, column), 2), true));
         }
     }
     fitHeight(*correlations_);

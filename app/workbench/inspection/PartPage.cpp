@@ -1,5 +1,6 @@
 #include "workbench/inspection/PartPage.h"
 
+#include "base/NumberText.h"
 #include "import/trusted/ReadPhotos.h"
 #include "workbench/widgets/Icons.h"
 
@@ -11,7 +12,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -23,16 +23,12 @@ namespace dipwright {
 
 namespace {
 
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-}
-
 QStringList cells(const PartFigures& figures) {
     return {QString::number(figures.count),
-            PartPage::tr("%1 ± %2").arg(number(figures.meanPixels, 2),
-                                        number(figures.deviationPixels, 2)),
-            number(100 * figures.shareOfDiagonal, 3), number(figures.percentile95, 2),
-            number(figures.worst, 2)};
+            PartPage::tr("%1 ± %2").arg(numberText(figures.meanPixels, 2),
+                                        numberText(figures.deviationPixels, 2)),
+            numberText(100 * figures.shareOfDiagonal, 3), numberText(figures.percentile95, 2),
+            numberText(figures.worst, 2)};
 }
 
 QToolButton* toolButton(const char* name, const char* picture, const QString& help) {

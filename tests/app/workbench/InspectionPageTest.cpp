@@ -151,7 +151,9 @@ private slots:
         QCOMPARE(built().parts[0].acceptedBy, QStringLiteral("Ada"));
         QCOMPARE(built().parts[0].photos, part().photos[0].sha256);
         QVERIFY(built().parts[0].residual < 0.5); // the photo shows the computed result
-        QCOMPARE(driver.find<QTableWidget>("builtParts")->rowCount(), 1);
+        auto* parts = driver.find<QTableWidget>("builtParts");
+        QCOMPARE(parts->rowCount(), 1);
+        QCOMPARE(parts->item(0, 4)->text(), QStringLiteral("yes")); // dipped as the job dips now
         QTRY_VERIFY_WITH_TIMEOUT(
             driver.find<QLabel>("builtWords")->text().contains(QStringLiteral("repeat")),
             patience());
@@ -169,6 +171,12 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(window_->window().findChild<QMessageBox*>(), patience());
         window_->window().findChild<QMessageBox*>()->close();
         QCOMPARE(built().parts.size(), std::size_t(1));
+        window_->window().document()->edit(QStringLiteral("depth"), {}, [](Project& project) {
+            project.process.depth = Millimetres(20);
+        });
+        QCOMPARE(parts->item(0, 4)->text(), QStringLiteral("no"));
+        driver.trigger("undo");
+        QCOMPARE(parts->item(0, 4)->text(), QStringLiteral("yes"));
     }
 
     // The film is too coarse for the fit to converge. The page says so instead of showing a result.
