@@ -1,7 +1,7 @@
 #include "cli/InspectPart.h"
+#include "base/NumberText.h"
 #include "model/TexturedMesh.h"
 
-#include "base/MinusSign.h"
 #include "cli/Arguments.h"
 #include "disk/SmallFile.h"
 #include "import/trusted/ReadPhotos.h"

@@ -1,10 +1,10 @@
+#include "base/NumberText.h"
 #include "cli/Arguments.h"
 #include "cli/VerdictOutput.h"
 #include "project/NewProject.h"
 #include "project/Profiles.h"
 
 #include "base/Error.h"
-#include "base/MinusSign.h"
 #include "cost/CostText.h"
 #include "dip/FilmUnderBody.h"
 #include "marks/SurfaceMask.h"

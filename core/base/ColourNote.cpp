@@ -1,7 +1,8 @@
 #include "base/ColourNote.h"
 
+#include "base/NumberText.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -87,7 +88,7 @@ QString colourNoteText(const QImage& picture, const QString& name) {
                          "%1 has colours outside BT.2020, the largest colour space used here: %2 % "
                          "of its pixels are printed less saturated; to control this, save it in a "
                          "smaller colour space, such as Adobe RGB")
-                         .arg(name, QLocale().toString(percent, 'f', 1));
+                         .arg(name, numberText(percent, 1));
     }
     return sentences.join(QStringLiteral(". "));
 }

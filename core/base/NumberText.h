@@ -1,6 +1,8 @@
-// Gives negative numbers a minus sign in texts for people: windows, reports and printed pages.
+// Numbers in texts for people: windows, reports, notes and printed pages. Files and the output that
+// scripts read have plain numbers instead (QString::number).
 #pragma once
 
+#include <QLocale>
 #include <QRegularExpression>
 #include <QString>
 
@@ -12,6 +14,16 @@ namespace dipwright {
 inline QString withMinusSign(QString number) {
     static const QRegularExpression hyphenOfZero(QStringLiteral("^-(?=[0.,]+$)"));
     return number.remove(hyphenOfZero).replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
+// Returns a number with so many decimals, as the program's language writes it (QLocale's default).
+inline QString numberText(double value, int decimals) {
+    return withMinusSign(QLocale().toString(value, 'f', decimals));
+}
+
+// The same with so many significant digits; trailing zeros are left out.
+inline QString roundedText(double value, int digits) {
+    return withMinusSign(QLocale().toString(value, 'g', digits));
 }
 
 } // namespace dipwright

@@ -1,8 +1,9 @@
 #include "cost/CostText.h"
 
+#include "base/NumberText.h"
+
 #include <QCoreApplication>
 #include <QJsonArray>
-#include <QLocale>
 
 #include <cmath>
 
@@ -72,7 +73,7 @@ QString wordFor(TimeKind kind) {
 
 QString shown(double number) {
     const int decimals = number < 1 ? 4 : number < 100 ? 2 : 1;
-    return QLocale().toString(number, 'f', decimals);
+    return numberText(number, decimals);
 }
 
 QString shownAmount(double amount, CostUnit unit) {
@@ -93,7 +94,7 @@ QString shownAmount(double amount, CostUnit unit) {
 }
 
 QString money(double amount, const QString& currency) {
-    const QString number = QLocale().toString(amount, 'f', 2);
+    const QString number = numberText(amount, 2);
     return currency.isEmpty() ? number : QStringLiteral("%1 %2").arg(number, currency);
 }
 

@@ -1,11 +1,11 @@
 #include "cradle/Cradle.h"
 
+#include "base/NumberText.h"
 #include "cradle/CradleForm.h"
 #include "cradle/FormSurface.h"
 #include "cradle/ReducedSurface.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -92,10 +92,6 @@ Eigen::Isometry3d toPrinter(const CradlePlate& plate) {
     return result;
 }
 
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-}
-
 QStringList notesOn(const Cradle& cradle, const HeldDip& dip, const CradleSettings& settings,
                     const CradlePlate& plate) {
     QStringList notes;
@@ -115,7 +111,8 @@ QStringList notesOn(const Cradle& cradle, const HeldDip& dip, const CradleSettin
     if (check.paddedArea > 0) {
         notes << Text::tr("%1: the cradle touches %2 mm² of paint from an earlier dip; line the "
                           "cradle there with %3 mm of soft felt or foam")
-                     .arg(name, number(check.paddedArea, 0), number(settings.padding.value(), 1));
+                     .arg(name, numberText(check.paddedArea, 0),
+                          numberText(settings.padding.value(), 1));
     }
     if (plate.engraving.isEmpty() && settings.engravingDepth.value() > 0) {
         notes << Text::tr("%1: the cradle's plate has no room for the engraving; write the arrow, "

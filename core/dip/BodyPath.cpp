@@ -1,7 +1,7 @@
 #include "dip/BodyPath.h"
 
 #include "base/Error.h"
-#include "base/MinusSign.h"
+#include "base/NumberText.h"
 #include "dip/PathMoves.h"
 #include "dip/Pose.h"
 

@@ -1,6 +1,7 @@
 #include "dip/Dip.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "dip/FilmFit.h"
 #include "dip/FilmUnderBody.h"
 #include "film/FilmGrid.h"
@@ -47,8 +48,8 @@ Error missedFilm(const PosedBody& body, const DistanceField& field, const Immers
         Text::tr(
             "The solver did not find the part: it is only %1 mm thick in places, and the distance "
             "field has cells of %2 mm; make it thicker there, or dip only a section of it")
-            .arg(thinnest, 0, 'g', 2)
-            .arg(field.spacing, 0, 'g', 2),
+            .arg(roundedText(thinnest, 2))
+            .arg(roundedText(field.spacing, 2)),
         immersion.name};
 }
 

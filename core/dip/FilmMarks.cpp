@@ -1,7 +1,8 @@
 #include "dip/FilmMarks.h"
 
+#include "base/NumberText.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -13,7 +14,7 @@ struct Text {
 };
 
 QString squareMillimetres(double area) {
-    return Text::tr("%1 mm²").arg(QLocale().toString(area, 'f', area < 10 ? 1 : 0));
+    return Text::tr("%1 mm²").arg(numberText(area, area < 10 ? 1 : 0));
 }
 
 } // namespace
@@ -85,7 +86,7 @@ QString markedText(const MarkedArea& marked, double paintedArea) {
     const double percent = 100 * marked.any / paintedArea;
     return Text::tr("%1 of the painted area (%2 %) is painted by film that tore, was released or "
                     "did not converge. %3.")
-        .arg(squareMillimetres(marked.any), QLocale().toString(percent, 'f', percent < 10 ? 1 : 0),
+        .arg(squareMillimetres(marked.any), numberText(percent, percent < 10 ? 1 : 0),
              causes.join(QStringLiteral("; ")));
 }
 

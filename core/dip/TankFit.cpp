@@ -1,10 +1,10 @@
 #include "dip/TankFit.h"
 
+#include "base/NumberText.h"
 #include "dip/Pose.h"
 #include "film/FilmGrid.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +73,7 @@ Demand demandOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
 }
 
 QString number(double value) {
-    return QLocale().toString(value, 'f', 1);
+    return numberText(value, 1);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "inspection/FilmFit.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "inspection/FitAdvice.h"
 #include "inspection/JointFit.h"
 #include "inspection/SimulatedPlaces.h"
@@ -291,8 +292,8 @@ void requireExplained(const FilmFit& fit, const QString& where) {
         throw Error(Text::tr("The fit does not explain the places: their root mean square distance "
                              "is %1 mm before the fit and %2 mm after it; check the coordinates "
                              "of the sheet, and for places that were mistaken for others")
-                        .arg(before, 0, 'f', 2)
-                        .arg(after, 0, 'f', 2),
+                        .arg(numberText(before, 2))
+                        .arg(numberText(after, 2)),
                     where);
     }
 }

@@ -2,7 +2,7 @@
 
 #include "accuracy/correction/SheetCorrection.h"
 #include "base/Error.h"
-#include "base/MinusSign.h"
+#include "base/NumberText.h"
 #include "disk/FolderTransaction.h"
 #include "project/DipKeys.h"
 #include "project/Profiles.h"
@@ -13,7 +13,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLocale>
 #include <QTextStream>
 
 #include <algorithm>
@@ -145,9 +144,7 @@ QString digits(double value, int decimals) {
 QStringList fitCells(const FittedQuantity& found) {
     const FitQuantity quantity = found.unknown.quantity;
     const auto number = [&](double value) {
-        return std::isfinite(value)
-                   ? withMinusSign(QLocale().toString(value, 'f', decimalsOf(quantity)))
-                   : QStringLiteral("∞");
+        return std::isfinite(value) ? numberText(value, decimalsOf(quantity)) : QStringLiteral("∞");
     };
     const QString unit = fitQuantityUnit(quantity);
     const QString name =
@@ -181,7 +178,7 @@ QStringList fitSentences(const FilmFit& fit) {
                            .arg(fitQuantityText(fit.quantities[std::size_t(row)].unknown.quantity),
                                 fitQuantityText(
                                     fit.quantities[std::size_t(column)].unknown.quantity),
-                                withMinusSign(QLocale().toString(correlation, 'f', 2)));
+                                numberText(correlation, 2));
             }
         }
     }
@@ -192,13 +189,10 @@ QStringList fitSentences(const FilmFit& fit) {
     if (!fit.doubt.isEmpty()) {
         sentences << fit.doubt;
     }
-    const auto number = [](double value, int decimals) {
-        return QLocale().toString(value, 'f', decimals);
-    };
     sentences << Text::tr("Root mean square distance between the simulated and the photographed "
                           "print: %1 px (%2 mm) before the fit, %3 px (%4 mm) after it")
-                     .arg(number(fit.beforePixels, 2), number(fit.beforeMillimetres, 3),
-                          number(fit.afterPixels, 2), number(fit.afterMillimetres, 3));
+                     .arg(numberText(fit.beforePixels, 2), numberText(fit.beforeMillimetres, 3),
+                          numberText(fit.afterPixels, 2), numberText(fit.afterMillimetres, 3));
     return sentences;
 }
 

@@ -1,11 +1,11 @@
 #include "inspection/FilmWatch.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "project/Profiles.h"
 #include "sheet/page/WatchPage.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -37,12 +37,8 @@ void requireUpright(const SeenBoard& board, const QString& where) {
                 where);
 }
 
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-}
-
 QString swellText(const Measured& swell) {
-    return Text::tr("%1 ± %2").arg(number(swell.value, 4), number(swell.off, 4));
+    return Text::tr("%1 ± %2").arg(numberText(swell.value, 4), numberText(swell.off, 4));
 }
 
 double secondsOf(const WatchedPhoto& photo, double begin) {
@@ -65,7 +61,7 @@ void requireBeginSeen(const FilmWatch& watch, double beyond) {
         throw Error(Text::tr("The photos show the film from %1 to %2 s after it was laid on the "
                              "water, but the dip begins after %3 s; correct the times, or take "
                              "photos both before and after the start of the dip")
-                        .arg(number(first, 0), number(last, 0), number(watch.begin, 0)),
+                        .arg(numberText(first, 0), numberText(last, 0), numberText(watch.begin, 0)),
                     watch.photos.front().where);
     }
 }
@@ -95,7 +91,8 @@ QStringList noGrowthSentences(const FilmWatch& watch) {
     if (nearest != watch.photos.end() && away(*nearest) >= 1) {
         sentences << Text::tr("The swell was measured after %1 s, but the dip begins after %2 s; "
                               "this swell does not include the growth in between")
-                         .arg(number(secondsOf(*nearest, watch.begin), 0), number(watch.begin, 0));
+                         .arg(numberText(secondsOf(*nearest, watch.begin), 0),
+                              numberText(watch.begin, 0));
     }
     return sentences;
 }
@@ -108,18 +105,20 @@ QStringList growthSentences(const FilmWatch& watch) {
     case GrowthKnowledge::None:
         return {Text::tr("The photos show no measurable growth of the film")};
     case GrowthKnowledge::RateOnly:
-        return {Text::tr("Growth: %1 ± %2 % per second")
-                    .arg(number(100 * growth.rate.value, 4), number(100 * growth.rate.off, 4)),
-                Text::tr("The film still grew at the same rate in the last photo. Its growth limit "
-                         "is therefore unknown, and the growth in the profile stays unchanged. "
-                         "Take photos until the film stops growing")};
+        return {
+            Text::tr("Growth: %1 ± %2 % per second")
+                .arg(numberText(100 * growth.rate.value, 4), numberText(100 * growth.rate.off, 4)),
+            Text::tr("The film still grew at the same rate in the last photo. Its growth limit "
+                     "is therefore unknown, and the growth in the profile stays unchanged. "
+                     "Take photos until the film stops growing")};
     case GrowthKnowledge::Both:
         break;
     }
     return {Text::tr("Growth: %1 ± %2 % per second when the dip begins; %3 ± %4 % in total after a "
                      "long time")
-                .arg(number(100 * growth.rate.value, 4), number(100 * growth.rate.off, 4),
-                     number(100 * growth.limit.value, 2), number(100 * growth.limit.off, 2))};
+                .arg(numberText(100 * growth.rate.value, 4), numberText(100 * growth.rate.off, 4),
+                     numberText(100 * growth.limit.value, 2),
+                     numberText(100 * growth.limit.off, 2))};
 }
 
 double meanResidual(const FilmWatch& watch) {
@@ -260,7 +259,7 @@ QStringList watchSentences(const FilmWatch& watch) {
     }
     sentences << Text::tr("Unevenness: 95 % of the film lies within %1 mm of where an evenly "
                           "swollen film would lie")
-                     .arg(number(uneven, 3));
+                     .arg(numberText(uneven, 3));
     return sentences;
 }
 

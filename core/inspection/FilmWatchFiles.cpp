@@ -1,5 +1,6 @@
 #include "inspection/FilmWatchFiles.h"
 
+#include "base/NumberText.h"
 #include "base/Png.h"
 #include "disk/FolderTransaction.h"
 #include "results/Results.h"
@@ -11,7 +12,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLocale>
 #include <QPainter>
 #include <QTextStream>
 #include <algorithm>
@@ -137,8 +137,8 @@ public:
         letter(painter, {4, 9.5}, 1.6,
                Text::tr("Colour: growth relative to the mean swell %1 · arrows: displacement, "
                         "enlarged %2 times")
-                   .arg(QLocale().toString(mean_, 'f', 4))
-                   .arg(QLocale().toString(enlarged(), 'f', 0)));
+                   .arg(numberText(mean_, 4))
+                   .arg(numberText(enlarged(), 0)));
         for (const FilmCorner& corner : film_.corners) {
             drawSwell(painter, corner);
         }
@@ -148,7 +148,7 @@ public:
         drawScale(painter);
         letter(painter, {4, 96}, 1.6,
                Text::tr("95 % of the corners lie within %1 mm of an evenly swollen film")
-                   .arg(QLocale().toString(film_.unevennessMillimetres, 'f', 3)));
+                   .arg(numberText(film_.unevennessMillimetres, 3)));
         return picture;
     }
 
@@ -205,7 +205,7 @@ private:
                              mapColour(QStringLiteral("balance"), (i + 0.5) / steps));
         }
         for (const int end : {-1, 0, 1}) {
-            const QString text = QLocale().toString(100 * end * most_, 'f', 2);
+            const QString text = numberText(100 * end * most_, 2);
             letter(painter, {bar.right() + 1, bar.center().y() - end * bar.height() / 2 + 0.6}, 1.6,
                    (end > 0 ? QStringLiteral("+") : QString()) + text + QStringLiteral(" %"));
         }

@@ -1,6 +1,7 @@
 #include "inspection/FlatFilm.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "base/Units.h"
 #include "inspection/LeastSquares.h"
 #include "inspection/LinearProjection.h"
@@ -11,7 +12,6 @@
 #include <Eigen/QR>
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -223,7 +223,7 @@ void requireFlatCard(const FlatFit& problem, const LeastSquaresFit& fit, const Q
             Text::tr(
                 "The card's corners lie %1 px from their places on a flat card; lay the card flat, "
                 "and correct or clear the values for lens distortion, focal length and card height")
-                .arg(QLocale().toString(off * problem.pixels(), 'f', 1)),
+                .arg(numberText(off * problem.pixels(), 1)),
             where);
     }
 }

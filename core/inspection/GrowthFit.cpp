@@ -1,10 +1,10 @@
 #include "inspection/GrowthFit.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "inspection/LeastSquares.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -157,7 +157,7 @@ void refuseUnlessGrowing(double grown, double unsure, double span, const QString
     if (grown < -surelyGrows * unsure) {
         throw Error(Text::tr("In these photos the film shrinks by %1 % per second, but film grows "
                              "on the water; check that the times are in the order of the photos")
-                        .arg(QLocale().toString(-100 * grown / span, 'f', 4)),
+                        .arg(numberText(-100 * grown / span, 4)),
                     where);
     }
     if (grown < surelyGrows * unsure) {

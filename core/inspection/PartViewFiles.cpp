@@ -1,6 +1,7 @@
 #include "inspection/PartViewFiles.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "base/Png.h"
 #include "disk/FolderTransaction.h"
 
@@ -9,7 +10,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLocale>
 #include <QPainter>
 #include <QTextStream>
 #include <algorithm>
@@ -273,7 +273,7 @@ QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePa
     painter.setFont(font);
     const QString words =
         Text::tr("Rings: expected places · lines: deviations of the seen places, enlarged %1 times")
-            .arg(QLocale().toString(times, 'g', 3));
+            .arg(roundedText(times, 3));
     const QRectF band(0, 0, picture.width(), 14 * unit);
     painter.fillRect(band, QColor(255, 255, 255, 210));
     painter.setPen(Qt::black);

@@ -1,12 +1,12 @@
 #include "marks/SurfaceMask.h"
 
+#include "base/NumberText.h"
 #include "geometry/SurfaceSpot.h"
 #include "geometry/TriangleDistance.h"
 #include "model/NamedMaterials.h"
 #include "parallel/ParallelFor.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -276,7 +276,7 @@ MaskedAreas maskedAreas(const SurfaceMask& mask) {
 QString maskText(const MaskedAreas& areas) {
     return Text::tr("Masked areas: %1 (%2 mm²). Cover them with tape before the first dip.")
         .arg(areas.count)
-        .arg(QLocale().toString(areas.area, 'f', 0));
+        .arg(numberText(areas.area, 0));
 }
 
 } // namespace dipwright

@@ -1,10 +1,10 @@
 #include "pipeline/FilmRefinement.h"
 
 #include "accuracy/verdict/FinerFilm.h"
+#include "base/NumberText.h"
 #include "dip/FilmUnderBody.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ struct Text {
 constexpr double almostEqual = 1.00001; // film points' errors are floats
 
 QString millimetresText(double length) {
-    return QLocale().toString(length, 'f', 2);
+    return numberText(length, 2);
 }
 
 // Returns neededCell() of a dip whose numerical error was estimated.
@@ -106,9 +106,8 @@ QStringList refinementNotes(const JobResult& result) {
                                 "would need about %3 million points × steps; the project allows "
                                 "%4 million. Raise this limit (Film > Work limit), or turn the "
                                 "part."))
-                    .arg(dip.immersion.name, millimetresText(cellToSet(*cell)),
-                         QLocale().toString(work, 'f', 0),
-                         QLocale().toString(settings.work, 'f', 0)));
+                    .arg(dip.immersion.name, millimetresText(cellToSet(*cell)), numberText(work, 0),
+                         numberText(settings.work, 0)));
         }
     }
     return notes;

@@ -1,5 +1,6 @@
 #include "pipeline/InkOptions.h"
 
+#include "base/NumberText.h"
 #include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 #include "sheet/prepress/PlateCompensation.h"
@@ -11,7 +12,6 @@
 #include "texture/StretchPlane.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -413,10 +413,6 @@ std::optional<InkOptions> comparedOptions(const Project& project, Samples sample
     return found;
 }
 
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-}
-
 } // namespace
 
 QString remedyKey(InkRemedy remedy) {
@@ -509,7 +505,8 @@ void take(Project& project, const InkOption& option) {
 QString remedyText(const InkOption& option) {
     switch (option.remedy) {
     case InkRemedy::LighterTexture:
-        return Text::tr("Lighten the darkest colours to density %1").arg(number(option.value, 2));
+        return Text::tr("Lighten the darkest colours to density %1")
+            .arg(numberText(option.value, 2));
     case InkRemedy::WhiteBeneath:
         return Text::tr("Print white beneath the colours");
     case InkRemedy::SecondPass:
@@ -523,10 +520,10 @@ QString remedyText(const InkOption& option) {
 QString reachText(const InkReach& reach) {
     QString text = Text::tr("%1 % of the painted surface too pale; missing density where it is "
                             "short now: %2 (95 %), %3 at most; mean colour error ΔE %4")
-                       .arg(number(100 * reach.shortShare, 2), number(reach.missing95, 2),
-                            number(reach.mostMissing, 2), number(reach.colourError, 1));
+                       .arg(numberText(100 * reach.shortShare, 2), numberText(reach.missing95, 2),
+                            numberText(reach.mostMissing, 2), numberText(reach.colourError, 1));
     if (!std::isnan(reach.contrast)) {
-        text += Text::tr("; %1 % of the contrast there").arg(number(100 * reach.contrast, 0));
+        text += Text::tr("; %1 % of the contrast there").arg(numberText(100 * reach.contrast, 0));
     }
     return text;
 }
@@ -534,7 +531,7 @@ QString reachText(const InkReach& reach) {
 QString optionText(const InkOption& option) {
     return option.reach ? reachText(*option.reach)
                         : Text::tr("ink suffices where the area of the film grows at most %1 times")
-                              .arg(number(option.value, 2));
+                              .arg(numberText(option.value, 2));
 }
 
 } // namespace dipwright

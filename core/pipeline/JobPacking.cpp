@@ -41,9 +41,9 @@ bool isWebAlongHeight(const Project& project) {
 // A film has the same values whichever way round a sheet of it lies.
 std::array<double, 5> behaviourOf(const Project& project) {
     const FilmSettings& film = project.film;
-    const bool grows = film.growthRate > 0 && film.growthLimit > 0;
     std::array<double, 5> behaviour{film.swellX, film.swellY, film.relaxationTime.value(),
-                                    grows ? film.growthRate : 0, grows ? film.growthLimit : 0};
+                                    grows(film) ? film.growthRate : 0,
+                                    grows(film) ? film.growthLimit : 0};
     if (!isWebAlongHeight(project)) {
         std::swap(behaviour[0], behaviour[1]);
     }

@@ -1,5 +1,6 @@
 #include "pipeline/JobProof.h"
 
+#include "base/NumberText.h"
 #include "base/WideGamut.h"
 #include "geometry/RefinedMesh.h"
 #include "pipeline/JobVerdict.h"
@@ -28,16 +29,12 @@ struct Text {
 constexpr int sheetPixels = 480, fallbackPixels = 1280; // in width
 const QColor unpainted(158, 158, 154);                  // in maps
 
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-}
-
 QString percent(double share) {
-    return Text::tr("%1 %").arg(number(100 * share, 1));
+    return Text::tr("%1 %").arg(numberText(100 * share, 1));
 }
 
 QString area(double squareMillimetres) {
-    return Text::tr("%1 mm²").arg(number(squareMillimetres, 0));
+    return Text::tr("%1 mm²").arg(numberText(squareMillimetres, 0));
 }
 
 // A layer of the model with its legend.
@@ -207,7 +204,7 @@ void addMapLayers(std::vector<Layer>& layers, const JobResult& result) {
         layers.push_back(
             mapLayer("error", Text::tr("Numerical error"),
                      Text::tr("How far the picture may be off by computing, in mm. Limit: %1 mm")
-                         .arg(number(limit, 2)),
+                         .arg(numberText(limit, 2)),
                      errors, changeScale(paintedValues(errors), limit, leastRange)));
     }
     if (result.tolerances) {
@@ -238,16 +235,17 @@ std::vector<Layer> layersOf(const JobResult& result) {
 ProofSection partSection(const JobResult& result) {
     const Eigen::Vector3f size = boundingBox(result.project.model->mesh).sizes();
     ProofSection section{Text::tr("Part"), {}};
-    section.figures = {
-        {Text::tr("Size"), Text::tr("%1 × %2 × %3 mm")
-                               .arg(number(double(size.x()), 1), number(double(size.y()), 1),
-                                    number(double(size.z()), 1))},
-        {Text::tr("Dips"), QLocale().toString(qulonglong(result.immersions.size()))},
-        {Text::tr("Painted by all dips together"), percent(result.coverageTotal)},
-        {Text::tr("Film"), result.immersions.front().sheet.job.film}};
+    section.figures = {{Text::tr("Size"),
+                        Text::tr("%1 × %2 × %3 mm")
+                            .arg(numberText(double(size.x()), 1), numberText(double(size.y()), 1),
+                                 numberText(double(size.z()), 1))},
+                       {Text::tr("Dips"), QLocale().toString(qulonglong(result.immersions.size()))},
+                       {Text::tr("Painted by all dips together"), percent(result.coverageTotal)},
+                       {Text::tr("Film"), result.immersions.front().sheet.job.film}};
     if (result.share) {
-        section.figures.push_back({Text::tr("Length of the seam"),
-                                   Text::tr("%1 mm").arg(number(result.share->cost.length, 0))});
+        section.figures.push_back(
+            {Text::tr("Length of the seam"),
+             Text::tr("%1 mm").arg(numberText(result.share->cost.length, 0))});
     }
     return section;
 }
@@ -259,8 +257,8 @@ ProofSection dipSection(const JobResult& result, std::size_t i) {
     section.figures = {{Text::tr("Painted"), percent(dip.coverage->share)},
                        {Text::tr("Stretch: mean, 95 % below, largest"),
                         QStringLiteral("%1 · %2 · %3")
-                            .arg(number(stretch.mean, 3), number(stretch.percentile95, 3),
-                                 number(stretch.maximum, 3))}};
+                            .arg(numberText(stretch.mean, 3), numberText(stretch.percentile95, 3),
+                                 numberText(stretch.maximum, 3))}};
     const auto within = [&](const QString& name, double length) {
         section.figures.push_back({name, millimetres(length)});
     };
@@ -282,8 +280,8 @@ ProofSection dipSection(const JobResult& result, std::size_t i) {
 ProofSheet sheetOf(const ImmersionResult& dip) {
     return {reduced(dip.sheet, sheetPixels), dip.immersion.name,
             Text::tr("%1 × %2 mm, job %3")
-                .arg(number(dip.sheet.filmWidth.value(), 0),
-                     number(dip.sheet.filmHeight.value(), 0), dip.sheet.job.hash)};
+                .arg(numberText(dip.sheet.filmWidth.value(), 0),
+                     numberText(dip.sheet.filmHeight.value(), 0), dip.sheet.job.hash)};
 }
 
 ProofPage pageOf(const JobResult& result, const std::vector<Layer>& layers,
@@ -309,7 +307,7 @@ ProofPage pageOf(const JobResult& result, const std::vector<Layer>& layers,
     page.job = combinedJobNumber(jobs);
     page.note = model.tolerance > 0
                     ? Text::tr("The surface shown here is within %1 mm of the part.")
-                          .arg(number(std::ceil(1000 * model.tolerance) / 1000, 3))
+                          .arg(numberText(std::ceil(1000 * model.tolerance) / 1000, 3))
                     : Text::tr("The surface shown here has all triangles of the part.");
     page.note += u' ' + Text::tr("Screens show colours differently; the print decides.");
     page.fallback = result.proof.scaledToWidth(fallbackPixels, Qt::SmoothTransformation);

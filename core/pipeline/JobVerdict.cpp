@@ -200,8 +200,8 @@ void addUnusualReasons(ReasonList& found, const Project& project) {
             break;
         }
     }
-    if (film.growthRate == 0 || film.growthLimit == 0) {
-        return; // such film does not grow
+    if (!grows(film)) {
+        return;
     }
     if (film.growthRate > mostUsualGrowthRate) {
         found.add(

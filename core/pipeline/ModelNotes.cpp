@@ -1,5 +1,6 @@
 #include "pipeline/ModelNotes.h"
 
+#include "base/NumberText.h"
 #include "geometry/FieldGrid.h"
 #include "model/MeshRepair.h"
 #include "model/NamedMaterials.h"
@@ -25,8 +26,8 @@ QString thinPartNote(const Project& project, const TriangleMesh& mesh, const Sur
         return Text::tr("Some places of the model are only %1 mm thick. The film may miss them, "
                         "because the smallest possible cells of the distance field are %2 mm. Make "
                         "these places thicker, or dip a smaller section of the model.")
-            .arg(thinnest, 0, 'g', 2)
-            .arg(field.spacing, 0, 'g', 2);
+            .arg(roundedText(thinnest, 2))
+            .arg(roundedText(field.spacing, 2));
     }
     const MissedParts missed = missedParts(mesh, query, field.spacing);
     if (missed.area == 0) {
@@ -36,8 +37,8 @@ QString thinPartNote(const Project& project, const TriangleMesh& mesh, const Sur
                     "may miss them, because the cells of the distance field are %3 mm. Increase "
                     "the resolution of the distance field, or make these places thicker.")
         .arg(std::round(missed.area))
-        .arg(missed.thickness, 0, 'g', 2)
-        .arg(field.spacing, 0, 'g', 2);
+        .arg(roundedText(missed.thickness, 2))
+        .arg(roundedText(field.spacing, 2));
 }
 
 QStringList missingMaterialNotes(const Project& project) {

@@ -1,6 +1,7 @@
 #include "pipeline/SheetMemory.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "base/PhysicalMemory.h"
 #include "geometry/TriangleMesh.h"
 #include "model/TexturedMesh.h"
@@ -9,7 +10,6 @@
 #include "texture/InkAppearance.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -29,7 +29,7 @@ constexpr double gigabyte = 1e9;
 constexpr double noteFrom = 1 * gigabyte; // from this size on, the user gets a note
 
 QString gigabytes(double bytes) {
-    return QLocale().toString(bytes / gigabyte, 'f', 1);
+    return numberText(bytes / gigabyte, 1);
 }
 
 // Returns the number of pixels of one film that are printed, at most.

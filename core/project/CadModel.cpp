@@ -1,13 +1,13 @@
 #include "project/CadModel.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "import/trusted/ImportModel.h"
 #include "project/Project.h"
 #include "settings/SurfaceMark.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QLocale>
 
 namespace dipwright {
 namespace {
@@ -45,7 +45,7 @@ QString cadText(const Project& project) {
         .arg(project.cad.name,
              origin.fileUnit.isEmpty() ? Text::tr("mm (its unit is unknown)") : origin.fileUnit)
         .arg(project.model->materials.size())
-        .arg(QLocale().toString(origin.tessellation.value(), 'g', 3));
+        .arg(roundedText(origin.tessellation.value(), 3));
 }
 
 ImportedModel retessellated(const Project& project, Millimetres tolerance,

@@ -17,7 +17,7 @@ constexpr qsizetype keyLetters = 16;
 
 // Sets values that have no effect to their defaults.
 void leaveOutUnused(FilmSettings& film, ProcessSettings& process) {
-    if (film.growthRate == 0 || film.growthLimit == 0) {
+    if (!grows(film)) {
         film.growthRate = FilmSettings().growthRate;
         film.growthLimit = FilmSettings().growthLimit;
     }

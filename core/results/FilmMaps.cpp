@@ -1,3 +1,4 @@
+#include "base/NumberText.h"
 #include "results/DifferenceMap.h"
 #include "results/Results.h"
 
@@ -332,7 +333,7 @@ private:
 };
 
 QString rounded(double value) {
-    return value < 1000 ? QLocale().toString(value, 'f', 3) : QLocale().toString(value, 'g', 3);
+    return value < 1000 ? numberText(value, 3) : roundedText(value, 3);
 }
 
 // `stretch` is the distribution that report and window give.
@@ -359,7 +360,7 @@ MapSubject wrinklingSubject(const FilmValues& values, const Wrinkling& wrinkling
         Text::tr("Smaller principal stretch; below 1 the film is compressed and may fold"),
         Text::tr("stretch\nmm per mm"),
         Text::tr("On the part: %1 % of the film is compressed by over 1 % · smallest stretch %2")
-            .arg(QLocale().toString(100 * wrinkling.share, 'f', 1), rounded(wrinkling.least)),
+            .arg(numberText(100 * wrinkling.share, 1), rounded(wrinkling.least)),
         compressionScale(distribution(values.paintedValues()).minimum),
         LengthUnit::Millimetre,
         false,
@@ -382,7 +383,7 @@ struct ShownDistances {
         const int more =
             unit == LengthUnit::Inch ? 1 : 0; // resolves about as much as millimetres do
         return Text::tr("%1 %2", "a number and its unit")
-            .arg(QLocale().toString(value, 'f', decimals + more), unitSign(unit));
+            .arg(numberText(value, decimals + more), unitSign(unit));
     }
 
     LengthUnit unit;

@@ -1,9 +1,9 @@
 #include "results/MapScale.h"
 
+#include "base/NumberText.h"
 #include "results/ColourMap.h"
 #include "results/Results.h"
 
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +26,7 @@ QString MapScale::text(double value) const {
     for (double ten = 10 * step; std::abs(ten - std::round(ten)) > 1e-6 * ten; ten *= 10) {
         ++decimals;
     }
-    return QLocale().toString(value, 'f', decimals);
+    return numberText(value, decimals);
 }
 
 double roundedUp(double least) {

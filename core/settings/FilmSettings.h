@@ -42,6 +42,11 @@ struct FilmBehaviour {
     const FilmBehaviour& behaviour() const { return *this; }
 };
 
+// Whether floating film grows with these values.
+inline bool grows(const FilmBehaviour& film) {
+    return film.growthRate > 0 && film.growthLimit > 0;
+}
+
 inline constexpr int maximumFilmGrid = 4'000'000; // most points of a film
 inline constexpr double leastFilmCell = 0.1;      // mm: smallest FilmSettings::cell
 inline constexpr double defaultFilmWork = 60;     // FilmSettings::work of a file that has none

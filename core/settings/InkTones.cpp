@@ -1,6 +1,7 @@
 #include "settings/InkTones.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -92,9 +93,9 @@ void checkInkLaw(const InkLaw& law, const QString& where) {
                 throw Error(
                     Text::tr("On film with an area stretch of %3, the patch of density %2 would "
                              "look lighter than the patch of density %1; measure both again")
-                        .arg(low.density)
-                        .arg(high.density)
-                        .arg(stretch, 0, 'f', 2),
+                        .arg(roundedText(low.density, 6))
+                        .arg(roundedText(high.density, 6))
+                        .arg(numberText(stretch, 2)),
                     where);
             }
         }

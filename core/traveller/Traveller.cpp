@@ -1,6 +1,6 @@
 #include "traveller/Traveller.h"
 
-#include "base/MinusSign.h"
+#include "base/NumberText.h"
 #include "project/Profiles.h"
 #include "sheet/page/QrCode.h"
 #include "sheet/page/Sheet.h"

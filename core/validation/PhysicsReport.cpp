@@ -1,6 +1,5 @@
+#include "base/NumberText.h"
 #include "validation/PhysicsValidation.h"
-
-#include "base/MinusSign.h"
 
 #include <QCoreApplication>
 #include <QJsonArray>

@@ -1,5 +1,6 @@
 #include "workbench/accuracy/NumericalErrorDialog.h"
 
+#include "base/NumberText.h"
 #include "workbench/widgets/PicturePanel.h"
 
 #include <QDialogButtonBox>
@@ -24,7 +25,7 @@ QString shownDistance(double millimetres, LengthUnit unit) {
 
 QStringList figures(const SheetChange& change, LengthUnit unit) {
     const auto percent = [](double share) {
-        return NumericalErrorDialog::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
+        return NumericalErrorDialog::tr("%1 %").arg(numberText(100 * share, 1));
     };
     return {shownDistance(change.distance.mean, unit),
             shownDistance(change.distance.percentile95, unit),

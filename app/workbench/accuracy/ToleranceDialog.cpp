@@ -1,5 +1,6 @@
 #include "workbench/accuracy/ToleranceDialog.h"
 
+#include "base/NumberText.h"
 #include "results/Results.h"
 #include "workbench/widgets/PicturePanel.h"
 
@@ -23,10 +24,6 @@ QString offBy(double millimetres, LengthUnit unit) {
     return QStringLiteral("±") + shownLength(millimetres, unit);
 }
 
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-}
-
 QLabel* sentences(const QStringList& lines) {
     auto* label = new QLabel(withUnitsKept(lines.join(QLatin1Char('\n'))));
     label->setWordWrap(true);
@@ -46,7 +43,7 @@ QString toleranceText(const Contribution& contribution, LengthUnit unit) {
 
 QStringList cells(const Contribution& contribution, LengthUnit unit) {
     return {toleranceText(contribution, unit),
-            ToleranceDialog::tr("%1 %").arg(number(100 * contribution.share, 1)),
+            ToleranceDialog::tr("%1 %").arg(numberText(100 * contribution.share, 1)),
             offBy(contribution.spread.median, unit),
             offBy(contribution.spread.percentile95, unit),
             offBy(contribution.spread.maximum, unit),

@@ -1,6 +1,7 @@
 #include "workbench/artwork/ArtworkPage.h"
 
 #include "artwork/EditArtwork.h"
+#include "base/NumberText.h"
 #include "workbench/widgets/Icons.h"
 #include "workbench/widgets/NumberBox.h"
 
@@ -13,7 +14,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QPlainTextEdit>
@@ -435,9 +435,7 @@ void ArtworkPage::showFields() {
     showRow(shownSize_, keepsProportions);
     if (keepsProportions) {
         const std::array<Millimetres, 2> shown = shownSize(layer);
-        const auto length = [](Millimetres side) {
-            return QLocale().toString(side.value(), 'f', 1);
-        };
+        const auto length = [](Millimetres side) { return numberText(side.value(), 1); };
         shownSize_->setText(tr("%1 × %2 mm").arg(length(shown[0]), length(shown[1])));
     }
     if (text_->toPlainText() != layer.text) { // keeps the cursor where the user types

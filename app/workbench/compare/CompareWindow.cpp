@@ -1,5 +1,6 @@
 #include "workbench/compare/CompareWindow.h"
 
+#include "base/NumberText.h"
 #include "workbench/appearance/ViewTheme.h"
 #include "workbench/jobs/Messages.h"
 #include "workbench/widgets/PicturePanel.h"
@@ -10,7 +11,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
@@ -39,7 +39,7 @@ void makeReadable(QTableWidget& table) {
 }
 
 QString shownPercent(double share) {
-    return CompareWindow::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
+    return CompareWindow::tr("%1 %").arg(numberText(100 * share, 1));
 }
 
 } // namespace
@@ -232,7 +232,7 @@ void CompareWindow::showSides() {
     sides_[0]->show(shown, scale);
     sides_[1]->show(shown == ComparedLook::Difference ? ComparedLook::Coverage : shown, scale);
     scale_->setVisible(shown == ComparedLook::Stretch || difference);
-    const auto number = [](double value) { return QLocale().toString(value, 'f', 2); };
+    const auto number = [](double value) { return numberText(value, 2); };
     showScale(scale, number(scale.low), number(scale.high));
     if (sides_[0]->reading() && sides_[1]->reading()) {
         doing_->clear();

@@ -1,5 +1,6 @@
 #include "workbench/compare/ProjectDifferences.h"
 
+#include "base/NumberText.h"
 #include "settings/SearchSettings.h"
 #include "workbench/document/ProjectValue.h"
 #include "workbench/project/PropertySpecs.h"
@@ -26,7 +27,7 @@ QString valueText(const PropertySpec& spec, const QJsonValue& value, LengthUnit 
         return parts.join(QStringLiteral("; "));
     }
     if (value.isDouble()) {
-        return QLocale().toString(value.toDouble() * shownPerStored(spec.unit, unit), 'g', 6) +
+        return roundedText(value.toDouble() * shownPerStored(spec.unit, unit), 6) +
                unitSuffix(spec.unit, unit);
     }
     if (value.isBool()) {
@@ -65,7 +66,7 @@ public:
         }
     }
     void addAims(const PoseAims& before, const PoseAims& after) {
-        const auto number = [](double value) { return QLocale().toString(value, 'g', 6); };
+        const auto number = [](double value) { return roundedText(value, 6); };
         const auto limit = [](Measure measure, const std::optional<double>& value) {
             return value ? measureText(measure, *value) : QStringLiteral("–");
         };
@@ -114,12 +115,12 @@ private:
             return QStringLiteral("–");
         }
         const auto length = [this](Millimetres value) {
-            return QLocale().toString(value.value() * shownPerStored(Unit::Length, unit_), 'g', 4);
+            return roundedText(value.value() * shownPerStored(Unit::Length, unit_), 4);
         };
         return Text::tr("%1, %2 × %3%7 at (%4; %5; %6)%7, turned by %8°")
             .arg(layer->name, length(layer->size[0]), length(layer->size[1]),
                  length(layer->place[0]), length(layer->place[1]), length(layer->place[2]),
-                 unitSuffix(Unit::Length, unit_), QLocale().toString(layer->turn.value(), 'g', 4));
+                 unitSuffix(Unit::Length, unit_), roundedText(layer->turn.value(), 4));
     }
 
     const Project &first_, &second_;

@@ -1,6 +1,6 @@
 #include "workbench/poses/PoseTable.h"
 
-#include "base/MinusSign.h"
+#include "base/NumberText.h"
 #include "dip/BodyPath.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -33,7 +33,7 @@ QString posesText(const RankedPoses& poses) {
     for (const Immersion& immersion : poses.immersions) {
         QStringList angles;
         for (const Degrees& angle : immersion.rotation) {
-            angles.append(withMinusSign(QLocale().toString(angle.value(), 'f', 1)));
+            angles.append(numberText(angle.value(), 1));
         }
         QString line = PoseTable::tr("%1: turned by %2° about X, Y, Z")
                            .arg(immersion.name, angles.join(QStringLiteral("°, ")));

@@ -1,6 +1,7 @@
 #include "workbench/printing/CalibrationDialog.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "disk/AtomicFile.h"
 #include "printing/Calibration.h"
 #include "project/ProjectFile.h"
@@ -26,10 +27,6 @@ namespace dipwright {
 namespace {
 
 constexpr double previewPixels = 6; // per millimetre
-
-QString shown(double number, int decimals) {
-    return QLocale().toString(number, 'f', decimals);
-}
 
 QImage picture(const CalibrationPage& page) {
     QImage image((page.paper * previewPixels).toSize(), QImage::Format_RGB32);
@@ -202,8 +199,8 @@ void CalibrationDialog::showPage() {
         const CalibrationPage shownPage = page();
         const CalibrationLengths lengths = calibrationLengths(shownPage);
         preview_->setPicture(picture(shownPage), shownPage.paper);
-        xNominal_->setText(tr("nominal length: %1 mm").arg(shown(lengths.x.value(), 0)));
-        yNominal_->setText(tr("nominal length: %1 mm").arg(shown(lengths.y.value(), 0)));
+        xNominal_->setText(tr("nominal length: %1 mm").arg(numberText(lengths.x.value(), 0)));
+        yNominal_->setText(tr("nominal length: %1 mm").arg(numberText(lengths.y.value(), 0)));
         x_->setValue(lengths.x.value());
         y_->setValue(lengths.y.value());
         tell(tr(
@@ -219,7 +216,8 @@ void CalibrationDialog::showScale() {
     try {
         const PrinterProfile result = dipwright::calibrated(
             current_, page(), Millimetres(x_->value()), Millimetres(y_->value()));
-        scale_->setText(tr("X %1, Y %2").arg(shown(result.scaleX, 5), shown(result.scaleY, 5)));
+        scale_->setText(
+            tr("X %1, Y %2").arg(numberText(result.scaleX, 5), numberText(result.scaleY, 5)));
         take_->setEnabled(true);
     } catch (const Error& error) {
         scale_->setText(error.message());
@@ -277,7 +275,8 @@ void CalibrationDialog::takeOver() {
             verifies_->setChecked(true);
         }
         tell(tr("%1 now has the scale X %2, Y %3. Print the page again to verify the scale.")
-                 .arg(shownName(result.name), shown(result.scaleX, 5), shown(result.scaleY, 5)));
+                 .arg(shownName(result.name), numberText(result.scaleX, 5),
+                      numberText(result.scaleY, 5)));
     } catch (const ChangedFile&) {
         const std::exception_ptr failure = std::current_exception();
         showPage(); // another program may have changed the profile

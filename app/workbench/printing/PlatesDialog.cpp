@@ -1,6 +1,7 @@
 #include "workbench/printing/PlatesDialog.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "printing/PrintFile.h"
 #include "sheet/prepress/Separation.h"
 #include "workbench/widgets/NumberBox.h"
@@ -14,7 +15,6 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QMap>
 #include <QPainter>
 #include <QProgressBar>
@@ -36,7 +36,7 @@ const QColor greyGround(0x80, 0x80, 0x80); // shows where white is missing
 enum Column { Ink, UnderCursor, Largest, Area, Columns };
 
 QString percent(double share, int decimals = 0) {
-    return QLocale().toString(100 * share, 'f', decimals);
+    return numberText(100 * share, decimals);
 }
 
 QTableWidgetItem* cell(const QString& text, Qt::Alignment alignment = Qt::AlignRight) {

@@ -1,6 +1,7 @@
 #include "workbench/printing/PrintDialog.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "pipeline/JobPacking.h"
 #include "pipeline/JobVerdict.h"
 #include "printing/PrintFile.h"
@@ -290,7 +291,7 @@ void PrintDialog::startProof(const Sheet& sheet, const SheetPreview& page, int p
             if (proofing == proofing_) {
                 preview_->setPicture(proof.page, size);
                 gamut_->setText(tr("%1 % of the painted area is out of the printer's gamut.")
-                                    .arg(QLocale().toString(100 * proof.outOfGamut, 'f', 1)));
+                                    .arg(numberText(100 * proof.outOfGamut, 1)));
             }
         },
         [this](std::exception_ptr failure) { showFailure(failure); }));

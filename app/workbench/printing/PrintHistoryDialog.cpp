@@ -1,5 +1,6 @@
 #include "workbench/printing/PrintHistoryDialog.h"
 
+#include "base/NumberText.h"
 #include "workbench/widgets/Units.h"
 
 #include <QDialogButtonBox>
@@ -24,7 +25,7 @@ enum Column { When, Job, ProjectName, Dip, Printer, Medium, Copies, Fate, Column
 
 QString sizeText(QSizeF size, LengthUnit unit) {
     const auto side = [unit](double millimetres) {
-        return QLocale().toString(millimetres * shownPerStored(Unit::Length, unit), 'g', 4);
+        return roundedText(millimetres * shownPerStored(Unit::Length, unit), 4);
     };
     return QStringLiteral("%1 × %2%3")
         .arg(side(size.width()), side(size.height()), unitSuffix(Unit::Length, unit));

@@ -1,12 +1,12 @@
 #include "workbench/project/PathKeyFields.h"
 
+#include "base/NumberText.h"
 #include "workbench/widgets/Icons.h"
 #include "workbench/widgets/NumberBox.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QListWidget>
-#include <QLocale>
 #include <QPushButton>
 #include <algorithm>
 
@@ -104,9 +104,7 @@ NumberBox* PathKeyFields::addBox(Unit unit, const QString& name, const QString& 
 QString PathKeyFields::textOf(std::size_t key) const {
     const PathKey& pose = keys_[key];
     const QString depth = pose.depth ? shownLength(pose.depth->value(), unit_) : tr("end");
-    return tr("%1: %2 s, depth %3")
-        .arg(key + 1)
-        .arg(QLocale().toString(pose.time.value(), 'g', 6), depth);
+    return tr("%1: %2 s, depth %3").arg(key + 1).arg(roundedText(pose.time.value(), 6), depth);
 }
 
 void PathKeyFields::show(const std::vector<PathKey>& keys, Millimetres depth) {

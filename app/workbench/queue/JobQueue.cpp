@@ -1,6 +1,7 @@
 #include "workbench/queue/JobQueue.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "base/PostToThread.h"
 #include "cost/CostText.h"
 #include "pipeline/DipCache.h"
@@ -12,7 +13,6 @@
 #include "workbench/jobs/Messages.h"
 
 #include <QFileInfo>
-#include <QLocale>
 #include <algorithm>
 
 namespace dipwright {
@@ -53,7 +53,7 @@ private:
 
 QString outcomeOf(const JobResult& result) {
     const QString painted =
-        JobQueue::tr("Coverage %1 %").arg(QLocale().toString(100 * result.coverageTotal, 'f', 1));
+        JobQueue::tr("Coverage %1 %").arg(numberText(100 * result.coverageTotal, 1));
     QStringList sentences{adviceText(adviceOf(result)) + u'.', painted + u'.'};
     for (const JobReason& reason : reasonsOf(result)) {
         if (reason.reason.advice > Advice::Print) {

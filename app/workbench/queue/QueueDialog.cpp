@@ -1,5 +1,6 @@
 #include "workbench/queue/QueueDialog.h"
 
+#include "base/NumberText.h"
 #include "workbench/jobs/TimeLeft.h"
 #include "workbench/project/NewProjectDialog.h"
 
@@ -178,10 +179,9 @@ void QueueDialog::refresh() {
     table_->setRowCount(int(projects.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const QueuedProject& project = projects[std::size_t(row)];
-        const QString state =
-            project.state == QueuedState::Running
-                ? tr("%1 %").arg(QLocale().toString(std::floor(100 * project.share), 'f', 0))
-                : stateText(project);
+        const QString state = project.state == QueuedState::Running
+                                  ? tr("%1 %").arg(numberText(std::floor(100 * project.share), 0))
+                                  : stateText(project);
         const std::array<QString, Columns> texts{
             QFileInfo(project.project).completeBaseName(), state, project.text,
             hasEnded(project) && project.seconds > 0 ? timeText(project.seconds) : QString()};

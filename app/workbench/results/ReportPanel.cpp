@@ -1,5 +1,6 @@
 #include "workbench/results/ReportPanel.h"
 
+#include "base/NumberText.h"
 #include "cost/CostText.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/SmallerFilm.h"
@@ -63,12 +64,8 @@ QString heading(const QString& text) {
     return QStringLiteral("<h3 style='margin-bottom:4px'>%1</h3>").arg(text.toHtmlEscaped());
 }
 
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-}
-
 QString percent(double share) {
-    return Text::tr("%1 %").arg(number(share * 100, 1));
+    return Text::tr("%1 %").arg(numberText(share * 100, 1));
 }
 
 // Links places of the model, and collects them.
@@ -200,14 +197,15 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit, PlaceLinks
                        locale.toString(qulonglong(film.states.size()))));
     table.row(Text::tr("Stretch: mean, 99 % below, largest"),
               QStringLiteral("%1 · %2 · %3")
-                  .arg(number(stretch.mean, 3),
-                       number(percentile(result.laid->painted().constraints, 0.99), 3),
-                       number(stretch.maximum, 3)));
+                  .arg(numberText(stretch.mean, 3),
+                       numberText(percentile(result.laid->painted().constraints, 0.99), 3),
+                       numberText(stretch.maximum, 3)));
     if (const auto place = placeOfLargestStretch(*result.laid, stretch.maximum)) {
         table.htmlRow(Text::tr("Place of the largest stretch").toHtmlEscaped(), links.html(*place));
     }
-    table.row(Text::tr("Area stretch, smallest and largest"),
-              QStringLiteral("%1 · %2").arg(number(area.minimum, 3), number(area.maximum, 3)));
+    table.row(
+        Text::tr("Area stretch, smallest and largest"),
+        QStringLiteral("%1 · %2").arg(numberText(area.minimum, 3), numberText(area.maximum, 3)));
     if (result.readBack) {
         table.row(Text::tr("Read-back error, mean and 95 %"),
                   QStringLiteral("%1 · %2").arg(shownLength(result.readBack->mean, unit),
@@ -218,7 +216,7 @@ QString immersionHtml(const ImmersionResult& result, LengthUnit unit, PlaceLinks
     table.row(Text::tr("Area too pale because of the ink limit"),
               shownArea(result.inkShortfall.value_or(result.texture->shortfallArea), unit));
     table.row(Text::tr("Trapped air"), shownArea(result.coverage->trappedAir.area, unit));
-    table.row(Text::tr("Simulation time"), Text::tr("%1 s").arg(number(film.wallSeconds, 2)));
+    table.row(Text::tr("Simulation time"), Text::tr("%1 s").arg(numberText(film.wallSeconds, 2)));
     table.row(Text::tr("Steps"), locale.toString(qlonglong(film.steps)));
     table.row(Text::tr("Steps that did not converge"),
               locale.toString(qlonglong(film.equilibrium.stepsWithout)));
@@ -244,12 +242,12 @@ QString inkTitle(const QString& html) {
 }
 
 QString inkValues(const InkReach& reach) {
-    return inkRow({Text::tr("%1 %").arg(number(100 * reach.shortShare, 2)),
-                   number(reach.missing95, 2), number(reach.mostMissing, 2),
+    return inkRow({Text::tr("%1 %").arg(numberText(100 * reach.shortShare, 2)),
+                   numberText(reach.missing95, 2), numberText(reach.mostMissing, 2),
                    std::isnan(reach.contrast)
                        ? QStringLiteral("–")
-                       : Text::tr("%1 %").arg(number(100 * reach.contrast, 0)),
-                   number(reach.colourError, 1)});
+                       : Text::tr("%1 %").arg(numberText(100 * reach.contrast, 0)),
+                   numberText(reach.colourError, 1)});
 }
 
 QString inkOptionsHtml(const InkOptions& found) {

@@ -1,7 +1,8 @@
 #include "workbench/results/StateFigures.h"
 
+#include "base/NumberText.h"
+
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 
 namespace dipwright {
@@ -39,9 +40,9 @@ std::vector<StateFigure> stateFigures(const QJsonObject& measures, LengthUnit un
                            words, isHigherBetter};
     };
     const auto percent = [](double share) {
-        return Text::tr("%1 %").arg(QLocale().toString(100 * share, 'f', 1));
+        return Text::tr("%1 %").arg(numberText(100 * share, 1));
     };
-    const auto ratio = [](double stretch) { return QLocale().toString(stretch, 'f', 3); };
+    const auto ratio = [](double stretch) { return numberText(stretch, 3); };
     const auto area = [unit](double value) { return shownArea(value, unit); };
     const auto length = [unit](double value) { return shownLength(value, unit); };
     return {figure(Text::tr("Total coverage"), "painted", true, percent),

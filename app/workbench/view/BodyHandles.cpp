@@ -1,6 +1,6 @@
 #include "workbench/view/BodyHandles.h"
 
-#include "base/MinusSign.h"
+#include "base/NumberText.h"
 
 #include <QLocale>
 #include <algorithm>
@@ -43,8 +43,7 @@ void BodyHandles::turn(int axis, double degrees) {
         project.immersions[session_.immersion()] = turned(*before_, axis, degrees, shownBefore_);
     });
     emit told(tr("Turned by %1° about %2 (type an angle, or hold Shift for steps of %3°)")
-                  .arg(withMinusSign(QLocale().toString(degrees, 'f', 1)), axisName(axis),
-                       QLocale().toString(ringStep)));
+                  .arg(numberText(degrees, 1), axisName(axis), QLocale().toString(ringStep)));
 }
 
 void BodyHandles::move(int axis, double millimetres) {

@@ -1,8 +1,7 @@
 #include "workbench/view/FilmProbe.h"
 
+#include "base/NumberText.h"
 #include "workbench/results/ResultsPanel.h"
-
-#include <QLocale>
 
 namespace dipwright {
 
@@ -56,7 +55,7 @@ QString FilmProbe::describeBody(const Eigen::Vector3f& place) const {
 QString FilmProbe::describe(const FilmReadoutPoint& point) const {
     const solver::FilmGrid& grid = session_.reading()->film().grid;
     const FilmSettings& film = session_.shown().result->project.film;
-    const auto number = [](float value) { return QLocale().toString(double(value), 'f', 3); };
+    const auto number = [](float value) { return numberText(double(value), 3); };
     return tr("Sheet at %1, %2 · %3 · stretch %4 and %5, area stretch %6")
         .arg(shownLength((double(point.rest.x()) / grid.width + 0.5) * film.width.value(), unit_),
              shownLength((double(point.rest.y()) / grid.depth + 0.5) * film.height.value(), unit_),

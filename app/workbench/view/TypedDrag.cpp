@@ -1,6 +1,6 @@
 #include "workbench/view/TypedDrag.h"
 
-#include "base/MinusSign.h"
+#include "base/NumberText.h"
 #include "base/TypedNumber.h"
 
 #include <QKeyEvent>
@@ -13,9 +13,8 @@ TypedDrag::TypedDrag(DipView& view, QObject* parent) : QObject(parent), view_(vi
         turns_ = turns;
         typed_.clear();
     });
-    connect(&view, &DipView::rotationDragged, this, [this](int, double degrees) {
-        show(withMinusSign(QLocale().toString(degrees, 'f', 1)) + QStringLiteral("°"));
-    });
+    connect(&view, &DipView::rotationDragged, this,
+            [this](int, double degrees) { show(numberText(degrees, 1) + QStringLiteral("°")); });
     connect(&view, &DipView::moveDragged, this,
             [this](int, double millimetres) { show(shownLength(millimetres, unit_)); });
 }

@@ -1,10 +1,10 @@
 #include "workbench/widgets/Units.h"
 
-#include "base/MinusSign.h"
+#include "base/NumberText.h"
+
 #include "base/Units.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QRegularExpression>
 
 namespace dipwright {
@@ -95,24 +95,22 @@ int unitDecimals(Unit unit, LengthUnit length) {
 }
 
 QString shownNumber(double value, Unit unit, LengthUnit length, int moreDecimals) {
-    return withMinusSign(QLocale().toString(value * shownPerStored(unit, length), 'f',
-                                            unitDecimals(unit, length) + moreDecimals)) +
+    return numberText(value * shownPerStored(unit, length),
+                      unitDecimals(unit, length) + moreDecimals) +
            unitSuffix(unit, length);
 }
 
 QString shownArea(double squareMillimetres, LengthUnit length) {
     const double side = shownPerStored(Unit::Length, length);
     return length == LengthUnit::Inch
-               ? Text::tr("%1 in²").arg(QLocale().toString(squareMillimetres * side * side, 'f', 3))
-               : Text::tr("%1 mm²").arg(QLocale().toString(squareMillimetres, 'f', 0));
+               ? Text::tr("%1 in²").arg(numberText(squareMillimetres * side * side, 3))
+               : Text::tr("%1 mm²").arg(numberText(squareMillimetres, 0));
 }
 
 QString shownPlace(const Eigen::Vector3f& place, LengthUnit length) {
     const int decimals = unitDecimals(Unit::Length, length) - 1;
     const double side = shownPerStored(Unit::Length, length);
-    const auto coordinate = [&](float value) {
-        return withMinusSign(QLocale().toString(double(value) * side, 'f', decimals));
-    };
+    const auto coordinate = [&](float value) { return numberText(double(value) * side, decimals); };
     return QStringLiteral("x %1; y %2; z %3%4")
         .arg(coordinate(place.x()), coordinate(place.y()), coordinate(place.z()),
              unitSuffix(Unit::Length, length));

@@ -1,6 +1,7 @@
 #include "accuracy/correction/SheetCorrection.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "base/WideGamut.h"
 #include "parallel/ParallelFor.h"
 #include "texture/LinearLight.h"
@@ -8,7 +9,6 @@
 #include <Eigen/SVD>
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -192,9 +192,6 @@ Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& er
 }
 
 QString repeatingSentence(const RepeatingError& error, int dip) {
-    const auto number = [](double value, int decimals) {
-        return QLocale().toString(value, 'f', decimals);
-    };
     double most = 0;
     for (const RepeatedPlace& place : error.places()) {
         most = std::max(most, error.at(place.sheet).norm());
@@ -204,7 +201,7 @@ QString repeatingSentence(const RepeatingError& error, int dip) {
                         "parts or more to see which errors repeat.")
             .arg(dip)
             .arg(error.places().size())
-            .arg(number(most, 2));
+            .arg(numberText(most, 2));
     }
     return Text::tr("Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; "
                     "places less than %5 mm apart have similar errors. Scatter: %6 mm for single "
@@ -212,8 +209,8 @@ QString repeatingSentence(const RepeatingError& error, int dip) {
         .arg(dip)
         .arg(error.places().size())
         .arg(error.parts())
-        .arg(number(most, 2), number(error.reach(), 0), number(error.scatter(), 2),
-             number(error.partScatter(), 2));
+        .arg(numberText(most, 2), numberText(error.reach(), 0), numberText(error.scatter(), 2),
+             numberText(error.partScatter(), 2));
 }
 
 QImage correctionPicture(const RepeatingError& error, Millimetres width, Millimetres height,
@@ -256,7 +253,7 @@ QImage correctionPicture(const RepeatingError& error, Millimetres width, Millime
     painter.drawText(QPointF(4 * unit, 4 * unit),
                      Text::tr("Red: mean measured error (parts: %1), enlarged %2 times")
                          .arg(error.parts())
-                         .arg(QLocale().toString(times, 'f', 0)));
+                         .arg(numberText(times, 0)));
     painter.drawText(QPointF(4 * unit, 6.8 * unit),
                      Text::tr("Blue: correction of the next sheet, to the same scale"));
     return picture;

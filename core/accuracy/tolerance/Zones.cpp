@@ -1,11 +1,11 @@
 #include "accuracy/tolerance/Zones.h"
 
+#include "base/NumberText.h"
 #include "geometry/SurfaceSpot.h"
 #include "marks/StrokeArea.h"
 #include "model/NamedMaterials.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ struct Text {
 };
 
 QString percent(double share) {
-    return QLocale().toString(100 * share, 'f', 1);
+    return numberText(100 * share, 1);
 }
 
 // Returns the dip with the largest spread at a place; none if no dip paints the place.

@@ -1,4 +1,5 @@
 #include "accuracy/verdict/FinerFilm.h"
+#include "base/NumberText.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -14,7 +15,7 @@ struct Text {
 using Kind = VerdictReason::Kind;
 
 QString percent(double share, int moreDecimals = 0) {
-    return QLocale().toString(100 * share, 'f', (share < 0.1 ? 1 : 0) + moreDecimals);
+    return numberText(100 * share, (share < 0.1 ? 1 : 0) + moreDecimals);
 }
 
 // Returns value and limit of a reason in per cent, with enough decimals to show that they differ.
@@ -250,7 +251,7 @@ QString adviceText(Advice advice) {
 
 QString millimetres(double length) {
     const int decimals = length > 0 && length < 0.01 ? 4 : 2;
-    return Text::tr("%1 mm").arg(QLocale().toString(length, 'f', decimals));
+    return Text::tr("%1 mm").arg(numberText(length, decimals));
 }
 
 QString reasonText(const VerdictReason& reason, const LengthText& length) {

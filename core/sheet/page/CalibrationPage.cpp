@@ -2,13 +2,13 @@
 
 #include "base/Bytes.h"
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "sheet/page/Sheet.h"
 #include "sheet/page/SheetInk.h"
 #include "sheet/pdf/PdfDocument.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -28,7 +28,7 @@ double wholeCentimetres(double millimetres) {
 }
 
 QString plain(double number) {
-    return QLocale().toString(number, 'g', 6);
+    return roundedText(number, 6);
 }
 
 QStringList words(const CalibrationPage& page) {

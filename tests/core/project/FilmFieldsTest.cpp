@@ -1,6 +1,7 @@
 // The fields of a film's material: a project and a profile share them and pass them to each other,
 // and the documentation lists them all.
 #include "project/FilmFields.h"
+#include "base/NumberText.h"
 
 #include "TestFolders.h"
 #include "base/Error.h"
