@@ -95,6 +95,18 @@ ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer) {
     return layer;
 }
 
+ArtworkLayer replacedAs(LayerPlacement placement, const TexturedMesh& model, ArtworkLayer layer) {
+    const auto isRound = [](LayerPlacement one) {
+        return one == LayerPlacement::Cylinder || one == LayerPlacement::Box;
+    };
+    const bool goesToMiddle = isRound(placement) && !isRound(layer.placement);
+    layer.placement = placement;
+    if (goesToMiddle) {
+        layer.place = placedOn(model, layer).place;
+    }
+    return layer;
+}
+
 ArtworkLayer movedOnto(const TexturedMesh& model, ArtworkLayer layer, const QString& material) {
     const std::optional<Eigen::Vector3f> middle = middleOfMaterial(model, material);
     if (!middle) {

@@ -19,6 +19,10 @@ ArtworkLayer newLayer(LayerKind kind, const QString& name);
 // is limited to suit the model.
 ArtworkLayer placedOn(const TexturedMesh& model, ArtworkLayer layer);
 
+// Returns the layer with another placement. A layer that wraps around an axis, or comes from six
+// sides, moves into the middle of the model, because a place on the surface hardly suits its axis.
+ArtworkLayer replacedAs(LayerPlacement placement, const TexturedMesh& model, ArtworkLayer layer);
+
 // Returns the layer so that it shows only on surface with a material of this name, such as a face
 // of a CAD model. A decal moves into its middle. Throws Error if the model has no such material.
 ArtworkLayer movedOnto(const TexturedMesh& model, ArtworkLayer layer, const QString& material);

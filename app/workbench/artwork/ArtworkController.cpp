@@ -64,13 +64,11 @@ void ArtworkController::connectPage() {
     connect(page_, &ArtworkPage::selected, this, &ArtworkController::select);
     connect(page_, &ArtworkPage::layerChanged, this,
             [this](int layer, const ArtworkLayer& changed, const QString& what) {
-                const bool isMoved =
-                    what == QLatin1String("layerMaterial") && !changed.material.isEmpty();
-                const ArtworkLayer placed =
-                    isMoved ? movedOnto(*document()->project().model, changed, changed.material)
-                            : changed;
                 edit(tr("Change layer"), QStringLiteral("artwork %1 %2").arg(layer).arg(what),
-                     [&](Artwork& artwork) { artwork.layers[std::size_t(layer)] = placed; });
+                     [&](Artwork& artwork) {
+                         ArtworkLayer& old = artwork.layers[std::size_t(layer)];
+                         old = placedAgain(old, changed, what);
+                     });
             });
     connect(page_, &ArtworkPage::baseChanged, this, [this](const std::optional<QColor>& base) {
         edit(tr("Change base colour"), {}, [&](Artwork& artwork) { artwork.base = base; });
@@ -126,6 +124,18 @@ void ArtworkController::showArtwork() {
     const auto shown = frame();
     scene_.setFrame(shown ? shown->lines(view_.palette().color(QPalette::Highlight))
                           : std::vector<ViewLine>());
+}
+
+ArtworkLayer ArtworkController::placedAgain(const ArtworkLayer& before, const ArtworkLayer& changed,
+                                            const QString& what) const {
+    const TexturedMesh& model = *document()->project().model;
+    if (what == QLatin1String("layerMaterial") && !changed.material.isEmpty()) {
+        return movedOnto(model, changed, changed.material);
+    }
+    if (what == QLatin1String("layerPlacement")) {
+        return replacedAs(changed.placement, model, before);
+    }
+    return changed;
 }
 
 void ArtworkController::edit(const QString& text, const QString& mergeKey,

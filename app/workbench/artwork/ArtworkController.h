@@ -43,6 +43,9 @@ private:
     std::optional<LayerFrame> frame() const;   // nullopt unless a visible decal is selected
     void select(int layer);
     void showArtwork();
+    // Returns a layer with a change of the field `what`, moved to where the change asks for it.
+    ArtworkLayer placedAgain(const ArtworkLayer& before, const ArtworkLayer& changed,
+                             const QString& what) const;
     void edit(const QString& text, const QString& mergeKey,
               const std::function<void(Artwork&)>& change);
     void add(const ArtworkLayer& layer, const std::optional<Eigen::Vector3f>& place);

@@ -10,6 +10,7 @@
 #include "workbench/artwork/LayerFrame.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -157,6 +158,24 @@ private slots:
         for (int k = 0; k < 3; ++k) {
             driver_->trigger("undo");
         }
+        QCOMPARE(artwork(), before);
+    }
+
+    // A place on the surface would be a bad axis to wrap a picture around.
+    void artwork_decalBecomesCylinder_axisGoesThroughTheMiddle() {
+        driver_->find<QListWidget>("artworkLayers")->setCurrentRow(0); // the logo
+        const Artwork before = artwork();
+        auto* placement = driver_->find<QComboBox>("layerPlacement");
+        placement->setCurrentIndex(int(LayerPlacement::Cylinder));
+        emit placement->activated(placement->currentIndex());
+        QCOMPARE(artwork().layers[1].placement, LayerPlacement::Cylinder);
+        const Eigen::Vector3f middle = boundingBox(document().project().model->mesh).center();
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            QVERIFY(std::abs(artwork().layers[1].place[axis].value() - double(middle[axis])) <
+                    0.01);
+        }
+        QCOMPARE(artwork().layers[1].size, before.layers[1].size);
+        driver_->trigger("undo");
         QCOMPARE(artwork(), before);
     }
 
