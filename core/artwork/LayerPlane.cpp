@@ -25,24 +25,32 @@ double distanceFromAxis(const Eigen::Vector3d& place, const Eigen::Vector3d& axi
     return (place - axis.dot(place) * axis).norm();
 }
 
-// Returns the area-weighted mean radius of the surface without the tube's ends.
-double meanRadius(const TriangleMesh& mesh, const Eigen::Vector3d& place,
-                  const Eigen::Vector3d& axis) {
+// Returns the area-weighted mean radius of the surface that looks away from the axis, without the
+// tube's ends; none if there is no such surface. So the inside of a cup does not count.
+std::optional<double> meanRadius(const TriangleMesh& mesh, const Eigen::Vector3d& place,
+                                 const Eigen::Vector3d& axis) {
     double sum = 0, area = 0;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-        if (std::abs(triangleNormal(mesh, triangle).cast<double>().dot(axis)) < endOfTube) {
+        const Eigen::Vector3d outward = triangleNormal(mesh, triangle).cast<double>();
+        const auto corners = cornersOf(mesh, triangle);
+        const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]).cast<double>() / 3;
+        const Eigen::Vector3d across = middle - place - axis.dot(middle - place) * axis;
+        if (std::abs(outward.dot(axis)) < endOfTube && outward.dot(across) > 0) {
             const double own = triangleArea(mesh, triangle);
-            const auto corners = cornersOf(mesh, triangle);
             for (const Eigen::Vector3f& corner : corners) {
                 sum += own / 3 * distanceFromAxis(corner.cast<double>() - place, axis);
             }
             area += own;
         }
     }
-    return area > 0 ? std::max(sum / area, 1e-3) : 1;
+    return area > 0 ? std::optional(std::max(sum / area, 1e-3)) : std::nullopt;
 }
 
 } // namespace
+
+double lengthAround(const ArtworkLayer& layer, const TriangleMesh& mesh) {
+    return 2 * pi * meanRadius(mesh, placeOf(layer), axisOf(layer.axis)).value_or(1);
+}
 
 LayerPlane::LayerPlane(const ArtworkLayer& layer, const TriangleMesh& mesh,
                        const SurfaceQuery& query, const Eigen::Vector2d& size)
@@ -60,7 +68,7 @@ LayerPlane::LayerPlane(const ArtworkLayer& layer, const TriangleMesh& mesh,
     } else if (placement_ == LayerPlacement::Box) {
         normals_ = cornerNormals(mesh);
     } else if (placement_ == LayerPlacement::Cylinder) {
-        lengthOfTurn_ = 2 * pi * meanRadius(mesh, place_, axis_);
+        lengthOfTurn_ = lengthAround(layer, mesh);
         if (layer.repeat.value() > 0) { // fit a whole number of repeats
             lengthOfTurn_ = std::max(1.0, std::round(lengthOfTurn_ / size.x())) * size.x();
         }

@@ -19,6 +19,10 @@ struct PlanePlace {
 };
 using PlanePlaces = std::array<PlanePlace, 3>;
 
+// Returns the length of a turn around a cylinder layer's axis, mm, at the mean distance of the
+// surface that looks away from it.
+double lengthAround(const ArtworkLayer& layer, const TriangleMesh& mesh);
+
 // Immutable; any thread may read.
 class LayerPlane {
 public:

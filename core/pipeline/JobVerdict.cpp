@@ -180,7 +180,7 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
     for (const QString& note : missingMaterialNotes(project)) {
         found.add({Kind::UnknownName, Advice::CheckFirst, 0, 0, note});
     }
-    for (const QString& note : fontWarnings(project.artwork)) {
+    for (const QString& note : layerWarnings(project.artwork, project.model->mesh)) {
         found.add({Kind::UnknownName, Advice::CheckFirst, 0, 0, note});
     }
 }

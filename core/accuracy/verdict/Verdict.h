@@ -86,7 +86,9 @@ struct PlaceToCheck {
     Eigen::Vector3f place; // the same place on the body, model coordinates, mm
     double area = 0;       // mm² of the body
     double limit = 0;      // least allowed numerical error of the part, mm
-    double offBy = 0;      // largest numerical error of the part, mm
+    // Largest known numerical error of the part, mm. If it is within the limit, the part is listed
+    // because its film did not converge.
+    double offBy = 0;
 };
 
 // The verdict on one dip, or on all dips together.

@@ -264,8 +264,10 @@ QString reasonText(const VerdictReason& reason, const LengthText& length) {
 }
 
 QString placeText(const PlaceToCheck& place, const LengthText& length, const LengthText& area) {
-    return Text::tr("%1: numerical error up to %3; the limit is %2")
-        .arg(area(place.area), length(place.limit), length(place.offBy));
+    return place.offBy > place.limit
+               ? Text::tr("%1: numerical error up to %3; the limit is %2")
+                     .arg(area(place.area), length(place.limit), length(place.offBy))
+               : Text::tr("%1: the film did not converge there").arg(area(place.area));
 }
 
 QString verdictText(const QString& immersion, const Verdict& verdict) {

@@ -120,8 +120,10 @@ private Q_SLOTS:
     void planeLayer_paintsOnlyFacesTowardsIt();
     void boxLayer_betweenItsSides_showsNoLine();
     void textLayer_readsCorrectlyFromOutside();
-    void fontWarnings_missingFont_nameIt();
-    void fontWarnings_charactersThatNoFontHas_nameThem();
+    void cylinderLayer_onCup_hasItsLengthOutside();
+    void layerWarnings_longerThanATurn_nameIt();
+    void layerWarnings_missingFont_nameIt();
+    void layerWarnings_charactersThatNoFontHas_nameThem();
     void paintArtwork_wideColour_staysWide();
     void paintArtwork_twice_givesTheSameBits();
 };
@@ -362,6 +364,41 @@ void ArtworkTest::cylinderLayer_repeatRoundTube_isAWholeNumber() {
     }
 }
 
+// The wall of a cup has an inner side, which is nearer to the axis.
+void ArtworkTest::cylinderLayer_onCup_hasItsLengthOutside() {
+    constexpr double radius = 25;
+    TriangleMesh cup = cylinderMesh(radius, 60, 128);
+    const TriangleMesh hole = cylinderMesh(radius - 4, 50, 128);
+    const auto outside = std::uint32_t(cup.positions.size());
+    cup.positions.insert(cup.positions.end(), hole.positions.begin(), hole.positions.end());
+    for (const auto& corners : hole.triangles) { // look towards the axis
+        cup.triangles.push_back({outside + corners[0], outside + corners[2], outside + corners[1]});
+    }
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(grid(100), {0, 0, 0}, 60)};
+    artwork.layers.front().placement = LayerPlacement::Cylinder;
+    artwork.layers.front().axis = LayerAxis::Z;
+    artwork.layers.front().repeat = Millimetres(10);
+    const TexturedMesh body = paintArtwork(bodyOf(cup), artwork, 0.15, Progress());
+    QCOMPARE(linesAround(body, radius, 3, 0.01, 0.01 + 2 * pi).size(), std::size_t(16));
+}
+
+void ArtworkTest::layerWarnings_longerThanATurn_nameIt() {
+    const TriangleMesh tube = cylinderMesh(10, 60, 128); // 62.8 mm round
+    Artwork artwork;
+    artwork.layers = {pictureLayer(grid(100), {0, 0, 0}, 60)};
+    ArtworkLayer& layer = artwork.layers.front();
+    layer.placement = LayerPlacement::Cylinder;
+    QVERIFY(layerWarnings(artwork, tube).isEmpty());
+    layer.size = {Millimetres(70), Millimetres(70)};
+    QCOMPARE(layerWarnings(artwork, tube).size(), 1);
+    QVERIFY2(layerWarnings(artwork, tube).front().contains(QStringLiteral("70.0")),
+             qPrintable(layerWarnings(artwork, tube).front()));
+    layer.repeat = Millimetres(10); // repeats continue past the layer's size
+    QVERIFY(layerWarnings(artwork, tube).isEmpty());
+}
+
 void ArtworkTest::patternRepeat_bordersMatchOppositeBorders() {
     for (const LayerKind kind : {LayerKind::Carbon, LayerKind::Camouflage, LayerKind::Wood}) {
         const QImage repeat = patternRepeat(newLayer(kind, {}), 200);
@@ -456,27 +493,31 @@ void ArtworkTest::textLayer_readsCorrectlyFromOutside() {
     QVERIFY(isNear(colourAt(body, {-left, 10, 30}), Qt::white));
 }
 
-void ArtworkTest::fontWarnings_missingFont_nameIt() {
+void ArtworkTest::layerWarnings_missingFont_nameIt() {
     Artwork artwork;
     artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("Title"))};
-    QVERIFY(fontWarnings(artwork).isEmpty());
+    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32)).isEmpty());
     artwork.layers.front().font = QStringLiteral("No Such Letters");
-    QCOMPARE(fontWarnings(artwork).size(), 1);
-    QVERIFY(fontWarnings(artwork).front().contains(QLatin1String("No Such Letters")));
+    QCOMPARE(layerWarnings(artwork, cylinderMesh(25, 60, 32)).size(), 1);
+    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32))
+                .front()
+                .contains(QLatin1String("No Such Letters")));
 }
 
-void ArtworkTest::fontWarnings_charactersThatNoFontHas_nameThem() {
+void ArtworkTest::layerWarnings_charactersThatNoFontHas_nameThem() {
     const QString unassigned(QChar(0x0378)); // a code point that Unicode never gave a character
     Artwork artwork;
     artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("Title"))};
     ArtworkLayer& layer = artwork.layers.front();
     layer.text = QStringLiteral("Äé 7\nüa\u0301 \u200d");
-    QVERIFY(fontWarnings(artwork).isEmpty());
+    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32)).isEmpty());
     layer.text += unassigned + u'x' + unassigned;
-    QCOMPARE(fontWarnings(artwork).size(), 1);
-    QVERIFY(fontWarnings(artwork).front().contains(u' ' + unassigned + u' ')); // named once
+    QCOMPARE(layerWarnings(artwork, cylinderMesh(25, 60, 32)).size(), 1);
+    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32))
+                .front()
+                .contains(u' ' + unassigned + u' ')); // named once
     layer.visible = false;
-    QVERIFY(fontWarnings(artwork).isEmpty());
+    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32)).isEmpty());
 }
 
 void ArtworkTest::paintArtwork_wideColour_staysWide() {
