@@ -1,6 +1,7 @@
 #include "printing/PrintReach.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "printing/PrintFile.h"
 #include "sheet/page/CutContour.h"
 #include "sheet/page/InkedPixels.h"
@@ -18,12 +19,6 @@ namespace {
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Printing)
 };
-
-// Returns the width, in mm, that the drawing loses at a margin of the paper. `half` is half the
-// paper's size.
-double lostEdge(double half, double margin, double scale) {
-    return std::max(margin, half - (half - margin) * scale);
-}
 
 // Returns the bounding box, in mm, of the page area that has ink from the film's plates.
 QRectF paintedBox(const Sheet& sheet, InkedPlates plates) {
@@ -57,41 +52,30 @@ QMarginsF lostOnPage(const Sheet& sheet, const QMarginsF& margins,
     return {lost.top(), lost.right(), lost.bottom(), lost.left()};
 }
 
-} // namespace
-
-QMarginsF larger(const QMarginsF& a, const QMarginsF& b) {
-    return {std::max(a.left(), b.left()), std::max(a.top(), b.top()),
-            std::max(a.right(), b.right()), std::max(a.bottom(), b.bottom())};
-}
-
-double widest(const QMarginsF& margins) {
-    return std::max({margins.left(), margins.top(), margins.right(), margins.bottom()});
-}
-
-QMarginsF unreachable(const QMarginsF& ofPrinter, const std::optional<PrinterProfile>& profile) {
-    if (!profile) {
-        return ofPrinter;
+// Returns how much farther inside marks on the film stand on the second sheet, mm.
+double markShift(const Sheet& sheet, const Sheet& inside) {
+    if (!sheet.settings.marks || !sheet.pieces.empty()) {
+        return 0;
     }
-    const auto& m = profile->margins;
-    return larger(ofPrinter, {m[0].value(), m[1].value(), m[2].value(), m[3].value()});
+    const std::optional<QPointF> before = marksOnFilm(sheet), after = marksOnFilm(inside);
+    return before && after ? before->x() - after->x() : 0;
 }
 
-QMarginsF clippedEdges(QSizeF paper, const QMarginsF& margins, const PrintCorrection& correction) {
-    const double x = paper.width() / 2;
-    const double y = paper.height() / 2;
-    return {lostEdge(x, margins.left(), correction.scaleX),
-            lostEdge(y, margins.top(), correction.scaleY),
-            lostEdge(x, margins.right(), correction.scaleX),
-            lostEdge(y, margins.bottom(), correction.scaleY)};
-}
+} // namespace
 
 Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorrection& correction,
                   bool accept, const QString& where, QStringList& warnings) {
     constexpr double sharpness = 0.05; // mm
-    const double clear = sheet.clearance.value();
     Sheet inside = sheet;
-    inside.clearance = Millimetres(
-        widest(lostOnPage(sheet, larger(margins, {clear, clear, clear, clear}), correction)));
+    inside.clearance =
+        std::max(sheet.clearance, clearanceFor(pageSize(sheet), margins, correction));
+    if (const double moved = markShift(sheet, inside); moved > sharpness) {
+        warnings << Text::tr("This printer's margins are larger than those of the job's printer "
+                             "profile, so the registration marks stand %1 mm farther inside than "
+                             "the pins of traveller and cradle; use these pins only after a run "
+                             "with the margins in the profile")
+                        .arg(numberText(moved, 1));
+    }
     const QMarginsF lost = lostOnPage(sheet, margins, correction);
     const double lostWidth = std::round(widest(lost) * 100) / 100;
     const QRectF reach = QRectF({0, 0}, pageSize(sheet)).marginsRemoved(lost);

@@ -8,24 +8,12 @@
 namespace dipwright {
 
 DatumPins datumPins(const Sheet& sheet, const FilmSettings& film, Millimetres farthest) {
-    Sheet bare = sheet;
-    bare.image = {};
-    bare.settings.marks = true;
-    bare.settings.ruler = false;
-    bare.settings.jobLine = false;
-    const SheetLayout layout = sheetLayout(bare);
-    std::array<QPointF, 3> corners{layout.film.topLeft(), layout.film.topRight(),
-                                   layout.film.bottomLeft()};
-    if (!layout.marks.empty()) {
-        corners = {layout.marks[0].centre, layout.marks[1].centre, layout.marks[2].centre};
-    }
+    const QPointF corner = marksOnFilm(sheet).value_or(
+        QPointF(sheet.filmWidth.value() / 2, sheet.filmHeight.value() / 2));
+    const double x = corner.x() * film.swellX, z = corner.y() * film.swellY;
     DatumPins result;
-    double apart = 0;
-    for (std::size_t pin = 0; pin < corners.size(); ++pin) {
-        const QPointF printed = corners[pin] - layout.film.center();
-        result.marks[pin] = {printed.x() * film.swellX, printed.y() * film.swellY};
-        apart = std::max(apart, 2 * result.marks[pin].cwiseAbs().maxCoeff());
-    }
+    result.marks = {Eigen::Vector2d(-x, -z), Eigen::Vector2d(x, -z), Eigen::Vector2d(-x, z)};
+    const double apart = 2 * std::max(x, z);
     result.share = std::min(1.0, farthest.value() / apart);
     std::transform(result.marks.begin(), result.marks.end(), result.pins.begin(),
                    [&](const Eigen::Vector2d& mark) { return (result.share * mark).eval(); });

@@ -12,10 +12,11 @@ struct FilmSettings;
 struct Sheet;
 
 // Positions on the water in the world frame (dip/Pose.h), x and z, mm. They correspond to the
-// sheet's registration marks upper left, upper right and lower left, after the film has swollen.
-// With three pins instead of four, nothing can be mounted the wrong way round.
+// sheet's registration marks upper left, upper right and lower left, after the film has swollen. If
+// the sheet has no marks on the film, they correspond to the film's corners. With three pins
+// instead of four, nothing can be mounted the wrong way round.
 struct DatumPins {
-    std::array<Eigen::Vector2d, 3> marks; // registration marks of the floating sheet
+    std::array<Eigen::Vector2d, 3> marks; // marks or corners of the floating sheet
     // The pins lie on the lines from the film's middle to the marks. They are closer to the middle
     // than the marks if the plate would otherwise be too large.
     std::array<Eigen::Vector2d, 3> pins;

@@ -76,6 +76,15 @@ QString number(double value) {
     return numberText(value, 1);
 }
 
+// Returns the texts of a value and its limit, with enough decimals to show that they differ.
+std::array<QString, 2> apart(double value, double limit) {
+    int decimals = 1;
+    while (decimals < 6 && numberText(value, decimals) == numberText(limit, decimals)) {
+        ++decimals;
+    }
+    return {numberText(value, decimals), numberText(limit, decimals)};
+}
+
 } // namespace
 
 Eigen::Vector3d pathOriginInTank(const Immersion& immersion, Seconds time) {
@@ -116,6 +125,16 @@ std::vector<TankFault> tankFaults(const std::optional<TankProfile>& profile,
                 .arg(number(floating.width), number(floating.depth), tank.name,
                      number(tank.width.value()), number(tank.length.value())));
     }
+    if (!path.isStraightDown()) {
+        const Eigen::Vector3d drift = path.poses.back().seconds * waterVelocity(immersion.path);
+        const Eigen::Array2d needed = filmSides + 2 * Eigen::Array2d(drift.x(), drift.z()).abs();
+        if (!tooLarge(filmSides, sides) && tooLarge(needed, sides)) {
+            add(drift.norm(), (sides - filmSides).minCoeff() / 2,
+                Text::tr("The water carries the film %1 mm during the dip, past the edge of the "
+                         "tank “%2”; reduce the speed of the water, or use a smaller film")
+                    .arg(number(drift.norm()), tank.name));
+        }
+    }
     // The largest distances of the part from the tank's middle.
     const Eigen::Array2d farthest = demand.outline.max().array().max(-demand.outline.min().array());
     const Eigen::Array2d half = sides / 2;
@@ -128,29 +147,33 @@ std::vector<TankFault> tankFaults(const std::optional<TankProfile>& profile,
         return limit && value > limit->value() * (1 + rounding);
     };
     if (exceeds(demand.depth, tank.waterDepth)) {
+        const auto [needed, most] = apart(demand.depth, tank.waterDepth->value());
         add(demand.depth, tank.waterDepth->value(),
             Text::tr("The part goes %1 mm under water, but the water in the tank “%2” is only "
                      "%3 mm deep; reduce the depth of the dip, or turn the part")
-                .arg(number(demand.depth), tank.name, number(tank.waterDepth->value())));
+                .arg(needed, tank.name, most));
     }
     if (exceeds(demand.reach, tank.reach)) {
+        const auto [needed, most] = apart(demand.reach, tank.reach->value());
         add(demand.reach, tank.reach->value(),
             Text::tr("The centre of the part moves %1 mm sideways from the middle of the tank "
                      "“%2”, but its machine reaches only %3 mm; move the part or change its "
                      "path")
-                .arg(number(demand.reach), tank.name, number(tank.reach->value())));
+                .arg(needed, tank.name, most));
     }
     if (exceeds(demand.speed, tank.speed)) {
+        const auto [needed, most] = apart(demand.speed, tank.speed->value());
         add(demand.speed, tank.speed->value(),
             Text::tr("The part moves at up to %1 mm/s, but the machine of the tank “%2” "
                      "reaches only %3 mm/s; reduce the speed of the dip")
-                .arg(number(demand.speed), tank.name, number(tank.speed->value())));
+                .arg(needed, tank.name, most));
     }
     if (exceeds(demand.turnSpeed, tank.turnSpeed)) {
+        const auto [needed, most] = apart(demand.turnSpeed, tank.turnSpeed->value());
         add(demand.turnSpeed, tank.turnSpeed->value(),
             Text::tr("The part turns at up to %1°/s, but the machine of the tank “%2” reaches "
                      "only %3°/s; use a slower dip or a smaller turn")
-                .arg(number(demand.turnSpeed), tank.name, number(tank.turnSpeed->value())));
+                .arg(needed, tank.name, most));
     }
     return faults;
 }

@@ -5,6 +5,7 @@
 #include "pipeline/StepInputs.h"
 #include "project/Project.h"
 #include "settings/Immersion.h"
+#include "sheet/page/PaperMargins.h"
 #include "sheet/prepress/Separation.h"
 
 #include <QCoreApplication>
@@ -170,6 +171,14 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
     sheet.filmWidth = project.film.width;
     sheet.filmHeight = project.film.height;
     sheet.settings = project.sheet;
+    const auto& printer = project.profiles.printer;
+    PrintCorrection correction;
+    if (printer) {
+        correction.scaleX = printer->scaleX;
+        correction.scaleY = printer->scaleY;
+    }
+    sheet.clearance = clearanceFor({sheet.filmWidth.value(), sheet.filmHeight.value()},
+                                   unreachable({}, printer), correction);
     sheet.job = {
         project.name,           immersion.name,          project.date,
         filmText(project.film), scaleText(project.film), jobHash(project, immersion, film)};

@@ -234,10 +234,12 @@ QString filmText(const Traveller& traveller) {
         return QStringLiteral("(%1; %2)").arg(plain(pin.x()), plain(pin.y()));
     };
     const auto& pins = traveller.pins.pins;
-    QString text = Text::tr("From above, ink side up. Crosses: marks of the floating film. Red "
-                            "circles: datum pins at (x; z) = %1, %2 and %3 mm from the film's "
-                            "centre, x to the right, z towards the lower edge. Dashed: the part.")
-                       .arg(pinText(pins[0]), pinText(pins[1]), pinText(pins[2]));
+    QString text =
+        Text::tr("From above, ink side up. Crosses: marks of the floating film, or its corners "
+                 "if it has no marks. Red circles: datum pins at (x; z) = %1, %2 and %3 mm from "
+                 "the film's "
+                 "centre, x to the right, z towards the lower edge. Dashed: the part.")
+            .arg(pinText(pins[0]), pinText(pins[1]), pinText(pins[2]));
     const auto& tank = traveller.profiles.tank;
     const bool hasMarks = tank && tank->markDistance[0].value() > 0;
     text +=
@@ -298,6 +300,24 @@ std::vector<Seconds> listedTimes(const TravellerDip& dip) {
     return times;
 }
 
+// Tells how the water must flow, with a space at the end; empty if it stands.
+QString flowText(const TravellerDip& dip) {
+    const Eigen::Vector3d flow = waterVelocity(dip.immersion.path);
+    if (flow.norm() == 0) {
+        return {};
+    }
+    const Eigen::Vector3d way = dip.motion.dipTime().value() * flow;
+    const double heading = std::atan2(flow.z(), flow.x()) * 180 / pi;
+    return Text::tr("The water flows at %1 mm/s with the heading %2° (0°: to the right, 90°: "
+                    "towards the lower edge) and carries the film. Lay the film so far upstream "
+                    "that its centre is in the middle of the tank when the dip begins; all "
+                    "positions are relative to that place. At the end of the dip, the film's "
+                    "centre is %3 mm to the right of it and %4 mm towards the lower edge.")
+               .arg(plain(flow.norm(), 2), plain(heading < 0 ? heading + 360 : heading),
+                    plain(way.x()), plain(way.z())) +
+           u' ';
+}
+
 // Describes a dip that does not go straight down. Each pose has a line of its own.
 QString pathStep(const TravellerDip& dip, std::size_t number) {
     const QString bullet = QStringLiteral("\n• ");
@@ -314,7 +334,8 @@ QString pathStep(const TravellerDip& dip, std::size_t number) {
                     .arg(plain(poses[pose].time.value()), plain(place.x()), plain(place.y()),
                          plain(place.z()), plain(turn.x()), plain(turn.y()), plain(turn.z()));
     }
-    return Text::tr("Dip the part along its path in %1 s (motion-%2.csv begins at the waiting "
+    return flowText(dip) +
+           Text::tr("Dip the part along its path in %1 s (motion-%2.csv begins at the waiting "
                     "height). Each pose gives the time, the position of the part's centre relative "
                     "to the film's centre on the water, and the turn relative to the rotation at "
                     "the end: about the axis to the right, then about the axis towards the upper "

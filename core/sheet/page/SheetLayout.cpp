@@ -249,6 +249,17 @@ SheetLayout sheetLayout(const Sheet& sheet) {
     return layout;
 }
 
+std::optional<QPointF> marksOnFilm(const Sheet& sheet) {
+    Sheet bare = sheet;
+    bare.image = {};
+    bare.settings.marks = true;
+    bare.settings.ruler = false;
+    bare.settings.jobLine = false;
+    const SheetLayout layout = sheetLayout(bare);
+    const bool isOn = !layout.marks.empty() && layout.film.contains(layout.marks[3].centre);
+    return isOn ? std::optional(layout.marks[3].centre - layout.film.center()) : std::nullopt;
+}
+
 QString nameOnPaper(const QString& name) {
     const QString text = printableText(name.simplified(), sheetFont(jobLineType));
     return text.size() <= longestName ? text : text.left(longestName - 1) + u'…';

@@ -61,6 +61,11 @@ inline constexpr double jobLinePitch = 3;  // mm between two lines of text
 // Returns the layout. Throws the same errors as pageSize().
 SheetLayout sheetLayout(const Sheet& sheet);
 
+// Returns how far the registration marks are from the film's middle, to each side, in printed mm.
+// None if the film is too small for marks, or if the paper round it, which is cut off, has them.
+// Does not depend on whether marks are printed. Throws the same errors as pageSize().
+std::optional<QPointF> marksOnFilm(const Sheet& sheet);
+
 // Painter unit for text, mm. It is small because a QFont has no sizes below a whole unit.
 inline constexpr double typeUnit = 0.01;
 // Returns the font of the marks, `height` mm high, for a painter whose unit is `typeUnit`.

@@ -40,6 +40,25 @@ private slots:
         enlarged.scaleX = enlarged.scaleY = 0.97;
         QVERIFY_EXCEPTION_THROWN(warnings({}, enlarged), Error);
     }
+
+    // Traveller and cradle have their pins where the job's sheet has its marks.
+    void withinReach_marksMove_isAWarning() {
+        Sheet sheet;
+        sheet.filmWidth = sheet.filmHeight = Millimetres(100);
+        sheet.image = QImage(10, 10, QImage::Format_RGBA8888);
+        sheet.image.fill(Qt::transparent);
+        sheet.settings.paper = QStringLiteral("film");
+        QStringList warnings;
+        withinReach(sheet, {3, 3, 3, 3}, {}, false, {}, warnings);
+        QCOMPARE(warnings, QStringList());
+        const Sheet inside = withinReach(sheet, {0, 5, 0, 0}, {}, false, {}, warnings);
+        QCOMPARE(inside.clearance, Millimetres(5));
+        QCOMPARE(warnings.size(), qsizetype(1));
+        QVERIFY2(warnings[0].contains("2.0 mm farther inside"), qPrintable(warnings[0]));
+        sheet.clearance = Millimetres(5); // by the job's printer profile
+        withinReach(sheet, {0, 5, 0, 0}, {}, false, {}, warnings);
+        QCOMPARE(warnings.size(), qsizetype(1));
+    }
 };
 
 QTEST_MAIN(PrintReachTest)

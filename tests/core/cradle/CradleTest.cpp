@@ -346,6 +346,18 @@ private slots:
         QVERIFY((wide.pins[1] - Eigen::Vector2d(99 * 1.1, -142.5)).norm() < 1e-9);
         QVERIFY((wide.pins[2] - Eigen::Vector2d(-99 * 1.1, 142.5)).norm() < 1e-9);
 
+        // A printer with margins of 5 mm prints the marks farther inside.
+        Sheet sheet;
+        sheet.clearance = Millimetres(5);
+        QVERIFY(
+            (datumPins(sheet, film, Millimetres(1000)).pins[2] - Eigen::Vector2d(-97 * 1.1, 140.5))
+                .norm() < 1e-9);
+        // Marks on the paper round the film are cut off, so the film's corners count.
+        sheet.settings.paper = QStringLiteral("A3");
+        QVERIFY((datumPins(sheet, film, Millimetres(1000)).marks[2] -
+                 Eigen::Vector2d(-105 * 1.1, 148.5))
+                    .norm() < 1e-9);
+
         const DatumPins pins = datumPins(Sheet(), FilmSettings(), settings().pinSpan);
         QVERIFY(std::abs(pins.share - 80 / 285.0) < 1e-9);
         const Cradle& cradle = ballsCradle();

@@ -130,6 +130,26 @@ private slots:
         QVERIFY2(found.contains(QStringLiteral("moves at up to 7.1 mm/s")), qPrintable(found));
     }
 
+    // The film is carried on for the 4.1 s of the dip.
+    void tankFaults_flowingWater_comparesWhereTheFilmEnds() {
+        TankDip dip = boxInTank();
+        dip.tank->width = dip.film.width + Millimetres(2 * 20);
+        dip.immersion.path.waterSpeed = MillimetresPerSecond(4);
+        QCOMPARE(faults(dip), QString());
+        dip.immersion.path.waterSpeed = MillimetresPerSecond(6);
+        QVERIFY2(faults(dip).contains(QStringLiteral("carries the film 24.6 mm")),
+                 qPrintable(faults(dip)));
+    }
+
+    void tankFaults_valueJustAboveTheLimit_showsTheDifference() {
+        TankDip dip = boxInTank();
+        dip.process.dipSpeed = MillimetresPerSecond(5.03);
+        dip.tank->speed = MillimetresPerSecond(5);
+        QVERIFY2(faults(dip).contains(QStringLiteral("at up to 5.03 mm/s")) &&
+                     faults(dip).contains(QStringLiteral("reaches only 5.00 mm/s")),
+                 qPrintable(faults(dip)));
+    }
+
     // A box that enters tilted covers more of the water until it is level.
     void tankFaults_tiltedEntry_comparesTheWholePath() {
         TankDip dip = boxInTank();

@@ -56,6 +56,27 @@ private slots:
         QCOMPARE(jobNumber(pricedProject()), jobNumber(plainProject()));
     }
 
+    // So traveller, cradle and sheet agree on where the marks are.
+    void jobSheet_printerWithMargins_keepsMarksClear() {
+        Project project = plainProject();
+        QImage image(20, 30, QImage::Format_RGBA8888);
+        image.fill(Qt::red);
+        const auto clearance = [&] {
+            return jobSheet(project, project.immersions.front(), {.colours = image})
+                .clearance.value();
+        };
+        QCOMPARE(clearance(), 3.0);
+        project.profiles.printer.emplace();
+        QCOMPARE(clearance(), 3.0);
+        project.profiles.printer->margins = {Millimetres(5), Millimetres(4), Millimetres(0),
+                                             Millimetres(2)};
+        QCOMPARE(clearance(), 5.0);
+        // The page is enlarged about its middle by 1/0.99.
+        project.profiles.printer->scaleX = project.profiles.printer->scaleY = 0.99;
+        const double half = std::max(project.film.width, project.film.height).value() / 2;
+        QVERIFY(std::abs(clearance() - (half - 0.99 * (half - 5))) < 1e-9);
+    }
+
     void jobNumber_printerProfile_doesNotMatter() {
         Project other = plainProject();
         other.profiles.printer->name = QStringLiteral("Other");

@@ -116,6 +116,24 @@ private slots:
                  qPrintable(dip->text));
     }
 
+    void tankTasks_flowingWater_saysWhereTheFilmMustBe() {
+        Traveller inFlow = traveller();
+        TravellerDip& dip = inFlow.dips.front();
+        dip.motion.path = {{Seconds(0), {0, 0, 20}}, {Seconds(6), {0, 0, -40}}};
+        dip.immersion.path.waterSpeed = MillimetresPerSecond(-3);
+        dip.immersion.path.heading = Degrees(90);
+        const std::vector<TankTask> tasks = tankTasks(inFlow);
+        const auto step = std::ranges::find(tasks, TankStep::Dip, &TankTask::step);
+        QVERIFY(step != tasks.end());
+        const double seconds = dip.motion.dipTime().value();
+        QVERIFY2(
+            step->text.contains(QStringLiteral("flows at 3 mm/s with the heading 270°")) &&
+                step->text.contains(QStringLiteral("0 mm to the right of it and −%1 mm towards "
+                                                   "the lower edge")
+                                        .arg(3 * seconds)),
+            qPrintable(step->text));
+    }
+
     void tankTasks_pathThroughPoses_listsThesePoses() {
         Traveller onPath = traveller();
         TravellerDip& dip = onPath.dips.front();
