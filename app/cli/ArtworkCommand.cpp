@@ -121,7 +121,7 @@ void add(Project& project, Words& words, const QCommandLineParser& parser, QText
     }
     applyToLayer(project, index, parser); // a stated place or size replaces that of placedOn()
     out << QStringLiteral("Added %1 as layer %2\n").arg(added.name).arg(index + 1);
-    QStringList notes = layerWarnings({.base = {}, .layers = {added}}, project.model->mesh);
+    QStringList notes = cutOffWarnings({.base = {}, .layers = {added}}, project.model->mesh);
     if (const QString note = colourNoteOf(added); !note.isEmpty()) {
         notes.append(note);
     }

@@ -50,41 +50,6 @@ QString missingCharacters(const QString& text, const QFont& font) {
     return missing;
 }
 
-QStringList fontWarnings(const ArtworkLayer& layer) {
-    QStringList warnings;
-    if (layer.kind != LayerKind::Text) {
-        return warnings;
-    }
-    if (!QFontDatabase::hasFamily(layer.font)) {
-        warnings.append(
-            Text::tr("The font %2 of the text “%1” is not installed on this computer, so "
-                     "another font replaces it; install it, or choose an installed font")
-                .arg(layer.name, layer.font));
-    }
-    if (const QString missing = missingCharacters(layer.text, QFont(layer.font));
-        !missing.isEmpty()) {
-        warnings.append(Text::tr("No installed font has the characters %2 of the text “%1”, so "
-                                 "boxes are printed; install a font that has them")
-                            .arg(layer.name, missing));
-    }
-    return warnings;
-}
-
-// Returns a sentence if a layer around an axis is longer than a turn, so that its sides are cut
-// off; else nothing. Repeats continue, so nothing of them is lost.
-QStringList cutOffWarning(const ArtworkLayer& layer, const TriangleMesh& mesh) {
-    constexpr double hidden = 1.001; // rounding does not count
-    if (layer.placement != LayerPlacement::Cylinder || layer.repeat.value() > 0) {
-        return {};
-    }
-    const double length = shownSize(layer)[0].value(), turn = lengthAround(layer, mesh);
-    return length <= hidden * turn
-               ? QStringList()
-               : QStringList(Text::tr("The layer “%1” is %2 mm long, but a turn around its axis "
-                                      "is only %3 mm, so its sides are cut off; make it smaller")
-                                 .arg(layer.name, numberText(length, 1), numberText(turn, 1)));
-}
-
 } // namespace
 
 ArtworkLayer newLayer(LayerKind kind, const QString& name) {
@@ -186,11 +151,41 @@ std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer) {
     return {Millimetres(width), Millimetres(width / proportions)};
 }
 
-QStringList layerWarnings(const Artwork& artwork, const TriangleMesh& mesh) {
+QStringList fontWarnings(const Artwork& artwork) {
     QStringList warnings;
     for (const ArtworkLayer& layer : artwork.layers) {
-        if (layer.visible) {
-            warnings += fontWarnings(layer) + cutOffWarning(layer, mesh);
+        if (layer.kind != LayerKind::Text || !layer.visible) {
+            continue;
+        }
+        if (!QFontDatabase::hasFamily(layer.font)) {
+            warnings.append(
+                Text::tr("The font %2 of the text “%1” is not installed on this computer, so "
+                         "another font replaces it; install it, or choose an installed font")
+                    .arg(layer.name, layer.font));
+        }
+        if (const QString missing = missingCharacters(layer.text, QFont(layer.font));
+            !missing.isEmpty()) {
+            warnings.append(Text::tr("No installed font has the characters %2 of the text “%1”, so "
+                                     "boxes are printed; install a font that has them")
+                                .arg(layer.name, missing));
+        }
+    }
+    return warnings;
+}
+
+QStringList cutOffWarnings(const Artwork& artwork, const TriangleMesh& mesh) {
+    constexpr double hidden = 1.001; // rounding does not count
+    QStringList warnings;
+    for (const ArtworkLayer& layer : artwork.layers) {
+        if (!layer.visible || layer.placement != LayerPlacement::Cylinder ||
+            layer.repeat.value() > 0) {
+            continue;
+        }
+        const double length = shownSize(layer)[0].value(), turn = lengthAround(layer, mesh);
+        if (length > hidden * turn) {
+            warnings.append(Text::tr("The layer “%1” is %2 mm long, but a turn around its axis is "
+                                     "only %3 mm, so its sides are cut off; make it smaller")
+                                .arg(layer.name, numberText(length, 1), numberText(turn, 1)));
         }
     }
     return warnings;

@@ -36,11 +36,14 @@ void addLayer(Artwork& artwork, const ArtworkLayer& layer, const TexturedMesh& m
 // shown once keeps its proportions. Text needs a QGuiApplication.
 std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer);
 
-// Returns sentences on visible layers of an artwork on a model that do not print as designed: the
-// font is not installed and is replaced by another, no installed font has some of the characters,
-// so boxes are printed, or a picture around an axis is longer than a turn, so its sides are cut
-// off. Text needs a QGuiApplication.
-QStringList layerWarnings(const Artwork& artwork, const TriangleMesh& mesh);
+// Returns a sentence for each visible layer whose font is not installed and is replaced by another,
+// and for each whose text has characters that no installed font has. Those are printed as boxes.
+// Text needs a QGuiApplication.
+QStringList fontWarnings(const Artwork& artwork);
+// Returns a sentence for each visible layer around an axis of the model that is longer than a turn,
+// so that its sides are cut off. Repeats continue, so nothing of them is lost. Text needs a
+// QGuiApplication.
+QStringList cutOffWarnings(const Artwork& artwork, const TriangleMesh& mesh);
 // Returns the note on how a layer's picture was read (base/ColourNote.h), without the last full
 // stop; empty if there is none.
 QString colourNoteOf(const ArtworkLayer& layer);

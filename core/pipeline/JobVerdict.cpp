@@ -177,10 +177,14 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
     if (const QString expiry = expiryWarning(project.profiles.film); !expiry.isEmpty()) {
         found.add({Kind::ExpiredFilm, project.verdict.expiredFilm, 0, 0, expiry});
     }
+    const PosedBody& body = *result.immersions.front().body;
+    for (const QString& note : misplacedNotes(project, body.query, body.modelToPose)) {
+        found.add({Kind::Misplaced, Advice::CheckFirst, 0, 0, note});
+    }
     for (const QString& note : missingMaterialNotes(project)) {
         found.add({Kind::UnknownName, Advice::CheckFirst, 0, 0, note});
     }
-    for (const QString& note : layerWarnings(project.artwork, project.model->mesh)) {
+    for (const QString& note : fontWarnings(project.artwork)) {
         found.add({Kind::UnknownName, Advice::CheckFirst, 0, 0, note});
     }
 }

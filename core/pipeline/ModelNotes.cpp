@@ -1,5 +1,6 @@
 #include "pipeline/ModelNotes.h"
 
+#include "artwork/EditArtwork.h"
 #include "base/NumberText.h"
 #include "geometry/FieldGrid.h"
 #include "model/MeshRepair.h"
@@ -8,6 +9,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dipwright {
@@ -15,6 +17,40 @@ namespace {
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(Pipeline)
+};
+
+constexpr double farOffPart = 1; // mm; marks are drawn on the surface
+
+// Tells whether a mark lies off the part, at least in places.
+class OffPart {
+public:
+    // Keeps references.
+    OffPart(const SurfaceQuery& query, const Eigen::Isometry3d& modelToPose)
+        : query_(query), modelToPose_(modelToPose) {}
+
+    bool operator()(const SurfaceMark& mark) const {
+        if (mark.extent == MarkExtent::Stroke) {
+            return mark.path.empty() || isOff(mark.path);
+        }
+        const bool isNamed = mark.extent == MarkExtent::Material && !mark.material.isEmpty();
+        return !isNamed && isOff(mark.place);
+    }
+    bool operator()(const ShareMark& mark) const {
+        return mark.path.empty() ? isOff(mark.place) : isOff(mark.path);
+    }
+
+private:
+    bool isOff(const std::array<Millimetres, 3>& place) const {
+        const Eigen::Vector3d inModel(place[0].value(), place[1].value(), place[2].value());
+        return !query_.isNear((modelToPose_ * inModel).cast<float>(), float(farOffPart));
+    }
+    bool isOff(const BrushPath& path) const {
+        return std::any_of(path.begin(), path.end(),
+                           [this](const BrushPoint& point) { return isOff(point.place); });
+    }
+
+    const SurfaceQuery& query_;
+    const Eigen::Isometry3d& modelToPose_;
 };
 
 } // namespace
@@ -61,6 +97,30 @@ QStringList missingMaterialNotes(const Project& project) {
                              .arg(name));
         }
     }
+    return notes;
+}
+
+QStringList misplacedNotes(const Project& project, const SurfaceQuery& query,
+                           const Eigen::Isometry3d& modelToPose) {
+    const OffPart offPart(query, modelToPose);
+    const auto count = [&](const auto& marks) {
+        return std::count_if(marks.begin(), marks.end(), offPart);
+    };
+    QStringList notes = cutOffWarnings(project.artwork, project.model->mesh);
+    const auto note = [&notes](qsizetype off, const QString& sentence) {
+        if (off > 0) {
+            notes.append(sentence.arg(off).arg(farOffPart));
+        }
+    };
+    note(count(project.masks),
+         Text::tr("Masks that lie more than %2 mm off the part: %1. Perhaps they were made for "
+                  "another model; draw them again"));
+    note(count(project.tolerance.marks),
+         Text::tr("Zones that lie more than %2 mm off the part: %1. Perhaps they were made for "
+                  "another model; mark them again"));
+    note(count(project.share.marks),
+         Text::tr("Marks for the seam that lie more than %2 mm off the part: %1. Perhaps they were "
+                  "made for another model; mark the seam again"));
     return notes;
 }
 

@@ -1,4 +1,4 @@
-// Warns the user about thin or inside-out parts of a job's model.
+// Warns the user about parts of a job's model, and about marks that do not fit it.
 #pragma once
 
 #include "geometry/SurfaceQuery.h"
@@ -18,6 +18,13 @@ QString thinPartNote(const Project& project, const TriangleMesh& mesh, const Sur
 // Returns a warning for each name of a material or CAD face that a zone, a mask or a layer of the
 // artwork uses, but that the model lacks.
 QStringList missingMaterialNotes(const Project& project);
+
+// Returns warnings of zones, masks and marks for the seam that lie more than 1 mm off the part, and
+// of layers that do not fit around it (cutOffWarnings()). Such marks were perhaps made for another
+// model: they mark the nearest surface, or nothing. `query` belongs to the project's mesh, moved by
+// `modelToPose`.
+QStringList misplacedNotes(const Project& project, const SurfaceQuery& query,
+                           const Eigen::Isometry3d& modelToPose = Eigen::Isometry3d::Identity());
 
 // Tells whether parts of the model face inwards. The import turns such parts, but older projects
 // may still contain them. Takes seconds for models with many open parts.

@@ -164,7 +164,8 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
             Text::tr("The model has no texture; the colours of its materials are printed"));
     }
     warnings += missingMaterialNotes(project);
-    warnings += layerWarnings(project.artwork, project.model->mesh);
+    warnings += misplacedNotes(project, query);
+    warnings += fontWarnings(project.artwork);
     warnings += colourNotes(*project.model) + colourNotes(project.artwork);
     for (const Immersion& immersion : project.immersions) {
         checkImmersion(project, immersion, query, warnings);

@@ -58,6 +58,7 @@ struct VerdictReason {
         ExpiredFilm,  // `text`: which film, and since when
         UnknownName,  // `text`: a face or material that a mark or layer names but the model lacks,
                       // or a font or characters of a text that this computer lacks
+        Misplaced,    // `text`: marks off the part, or a layer that does not fit around it
         IncompleteModel, // `text`: what the import left out or cannot show as the file means it
         PaintedTwice,    // both dips print the share `value` of the body's surface at full strength
         LittlePainted,   // the only dip paints the share `value` of the surface, less than `limit`

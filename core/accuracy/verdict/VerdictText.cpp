@@ -221,6 +221,7 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
         return reason.text;
     case Kind::ExpiredFilm:
     case Kind::UnknownName:
+    case Kind::Misplaced:
         return reason.text + QLatin1Char('.');
     default:
         return {};

@@ -121,9 +121,9 @@ private Q_SLOTS:
     void boxLayer_betweenItsSides_showsNoLine();
     void textLayer_readsCorrectlyFromOutside();
     void cylinderLayer_onCup_hasItsLengthOutside();
-    void layerWarnings_longerThanATurn_nameIt();
-    void layerWarnings_missingFont_nameIt();
-    void layerWarnings_charactersThatNoFontHas_nameThem();
+    void cutOffWarnings_longerThanATurn_nameIt();
+    void fontWarnings_missingFont_nameIt();
+    void fontWarnings_charactersThatNoFontHas_nameThem();
     void paintArtwork_wideColour_staysWide();
     void paintArtwork_twice_givesTheSameBits();
 };
@@ -384,19 +384,19 @@ void ArtworkTest::cylinderLayer_onCup_hasItsLengthOutside() {
     QCOMPARE(linesAround(body, radius, 3, 0.01, 0.01 + 2 * pi).size(), std::size_t(16));
 }
 
-void ArtworkTest::layerWarnings_longerThanATurn_nameIt() {
+void ArtworkTest::cutOffWarnings_longerThanATurn_nameIt() {
     const TriangleMesh tube = cylinderMesh(10, 60, 128); // 62.8 mm round
     Artwork artwork;
     artwork.layers = {pictureLayer(grid(100), {0, 0, 0}, 60)};
     ArtworkLayer& layer = artwork.layers.front();
     layer.placement = LayerPlacement::Cylinder;
-    QVERIFY(layerWarnings(artwork, tube).isEmpty());
+    QVERIFY(cutOffWarnings(artwork, tube).isEmpty());
     layer.size = {Millimetres(70), Millimetres(70)};
-    QCOMPARE(layerWarnings(artwork, tube).size(), 1);
-    QVERIFY2(layerWarnings(artwork, tube).front().contains(QStringLiteral("70.0")),
-             qPrintable(layerWarnings(artwork, tube).front()));
+    QCOMPARE(cutOffWarnings(artwork, tube).size(), 1);
+    QVERIFY2(cutOffWarnings(artwork, tube).front().contains(QStringLiteral("70.0")),
+             qPrintable(cutOffWarnings(artwork, tube).front()));
     layer.repeat = Millimetres(10); // repeats continue past the layer's size
-    QVERIFY(layerWarnings(artwork, tube).isEmpty());
+    QVERIFY(cutOffWarnings(artwork, tube).isEmpty());
 }
 
 void ArtworkTest::patternRepeat_bordersMatchOppositeBorders() {
@@ -493,31 +493,27 @@ void ArtworkTest::textLayer_readsCorrectlyFromOutside() {
     QVERIFY(isNear(colourAt(body, {-left, 10, 30}), Qt::white));
 }
 
-void ArtworkTest::layerWarnings_missingFont_nameIt() {
+void ArtworkTest::fontWarnings_missingFont_nameIt() {
     Artwork artwork;
     artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("Title"))};
-    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32)).isEmpty());
+    QVERIFY(fontWarnings(artwork).isEmpty());
     artwork.layers.front().font = QStringLiteral("No Such Letters");
-    QCOMPARE(layerWarnings(artwork, cylinderMesh(25, 60, 32)).size(), 1);
-    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32))
-                .front()
-                .contains(QLatin1String("No Such Letters")));
+    QCOMPARE(fontWarnings(artwork).size(), 1);
+    QVERIFY(fontWarnings(artwork).front().contains(QLatin1String("No Such Letters")));
 }
 
-void ArtworkTest::layerWarnings_charactersThatNoFontHas_nameThem() {
+void ArtworkTest::fontWarnings_charactersThatNoFontHas_nameThem() {
     const QString unassigned(QChar(0x0378)); // a code point that Unicode never gave a character
     Artwork artwork;
     artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("Title"))};
     ArtworkLayer& layer = artwork.layers.front();
     layer.text = QStringLiteral("Äé 7\nüa\u0301 \u200d");
-    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32)).isEmpty());
+    QVERIFY(fontWarnings(artwork).isEmpty());
     layer.text += unassigned + u'x' + unassigned;
-    QCOMPARE(layerWarnings(artwork, cylinderMesh(25, 60, 32)).size(), 1);
-    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32))
-                .front()
-                .contains(u' ' + unassigned + u' ')); // named once
+    QCOMPARE(fontWarnings(artwork).size(), 1);
+    QVERIFY(fontWarnings(artwork).front().contains(u' ' + unassigned + u' ')); // named once
     layer.visible = false;
-    QVERIFY(layerWarnings(artwork, cylinderMesh(25, 60, 32)).isEmpty());
+    QVERIFY(fontWarnings(artwork).isEmpty());
 }
 
 void ArtworkTest::paintArtwork_wideColour_staysWide() {

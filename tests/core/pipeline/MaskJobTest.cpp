@@ -3,6 +3,7 @@
 #include "geometry/Shapes.h"
 #include "pipeline/JobTraveller.h"
 #include "pipeline/JobVerdict.h"
+#include "pipeline/ModelNotes.h"
 #include "pipeline/Pipeline.h"
 #include "pipeline/Report.h"
 
@@ -112,6 +113,31 @@ private slots:
         const QPoint middle(after.image.width() / 2, after.image.height() / 2);
         QCOMPARE(qAlpha(after.image.pixel(middle)), 0);
         QVERIFY(qAlpha(before.image.pixel(middle)) > 0);
+    }
+
+    // Marks of another model mark nothing, or the wrong face.
+    void misplacedNotes_marksOffThePart_areCounted() {
+        Project project = ball();
+        const SurfaceQuery query(project.model->mesh);
+        const auto notes = [&] { return misplacedNotes(project, query); };
+        project.masks = {capAt(-1), capAt(1)};
+        project.tolerance.marks.emplace_back().place = {Millimetres(radius), {}, {}};
+        project.share.marks.emplace_back().place = {Millimetres(-radius), {}, {}};
+        QCOMPARE(notes(), QStringList());
+        project.masks.push_back(capAt(1.1));
+        project.masks.emplace_back(); // a stroke without points
+        project.tolerance.marks.emplace_back().place = {Millimetres(9999), {}, {}};
+        project.share.marks.emplace_back().path = capAt(-1.1).path;
+        QCOMPARE(notes().size(), qsizetype(3));
+        QVERIFY2(notes()[0].startsWith(QStringLiteral("Masks that lie more than 1 mm off the "
+                                                      "part: 2.")),
+                 qPrintable(notes()[0]));
+        // A mark by name is not at a place.
+        project.masks = {};
+        project.share.marks = {};
+        project.tolerance.marks.back().extent = MarkExtent::Material;
+        project.tolerance.marks.back().material = QStringLiteral("body");
+        QCOMPARE(notes(), QStringList());
     }
 
     void runJob_maskChanged_keepsTheDip() {

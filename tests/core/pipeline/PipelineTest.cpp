@@ -248,6 +248,7 @@ private slots:
     void runJob_maskOnUnknownFace_isToBeChecked() {
         Project job = ballJob();
         job.masks.emplace_back().material = QStringLiteral("Thread");
+        job.masks.back().extent = MarkExtent::Material;
         JobOptions options;
         options.estimatesNumericalError = false;
         const Verdict verdict = runJob(job, *registry_, options, nullptr, {}).verdict;
