@@ -1,6 +1,7 @@
 #include "import/sandboxed/PlyReader.h"
 
 #include "base/Budgets.h"
+#include "import/sandboxed/PolygonTriangles.h"
 
 #include <QCoreApplication>
 #include <QtEndian>
@@ -401,6 +402,9 @@ private:
             }
         }
         const bool hasMaterial = material >= 0 && material < double(model_.materials.size());
+        if (corners.size() > 3) {
+            fans_.emplace_back(model_.mesh.triangles.size(), corners.size());
+        }
         for (std::size_t last = 2; last < corners.size(); ++last) {
             const std::array<std::size_t, 3> chosen{0, last - 1, last};
             auto& triangle = model_.mesh.triangles.emplace_back();
@@ -421,6 +425,53 @@ private:
         source_.throwDamaged(Text::tr("a face refers to a point that does not exist"));
     }
 
+    // Cuts polygons again whose fan folds over itself. Only here all points are known.
+    void unfold() {
+        std::size_t crossed = 0;
+        std::vector<Eigen::Vector3f> polygon;
+        for (const auto& [first, corners] : fans_) {
+            cancelToken_.throwIfCancelled();
+            polygon.clear();
+            for (std::size_t corner = 0; corner < corners; ++corner) {
+                const auto [triangle, place] = placeInFan(corner);
+                polygon.push_back(
+                    model_.mesh.positions[model_.mesh.triangles[first + triangle][place]]);
+            }
+            if (isFoldedFan(polygon)) {
+                const auto cut = cutPolygon(polygon);
+                crossed += cut ? 0 : 1;
+                replaceFan(first, cut.value_or(std::vector<PolygonTriangle>()));
+            }
+        }
+        if (crossed > 0) {
+            warnings_.push_back(
+                Text::tr("Faces whose edges cross each other: %1. Their inside is not clear, so "
+                         "they may be filled wrongly; cut them into triangles in a modelling "
+                         "program")
+                    .arg(crossed));
+        }
+    }
+
+    // Returns where a corner of a polygon is in its fan: in which triangle, and in which place.
+    static std::pair<std::size_t, std::size_t> placeInFan(std::size_t corner) {
+        return corner < 2 ? std::pair(std::size_t(0), corner)
+                          : std::pair(corner - 2, std::size_t(2));
+    }
+
+    void replaceFan(std::size_t first, const std::vector<PolygonTriangle>& cut) {
+        const auto triangles = model_.mesh.triangles.begin() + std::ptrdiff_t(first);
+        const auto coordinates = model_.textureCoordinates.begin() + std::ptrdiff_t(first);
+        const std::vector oldTriangles(triangles, triangles + std::ptrdiff_t(cut.size()));
+        const std::vector oldCoordinates(coordinates, coordinates + std::ptrdiff_t(cut.size()));
+        for (std::size_t t = 0; t < cut.size(); ++t) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto [triangle, place] = placeInFan(cut[t][i]);
+                model_.mesh.triangles[first + t][i] = oldTriangles[triangle][place];
+                model_.textureCoordinates[first + t][i] = oldCoordinates[triangle][place];
+            }
+        }
+    }
+
     void finish() {
         for (std::size_t t = 0; t < model_.mesh.triangles.size(); ++t) {
             for (int i = 0; i < 3; ++i) {
@@ -434,6 +485,7 @@ private:
                 }
             }
         }
+        unfold();
         if (hasColours_ && header_.pictures.empty()) {
             warnings_.push_back(Text::tr(
                 "The model's vertex colours are not used; bake them into a texture to print them"));
@@ -446,6 +498,8 @@ private:
     Scanner scanner_;
     Header header_;
     TexturedMesh model_;
+    // Of each polygon that is no triangle: its first triangle, and the number of its corners.
+    std::vector<std::pair<std::size_t, std::size_t>> fans_;
     // Texture coordinates per point; empty if there are none.
     std::vector<Eigen::Vector2f> pointCoordinates_;
     qsizetype lastRowBytes_ = 0;

@@ -8,7 +8,8 @@ namespace dipwright {
 
 // Reads PLY 1.0, ASCII or binary of either byte order:
 // - vertices with x, y, z and texture coordinates (s, t or u, v or texture_u, texture_v)
-// - faces as lists of vertices; polygons are cut into a fan from their first corner
+// - faces as lists of vertices; polygons are cut into a fan from their first corner, or by
+//   PolygonTriangles.h if this would fold
 // - triangle strips (tristrips), as scans have them
 // - texture coordinates per corner (texcoord)
 // - pictures named by "comment TextureFile" and chosen per face by texnumber

@@ -92,6 +92,39 @@ QByteArray stl(const TriangleMesh& mesh) {
     return text + "endsolid body\n";
 }
 
+// Returns a prism of height 2 over an outline as ASCII PLY. The corners of its faces have their
+// place in x and y as texture coordinates.
+QByteArray prismPly(const QList<QPoint>& outline) {
+    QByteArray points, faces, floor, roof, floorPlaces, roofPlaces;
+    const auto number = [](qsizetype value) { return " " + QByteArray::number(value); };
+    const qsizetype count = outline.size();
+    for (const int height : {0, 2}) {
+        for (const QPoint& point : outline) {
+            points += number(point.x()) + number(point.y()) + number(height) + "\n";
+        }
+    }
+    const auto place = [&](qsizetype corner) {
+        return number(outline[corner].x()) + number(outline[corner].y());
+    };
+    for (qsizetype corner = 0; corner < count; ++corner) {
+        const qsizetype next = (corner + 1) % count;
+        floor += number(count - 1 - corner);
+        floorPlaces += place(count - 1 - corner);
+        roof += number(count + corner);
+        roofPlaces += place(corner);
+        faces += "4" + number(corner) + number(next) + number(count + next) +
+                 number(count + corner) + " 8" + place(corner) + place(next) + place(next) +
+                 place(corner) + "\n";
+    }
+    return "ply\nformat ascii 1.0\nelement vertex" + number(2 * count) +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face" +
+           number(count + 2) +
+           "\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
+           "end_header\n" +
+           points + faces + number(count) + floor + number(2 * count) + floorPlaces + "\n" +
+           number(count) + roof + number(2 * count) + roofPlaces + "\n";
+}
+
 // Returns one STL solid of several bodies. The first `turned` bodies are inside out.
 QByteArray stl(std::vector<TriangleMesh> bodies, std::size_t turned) {
     QByteArray text;
@@ -184,6 +217,9 @@ private Q_SLOTS:
     void ply_coordinatesAndPicturePerFace_areRead();
     void plyAndStl_withoutCoordinates_areRead();
     void ply_triangleStrips_areRead();
+    void ply_concaveFace_isFilled_data();
+    void ply_concaveFace_isFilled();
+    void ply_faceWhoseEdgesCross_isALoss();
     void gltf_picture_isUpright();
     void glb_picture_isUpright();
     void gltf_textureTransform_movesThePicture();
@@ -388,6 +424,74 @@ void ImportModelTest::ply_triangleStrips_areRead() {
     QVERIFY2(whole.repairs.isEmpty(), qPrintable(whole.repairs.join(u'|')));
     QVERIFY(refusal(write(QStringLiteral("bad.ply"), head + "3 0 1 8\n"))
                 .contains(QStringLiteral("does not exist")));
+}
+
+void ImportModelTest::ply_concaveFace_isFilled_data() {
+    QTest::addColumn<QList<QPoint>>("outline"); // counter-clockwise
+    QTest::addColumn<double>("area");
+    const auto row = [](const char* name, const QList<QPoint>& outline, double area) {
+        for (qsizetype first = 0; first < outline.size(); ++first) {
+            QTest::addRow("%s from corner %d", name, int(first))
+                << outline.mid(first) + outline.first(first) << area;
+        }
+    };
+    row("square", {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, 16);
+    row("dart", {{0, 0}, {4, 0}, {1, 1}, {0, 4}}, 4);
+    row("L with a corner on a straight edge",
+        {{0, 0}, {2, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, 7);
+    row("comb",
+        {{0, 0},
+         {5, 0},
+         {5, 4},
+         {4, 4},
+         {4, 1},
+         {3, 1},
+         {3, 4},
+         {2, 4},
+         {2, 1},
+         {1, 1},
+         {1, 4},
+         {0, 4}},
+        14);
+    row("spiral",
+        {{0, 0},
+         {7, 0},
+         {7, 7},
+         {2, 7},
+         {2, 4},
+         {4, 4},
+         {4, 5},
+         {3, 5},
+         {3, 6},
+         {6, 6},
+         {6, 1},
+         {1, 1},
+         {1, 7},
+         {0, 7}},
+        26);
+}
+
+void ImportModelTest::ply_concaveFace_isFilled() {
+    QFETCH(QList<QPoint>, outline);
+    QFETCH(double, area);
+    const auto [model, report, cad] = import(write(QStringLiteral("prism.ply"), prismPly(outline)));
+    QVERIFY2(report.warnings.isEmpty(), qPrintable(report.warnings.join(u'|')));
+    QVERIFY(report.closed);
+    QVERIFY(std::abs(report.volume - 2 * area) < 1e-3);
+    for (std::size_t t = 0; t < model.mesh.triangles.size(); ++t) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Eigen::Vector3f& point = model.mesh.positions[model.mesh.triangles[t][corner]];
+            QCOMPARE(model.textureCoordinates[t][corner], Eigen::Vector2f(point.head<2>()));
+        }
+    }
+}
+
+void ImportModelTest::ply_faceWhoseEdgesCross_isALoss() {
+    const auto [model, report, cad] =
+        import(write(QStringLiteral("cross.ply"), prismPly({{0, 0}, {4, 0}, {4, 4}, {3, -2}})));
+    QCOMPARE(report.losses.size(), 1);
+    QVERIFY2(report.losses[0].contains(QStringLiteral("edges cross each other: 2")),
+             qPrintable(report.losses[0]));
 }
 
 void ImportModelTest::gltf_picture_isUpright() {
