@@ -5,6 +5,7 @@
 #include "import/sandboxed/FbxFrame.h"
 #include "import/sandboxed/GltfCheck.h"
 #include "import/sandboxed/MaterialFileCheck.h"
+#include "import/sandboxed/ObjText.h"
 #include "import/sandboxed/SceneConversion.h"
 #include "import/sandboxed/StlBytes.h"
 #include "import/sandboxed/ThreeDsCheck.h"
@@ -23,7 +24,6 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 namespace dipwright {
@@ -144,41 +144,6 @@ private:
     Assimp::IOStream* model_ = nullptr;
 };
 
-// Replaces words of a line that are not numbers (nan, inf, 1.#IND) by 9e9, up to a comment.
-void replaceOddNumbers(QByteArray& file, qsizetype begin, qsizetype end) {
-    constexpr QByteArrayView letters = "nNiI";
-    const auto isBlank = [](char byte) { return std::isspace(uchar(byte)) != 0; };
-    const char* bytes = file.constData();
-    for (qsizetype word = begin; word < end && bytes[word] != '#'; ++word) {
-        const qsizetype after = std::find_if(bytes + word, bytes + end, isBlank) - bytes;
-        const bool isOdd = std::any_of(bytes + word, bytes + after,
-                                       [&](char byte) { return letters.contains(byte); });
-        if (isOdd) {
-            file.replace(word, after - word,
-                         QByteArray("9e9").leftJustified(after - word, ' ', true));
-            bytes = file.constData();
-        }
-        word = after;
-    }
-}
-
-// Returns an OBJ file in which texture coordinates that are not numbers are too large instead, so
-// that they are reported. assimp 5.2.5 would read them as 0.
-QByteArray withoutOddCoordinates(QByteArray obj) {
-    constexpr QByteArrayView keyword = "vt";
-    const auto isEnd = [](char byte) { return byte == '\n' || byte == '\r'; };
-    for (qsizetype at = obj.indexOf(keyword); at >= 0; at = obj.indexOf(keyword, at)) {
-        const bool isFirst = at == 0 || isEnd(obj[at - 1]);
-        at += keyword.size();
-        if (isFirst && at < obj.size() && (obj[at] == ' ' || obj[at] == '\t')) {
-            const char* const end = obj.constData() + obj.size();
-            replaceOddNumbers(obj, at + 1,
-                              std::find_if(obj.constData() + at, end, isEnd) - obj.constData());
-        }
-    }
-    return obj;
-}
-
 QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStringList& warnings) {
     if (format == QStringLiteral("stl")) {
         return stlForAssimp(source);
@@ -192,9 +157,7 @@ QByteArray bytesForAssimp(const QString& format, const ModelSource& source, QStr
     if (format == QStringLiteral("3ds")) {
         return threeDsForAssimp(source, warnings);
     }
-    return format == QStringLiteral("obj")
-               ? withoutOddCoordinates(withoutByteOrderMark(source.bytes))
-               : source.bytes;
+    return format == QStringLiteral("obj") ? objForAssimp(source) : source.bytes;
 }
 
 class ReadingProgress : public Assimp::ProgressHandler {

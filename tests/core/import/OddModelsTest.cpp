@@ -150,6 +150,10 @@ private Q_SLOTS:
     void fbx_blendShapes_areALossIfTheyMovePoints();
     void fbx_swappedTexture_isALoss_data();
     void fbx_swappedTexture_isALoss();
+    void obj_unusualButClear_isRead_data();
+    void obj_unusualButClear_isRead();
+    void obj_unclearPoint_isRefused_data();
+    void obj_unclearPoint_isRefused();
     void obj_someCoordinatesMissing_isALoss();
     void textureCoordinates_notUsable_areALoss_data();
     void textureCoordinates_notUsable_areALoss();
@@ -718,6 +722,66 @@ void OddModelsTest::fbx_swappedTexture_isALoss() {
     const ImportedModel imported = importModel(path, {}, {});
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
     QCOMPARE(warningsOf(imported).contains(QStringLiteral("scales or rotates")), isLoss);
+}
+
+// assimp would leave these lines out, and the faces would then name other points.
+void OddModelsTest::obj_unusualButClear_isRead_data() {
+    QTest::addColumn<QByteArray>("before"); // in cubeObj()
+    QTest::addColumn<QByteArray>("after");
+    const QByteArray second = "v 5 -5 -5";
+    const auto point = [&](const char* name, const QByteArray& line) {
+        QTest::newRow(name) << second << line;
+    };
+    point("no digit before the decimal point", "v .5e1 -5 -5");
+    point("signs before the decimal point", "v +.5e1 -.5e1 -5");
+    point("a comment with digits", second + " # 1 2");
+    point("a comment with a number of three digits", second + " #123 4 5");
+    point("indented", " \t" + second + " ");
+    point("continued", "v 5 \\\n-5\\\r\n -5");
+    point("colour", "v 5 -5 -5 1 1 1");
+    point("colour without digits before the decimal point", "v 5 -5 -5 1 1.0 1.");
+    point("weight 1", "v 5 -5 -5 1.0");
+    point("comment that ends like a continued line", "# from C:\\\n" + second);
+    QTest::newRow("comment after a face") << QByteArray("f 1/1") << QByteArray("#\n  f 1/1");
+    QTest::newRow("comments after all lines") << QByteArray("\n") << QByteArray(" # 1 2 3\n");
+    QTest::newRow("carriage returns") << QByteArray("\n") << QByteArray("\r");
+    QTest::newRow("texture coordinates") << QByteArray("vt 0 0") << QByteArray("vt .0 .0 # 1");
+}
+
+void OddModelsTest::obj_unusualButClear_isRead() {
+    QFETCH(QByteArray, before);
+    QFETCH(QByteArray, after);
+    QVERIFY(cubeObj().contains(before));
+    const QByteArray text = cubeObj().replace(before, after);
+    const ImportedModel imported = importModel(write(QStringLiteral("odd.obj"), text), {}, {});
+    const ImportedModel plain = importModel(write(QStringLiteral("odd.obj"), cubeObj()), {}, {});
+    QVERIFY(imported.model.mesh.positions == plain.model.mesh.positions);
+    QVERIFY(imported.model.mesh.triangles == plain.model.mesh.triangles);
+    QVERIFY(imported.model.textureCoordinates == plain.model.textureCoordinates);
+    const bool hasColour = after.contains("-5 1 1");
+    QCOMPARE(imported.report.losses.size(), hasColour ? 1 : 0);
+}
+
+void OddModelsTest::obj_unclearPoint_isRefused_data() {
+    QTest::addColumn<QByteArray>("line");
+    QTest::addColumn<QString>("reason");
+    const auto row = [](const QByteArray& line, const char* reason) {
+        QTest::newRow(line) << line << QString::fromLatin1(reason);
+    };
+    row("v 5 -5", "line 4 gives a point by 2 numbers");
+    row("v 5 -5 zero", "line 4 gives a point by 2 numbers");
+    row("v 5 -5 -5 .2 .3", "line 4 gives a point by 5 numbers");
+    row("v 5 -5 -5 1 .2 .3 .4", "line 4 gives a point by 7 numbers");
+    row("v 5 -5 -5 .5", "line 4 gives a point the weight 0.5");
+    row("v 5 -5 1.#IND", "not numbers");
+}
+
+void OddModelsTest::obj_unclearPoint_isRefused() {
+    QFETCH(QByteArray, line);
+    QFETCH(QString, reason);
+    const QByteArray text = cubeObj().replace("v 5 -5 -5", line);
+    const QString sentence = refusal(write(QStringLiteral("unclear.obj"), text));
+    QVERIFY2(sentence.contains(reason), qPrintable(sentence));
 }
 
 // Two sides of a tetrahedron name texture coordinates, and two do not.
