@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "import/sandboxed/ColladaTextureSets.h"
+#include "import/sandboxed/FbxCheck.h"
 #include "import/sandboxed/FbxFrame.h"
 #include "import/sandboxed/GltfCheck.h"
 #include "import/sandboxed/MaterialFileCheck.h"
@@ -331,6 +332,9 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
         warnings.push_back(Text::tr(
             "The model moves, scales or rotates a texture, which is not shown correctly; apply "
             "the transform to the texture coordinates in a modelling program"));
+    }
+    if (format == QStringLiteral("fbx")) {
+        checkFbx(source, warnings);
     }
     if (format == QStringLiteral("fbx") && usesBlendShapes(source.bytes)) {
         warnings.push_back(

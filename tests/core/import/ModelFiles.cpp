@@ -514,7 +514,7 @@ QByteArray textured3ds(const Chunks3ds& further) {
 }
 
 QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes, double unit,
-                                double deformPercent) {
+                                double deformPercent, double visibility) {
     constexpr qint32 version = 7400;
     FbxNode fileVersion{"FBXVersion"};
     fileVersion.add(version);
@@ -539,10 +539,13 @@ QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& a
     geometry.add(qint64(100)).add(QByteArray("\0\1Geometry", 10)).add("Mesh");
     geometry.children = {vertices, corners};
     FbxNode model{"Model"};
-    model.add(qint64(200)).add(QByteArray("\0\1Model", 7)).add("Mesh");
+    model.add(qint64(200)).add(QByteArray("part\0\1Model", 11)).add("Mesh");
     FbxNode modelVersion{"Version"};
     modelVersion.add(qint32(232));
-    model.children = {modelVersion};
+    FbxNode visible{"P"}, properties{"Properties70"};
+    visible.add("Visibility").add("Visibility").add("").add("A").add(visibility);
+    properties.children = {visible};
+    model.children = {modelVersion, properties};
     FbxNode objects{"Objects"};
     FbxNode weight{"DeformPercent"};
     weight.add(deformPercent);

@@ -72,9 +72,10 @@ QByteArray chunk3ds(quint16 kind, const QByteArray& content);
 // Returns a chunk that contains one number.
 QByteArray chunk3ds(quint16 kind, float number);
 // Returns the same tetrahedron as binary FBX, as modelling programs write it. `axes` and `unit`, in
-// cm, are stored in its GlobalSettings. `deformPercent` is the weight of a blend shape.
+// cm, are stored in its GlobalSettings. `deformPercent` is the weight of a blend shape, and
+// `visibility` is 0 for a hidden object.
 QByteArray tetrahedronBinaryFbx(const std::vector<std::pair<QByteArray, int>>& axes = {},
-                                double unit = 1, double deformPercent = 0);
+                                double unit = 1, double deformPercent = 0, double visibility = 1);
 
 // Writes a 3MF package with these files. Throws std::runtime_error if that fails.
 void write3mf(const QString& path, const std::vector<std::pair<QString, QByteArray>>& files);

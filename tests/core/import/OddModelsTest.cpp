@@ -68,6 +68,12 @@ QByteArray textFbx(const Axes& axes, double unit) {
                         "GlobalSettings: {\nProperties70: {\n" + properties + "}\n}\n");
 }
 
+// Returns texturedFbx() with a property of its object.
+QByteArray withModelProperty(const QByteArray& property) {
+    return texturedFbx({}).replace("Version: 232",
+                                   "Version: 232\n  Properties70: {\n   " + property + "\n  }");
+}
+
 // Returns a glTF text with one embedded buffer as a binary file.
 QByteArray glbOf(QByteArray json) {
     const QByteArray before = R"("uri":"data:application/octet-stream;base64,)";
@@ -150,6 +156,11 @@ private Q_SLOTS:
     void fbx_blendShapes_areALossIfTheyMovePoints();
     void fbx_swappedTexture_isALoss_data();
     void fbx_swappedTexture_isALoss();
+    void fbx_hiddenObject_isALoss();
+    void fbx_otherMaterialsOfOneMesh_areALoss();
+    void fbx_layersOfATexture_areALoss();
+    void fbx_unusualInheritanceOfScale_isALossIfItMatters_data();
+    void fbx_unusualInheritanceOfScale_isALossIfItMatters();
     void obj_unusualButClear_isRead_data();
     void obj_unusualButClear_isRead();
     void obj_unclearPoint_isRefused_data();
@@ -194,6 +205,11 @@ private:
     QByteArray gltf(const QByteArray& before, const QByteArray& after) const {
         const QByteArray whole = squareGltf(png(quarters()));
         return whole.contains(before) ? QByteArray(whole).replace(before, after) : QByteArray();
+    }
+    // Returns what is lost if this file is imported.
+    QString lossesOf(const QByteArray& fbx) {
+        const QString path = write(QStringLiteral("losses.fbx"), fbx);
+        return importModel(path, {}, {}).report.losses.join(u'|');
     }
     // Imports a cube with this material file, which must have the material "skin".
     ImportedModel cubeWith(const QByteArray& materials) {
@@ -722,6 +738,77 @@ void OddModelsTest::fbx_swappedTexture_isALoss() {
     const ImportedModel imported = importModel(path, {}, {});
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
     QCOMPARE(warningsOf(imported).contains(QStringLiteral("scales or rotates")), isLoss);
+}
+
+void OddModelsTest::fbx_hiddenObject_isALoss() {
+    const auto text = [](const char* visibility) {
+        const QByteArray property = R"(P: "Visibility", "Visibility", "", "A",)";
+        return withModelProperty(property + visibility);
+    };
+    QCOMPARE(lossesOf(text("1")), QString());
+    QCOMPARE(lossesOf(tetrahedronBinaryFbx()), QString());
+    QVERIFY(lossesOf(text("0")).startsWith(QStringLiteral("Hidden objects: 1, first m.")));
+    QVERIFY(lossesOf(tetrahedronBinaryFbx({}, 1, 0, 0))
+                .startsWith(QStringLiteral("Hidden objects: 1, first part.")));
+}
+
+void OddModelsTest::fbx_otherMaterialsOfOneMesh_areALoss() {
+    const auto shared = [](const QByteArray& material) {
+        return texturedFbx({})
+            .replace("Connections: {", "Connections: {\n C: \"OO\",2001,0\n C: \"OO\",1000,2001\n"
+                                       " C: \"OO\"," +
+                                           material + ",2001")
+            .replace("Objects: {", "Objects: {\n Model: 2001, \"Model::second\", \"Mesh\" {\n }\n"
+                                   " Material: 3001, \"Material::bare\", \"\" {\n }");
+    };
+    QCOMPARE(lossesOf(shared("3000")), QString());
+    const QString losses = lossesOf(shared("3001"));
+    QVERIFY2(losses.contains(QStringLiteral("not its materials: 1, first ")), qPrintable(losses));
+}
+
+void OddModelsTest::fbx_layersOfATexture_areALoss() {
+    const auto layered = [](const QByteArray& property) {
+        const QByteArray file = texturedFbx({}).replace(
+            "Connections: {", "Connections: {\n C: \"OP\",5000,3000, \"" + property + "\"");
+        return QByteArray(file).replace(
+            "Objects: {", "Objects: {\n LayeredTexture: 5000, \"LayeredTexture::l\", \"\" {\n"
+                          "  LayeredTexture: 100\n }");
+    };
+    QCOMPARE(lossesOf(layered("Bump")), QString());
+    const QString losses = lossesOf(layered("DiffuseColor"));
+    QVERIFY2(losses.contains(QStringLiteral("several layers")), qPrintable(losses));
+}
+
+void OddModelsTest::fbx_unusualInheritanceOfScale_isALossIfItMatters_data() {
+    QTest::addColumn<QByteArray>("type");
+    QTest::addColumn<QByteArray>("scale"); // of the parent's parent
+    QTest::addColumn<bool>("isLoss");
+    const auto row = [](const char* name, const char* type, const char* scale, bool isLoss) {
+        QTest::newRow(name) << QByteArray(type) << QByteArray(scale) << isLoss;
+    };
+    row("usual", "1", "1,2,3", false);
+    row("scale of the parent moved", "0", "1,2,3", true);
+    row("the same in all directions", "0", "2,2,2", false);
+    row("scale of the parent left out", "2", "2,2,2", true);
+    row("the parent is not scaled", "2", "1,1,1", false);
+}
+
+void OddModelsTest::fbx_unusualInheritanceOfScale_isALossIfItMatters() {
+    QFETCH(QByteArray, type);
+    QFETCH(QByteArray, scale);
+    QFETCH(bool, isLoss);
+    const QByteArray file =
+        withModelProperty(R"(P: "InheritType", "enum", "", "",)" + type)
+            .replace("C: \"OO\",2000,0", "C: \"OO\",2000,2001\n C: \"OO\",2001,2002\n C: "
+                                         "\"OO\",2002,0")
+            .replace("Objects: {",
+                     "Objects: {\n Model: 2001, \"Model::p\", \"Null\" {\n }\n Model: 2002, "
+                     "\"Model::q\", \"Null\" {\n Properties70: {\n P: \"Lcl Scaling\", \"Lcl "
+                     "Scaling\", \"\", \"A\"," +
+                         scale + "\n }\n }");
+    const QString losses = lossesOf(file);
+    QCOMPARE(losses.contains(QStringLiteral("(InheritType): 1, first m.")), isLoss);
+    QCOMPARE(losses.isEmpty(), !isLoss);
 }
 
 // assimp would leave these lines out, and the faces would then name other points.
