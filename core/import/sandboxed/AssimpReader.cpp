@@ -4,6 +4,7 @@
 #include "import/sandboxed/ColladaTextureSets.h"
 #include "import/sandboxed/FbxCheck.h"
 #include "import/sandboxed/FbxFrame.h"
+#include "import/sandboxed/FbxTextureSets.h"
 #include "import/sandboxed/GltfCheck.h"
 #include "import/sandboxed/MaterialFileCheck.h"
 #include "import/sandboxed/ObjText.h"
@@ -20,6 +21,7 @@
 #include <assimp/Importer.hpp>
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/ProgressHandler.hpp>
+#include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -301,10 +303,15 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     auto* files = new ModelFileSystem(source, name, bytesForAssimp(format, source, warnings));
     importer.SetIOHandler(files);                                  // takes ownership
     importer.SetProgressHandler(new ReadingProgress(readingPart)); // takes ownership, too
+    // Embedded pictures are then named by numbers, not by names that several may have.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_EMBEDDED_TEXTURES_LEGACY_NAMING, true);
     const aiScene* scene = importer.ReadFile(name, 0);
     bool isMisplaced = false; // GltfCheck.h reports this for glTF
     if (scene) {
         checkScene(*scene, source);
+        if (format == QStringLiteral("fbx") && source.withTextures) {
+            alignFbxTextureSets(*scene, source, warnings);
+        }
         isMisplaced = (!isGltf && movesTexture(*scene, format == QStringLiteral("3ds"))) ||
                       (format == QStringLiteral("fbx") && swapsTexture(source.bytes));
         scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
@@ -335,11 +342,11 @@ TexturedMesh readByAssimp(const QString& format, const ModelSource& source, QStr
     }
     if (format == QStringLiteral("fbx")) {
         checkFbx(source, warnings);
-    }
-    if (format == QStringLiteral("fbx") && usesBlendShapes(source.bytes)) {
-        warnings.push_back(
-            Text::tr("The model's blend shapes are not applied, so it has its shape without them; "
-                     "apply them in a modelling program"));
+        if (usesBlendShapes(source.bytes)) {
+            warnings.push_back(Text::tr(
+                "The model's blend shapes are not applied, so it has its shape without them; "
+                "apply them in a modelling program"));
+        }
     }
     warnings.removeDuplicates(); // several materials may have the same fault
     return model;

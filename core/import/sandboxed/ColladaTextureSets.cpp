@@ -112,10 +112,7 @@ QByteArray withTextureSets(const ModelSource& source, QStringList& warnings) {
         isClear &= index && setIndex(file, symbol, *index);
     }
     if (!isClear && !bindings.sets.empty()) {
-        warnings.push_back(Text::tr(
-            "The model has several sets of texture coordinates, and its file does not say clearly "
-            "which set its texture uses; if the texture is misplaced, delete the other sets in a "
-            "modelling program"));
+        warnings.push_back(unclearTextureSetWarning());
     }
     return file;
 }

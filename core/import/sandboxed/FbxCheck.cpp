@@ -1,15 +1,16 @@
 #include "import/sandboxed/FbxCheck.h"
 
 #include "base/Budgets.h"
+#include "import/sandboxed/FbxNodes.h"
 
 #include <QCoreApplication>
 #include <QHash>
 #include <QSet>
-#include <QtEndian>
 
 #include <algorithm>
-#include <cctype>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace dipwright {
 
@@ -17,100 +18,6 @@ namespace {
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::ImportModel)
-};
-
-using Values = QList<QByteArray>;
-
-// Reads the nodes of an FBX file by their names. Each node has values.
-class FbxNodes {
-public:
-    explicit FbxNodes(QByteArrayView bytes, bool isBinary) : bytes_(bytes), isBinary_(isBinary) {}
-
-    // Calls `use` with the first values of each node of this name, at most `count`, and with the
-    // place after its name.
-    template <typename Use>
-    void forEach(const QByteArray& name, int count, const Use& use) const {
-        const QByteArray key = isBinary_ ? char(name.size()) + name : name + ':';
-        for (qsizetype at = bytes_.indexOf(key); at >= 0; at = bytes_.indexOf(key, at)) {
-            const bool isName = isBinary_ || at == 0 || std::isspace(uchar(bytes_[at - 1])) != 0;
-            at += key.size();
-            if (isName) {
-                const QByteArrayView after = bytes_.sliced(at);
-                use(isBinary_ ? binaryValues(after, count) : textValues(after, count), at);
-            }
-        }
-    }
-
-    QByteArrayView bytes() const { return bytes_; }
-    FbxNodes from(qsizetype begin) const {
-        return part(std::max<qsizetype>(begin, 0), bytes_.size());
-    }
-    FbxNodes part(qsizetype begin, qsizetype end) const {
-        return FbxNodes(bytes_.sliced(begin, end - begin), isBinary_);
-    }
-
-private:
-    // Values are separated by commas. Texts are in quotes.
-    static Values textValues(QByteArrayView rest, int count) {
-        Values values{QByteArray()};
-        bool isQuoted = false;
-        for (const char byte : rest) {
-            if (byte == '\n' || (!isQuoted && byte == '{')) {
-                break;
-            }
-            isQuoted ^= byte == '"';
-            if (byte == ',' && !isQuoted) {
-                if (values.size() == count) {
-                    break;
-                }
-                values.push_back(QByteArray());
-            } else if (byte != '"' && (isQuoted || std::isspace(uchar(byte)) == 0)) {
-                values.back() += byte;
-            }
-        }
-        return values;
-    }
-
-    // Each value follows a letter for its type.
-    static Values binaryValues(QByteArrayView rest, int count) {
-        Values values;
-        while (values.size() < count && rest.size() > 1) {
-            const char type = rest[0];
-            const char* const begin = rest.data() + 1;
-            const qsizetype size = sizeOf(type, rest.sliced(1));
-            if (size == 0 || size >= rest.size()) {
-                break;
-            }
-            values.push_back(type == 'S'   ? QByteArray(begin + 4, size - 4)
-                             : type == 'L' ? QByteArray::number(qFromLittleEndian<qint64>(begin))
-                             : type == 'I' ? QByteArray::number(qFromLittleEndian<qint32>(begin))
-                             : type == 'D'
-                                 ? QByteArray::number(qFromLittleEndian<double>(begin))
-                                 : QByteArray::number(double(qFromLittleEndian<float>(begin))));
-            rest = rest.sliced(1 + size);
-        }
-        return values;
-    }
-
-    // Returns the bytes of a binary value after its type; 0 for another type.
-    static qsizetype sizeOf(char type, QByteArrayView after) {
-        constexpr qsizetype head = 4; // bytes of a text's length
-        switch (type) {
-        case 'S':
-            return after.size() < head ? 0 : head + qFromLittleEndian<quint32>(after.data());
-        case 'L':
-        case 'D':
-            return 8;
-        case 'I':
-        case 'F':
-            return 4;
-        default:
-            return 0;
-        }
-    }
-
-    QByteArrayView bytes_;
-    bool isBinary_;
 };
 
 // An object of the scene, as its node "Model" describes it.
@@ -123,7 +30,7 @@ struct FbxModel {
 
 void readProperties(const FbxNodes& node, FbxModel& model) {
     constexpr int whole = 7; // the property's name, two types, flags, and up to three numbers
-    node.forEach("P", whole, [&](const Values& values, qsizetype) {
+    node.forEach("P", whole, [&](const FbxValues& values, qsizetype) {
         const QByteArray name = values.value(0);
         if (name == "Visibility" && values.size() > 4) {
             model.isHidden = values[4].toDouble() == 0;
@@ -141,7 +48,7 @@ template <typename Use>
 void forEachObject(const FbxNodes& objects, const QByteArray& kind, const Use& use) {
     constexpr qsizetype longestName = 64; // in messages
     const QByteArray before = kind + "::", after = QByteArray("\0\1", 2) + kind;
-    objects.forEach(kind, 2, [&](const Values& values, qsizetype at) {
+    objects.forEach(kind, 2, [&](const FbxValues& values, qsizetype at) {
         const QByteArray name = values.value(1);
         if (name.startsWith(before)) {
             use(values[0], QString::fromUtf8(name.mid(before.size())).left(longestName), at);
@@ -166,8 +73,7 @@ struct Faulty {
 
 class FbxCheck {
 public:
-    explicit FbxCheck(const QByteArray& bytes)
-        : nodes_(bytes, bytes.startsWith("Kaydara FBX Binary")) {
+    explicit FbxCheck(const QByteArray& bytes) : nodes_(bytes) {
         readObjects();
         readConnections();
     }
@@ -239,7 +145,7 @@ private:
 
     void readConnections() {
         const FbxNodes connections = nodes_.from(nodes_.bytes().lastIndexOf("Connections"));
-        connections.forEach("C", 4, [&](const Values& values, qsizetype) {
+        connections.forEach("C", 4, [&](const FbxValues& values, qsizetype) {
             const QByteArray from = values.value(1), to = values.value(2);
             if (models_.contains(to)) {
                 materials_.contains(from) ? materialsOf_[to].push_back(from)

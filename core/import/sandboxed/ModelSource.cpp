@@ -64,4 +64,11 @@ QString notRepeatedWarning() {
         "places are wrong. Apply this to the picture in a modelling program");
 }
 
+QString unclearTextureSetWarning() {
+    return Text::tr(
+        "The model has several sets of texture coordinates, and its file does not say clearly "
+        "which set its texture uses; if the texture is misplaced, delete the other sets in a "
+        "modelling program");
+}
+
 } // namespace dipwright

@@ -39,6 +39,8 @@ bool mayBeFurtherRows(QByteArrayView left, qsizetype rowBytes);
 bool isPastPicture(const std::array<Eigen::Vector2f, 3>& coordinates);
 // The warning for such triangles whose picture should not repeat.
 QString notRepeatedWarning();
+// The warning for a texture whose set of texture coordinates is not clear.
+QString unclearTextureSetWarning();
 
 // Texture coordinates of a triangle that has none.
 inline std::array<Eigen::Vector2f, 3> noCoordinates() {

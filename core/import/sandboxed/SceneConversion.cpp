@@ -181,11 +181,23 @@ private:
 
     QImage readPicture(const aiString& name) {
         const QString shownName = QString::fromUtf8(name.C_Str());
-        if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.C_Str())) {
+        if (const aiTexture* embedded = embeddedPicture(name)) {
             return readEmbedded(*embedded,
                                 Text::tr("texture %1 in %2").arg(shownName, source_.path));
         }
         return source_.readPicture(shownName, warnings_);
+    }
+
+    // Returns an embedded picture by its number ("*0") or its full name; null if there is none.
+    // assimp's own search ignores folders, so it may find another picture.
+    const aiTexture* embeddedPicture(const aiString& name) const {
+        if (name.C_Str()[0] == '*') {
+            return scene_.GetEmbeddedTexture(name.C_Str());
+        }
+        const auto end = scene_.mTextures + scene_.mNumTextures;
+        const auto found = std::find_if(
+            scene_.mTextures, end, [&](const aiTexture* each) { return each->mFilename == name; });
+        return found == end ? nullptr : *found;
     }
 
     QImage readEmbedded(const aiTexture& texture, const QString& where) {

@@ -156,6 +156,9 @@ private Q_SLOTS:
     void fbx_blendShapes_areALossIfTheyMovePoints();
     void fbx_swappedTexture_isALoss_data();
     void fbx_swappedTexture_isALoss();
+    void fbx_embeddedPicturesOfOneName_areDistinguished();
+    void fbx_textureSet_isFoundByNameInEachMesh_data();
+    void fbx_textureSet_isFoundByNameInEachMesh();
     void fbx_hiddenObject_isALoss();
     void fbx_otherMaterialsOfOneMesh_areALoss();
     void fbx_layersOfATexture_areALoss();
@@ -738,6 +741,88 @@ void OddModelsTest::fbx_swappedTexture_isALoss() {
     const ImportedModel imported = importModel(path, {}, {});
     QCOMPARE(imported.model.textures.size(), std::size_t(1));
     QCOMPARE(warningsOf(imported).contains(QStringLiteral("scales or rotates")), isLoss);
+}
+
+void OddModelsTest::fbx_embeddedPicturesOfOneName_areDistinguished() {
+    const auto embedded = [](const QByteArray& number, const QByteArray& folder, int side) {
+        const QByteArray name = '"' + folder + "/skin.png\"\n";
+        return " Video: " + number +
+               ", \"Video::v\", \"Clip\" {\n  Type: \"Clip\"\n  Filename: " + name +
+               "  RelativeFilename: " + name + "  Content: ,\n \"" +
+               png(quarters(side)).toBase64() + "\"\n }\n";
+    };
+    const QByteArray file = texturedFbx({})
+                                .replace("\"skin.png\"", "\"b/skin.png\"")
+                                .replace("Objects: {", "Objects: {\n" + embedded("6000", "a", 8) +
+                                                           embedded("6001", "b", 4))
+                                .replace("Connections: {", "Connections: {\n C: \"OO\",6001,4000");
+    QVERIFY(file.contains("6000"));
+    const auto shown = [&](const QByteArray& text) {
+        return importModel(write(QStringLiteral("embedded.fbx"), text), {}, {}).model.textures;
+    };
+    const auto connected = shown(file);
+    QCOMPARE(connected.size(), std::size_t(1));
+    QCOMPARE(connected[0], quarters(4));
+    QByteArray other = file;
+    other.replace("C: \"OO\",6001,4000", "C: \"OO\",6000,4001"); // of no texture
+    other.replace("b/skin.png", "c/skin.png");                   // beside the model
+    const auto beside = shown(other);
+    QCOMPARE(beside.size(), std::size_t(1));
+    QCOMPARE(beside[0], quarters());
+}
+
+void OddModelsTest::fbx_textureSet_isFoundByNameInEachMesh_data() {
+    QTest::addColumn<QByteArray>("named");
+    QTest::addColumn<QByteArray>("second"); // set of the second mesh
+    QTest::addColumn<float>("expected");    // texture coordinate of both meshes
+    QTest::addColumn<bool>("isLoss");
+    const auto row = [](const char* name, const char* named, const char* second, float expected,
+                        bool isLoss) {
+        QTest::newRow(name) << QByteArray(named) << QByteArray(second) << expected << isLoss;
+    };
+    row("first set", "map", "map", 1, false);
+    row("second set", "half", "half", 0.5F, false);
+    row("in another order", "half", "map", 0.5F, false);
+    row("default", "default", "half", 1, false);
+    row("in one mesh only", "half", "lost", 1, true);
+    row("in no mesh", "lost", "half", 1, true);
+}
+
+// Two meshes with the sets "map" and "half", which the second may have in another order.
+void OddModelsTest::fbx_textureSet_isFoundByNameInEachMesh() {
+    QFETCH(QByteArray, named);
+    QFETCH(QByteArray, second);
+    QFETCH(float, expected);
+    QFETCH(bool, isLoss);
+    QByteArray file = texturedFbx(R"(P: "UVSet", "KString", "", "", ")" + named + '"');
+    const QByteArray all = "0,0,1,0,1,1,0,1", half = "0,0,0.5,0,0.5,0.5,0,0.5";
+    const qsizetype set = file.indexOf("LayerElementUV"), next = file.indexOf("LayerElementMat");
+    QByteArray further = file.mid(set, next - set);
+    further.replace("UV: 0", "UV: 1").replace("\"map\"", "\"half\"").replace(all, half);
+    file.insert(next, further);
+    file.replace("  Layer: 0 {", "  Layer: 1 {\n LayerElement: {\n Type: \"LayerElementUV\"\n "
+                                 "TypedIndex: 1\n }\n }\n  Layer: 0 {");
+    const qsizetype begin = file.indexOf(" Geometry:"), end = file.indexOf(" Model:");
+    QByteArray geometry = file.mid(begin, end - begin);
+    geometry.replace("1000", "1001").replace("0,0,0,1,0,0,1,2,0,0,2,0", "5,0,0,6,0,0,6,2,0,5,2,0");
+    if (second == "map") { // exchanges the sets
+        geometry.replace("\"map\"", "\"?\"").replace("\"half\"", "\"map\"").replace("?", "half");
+        geometry.replace(all, "?").replace(half, all).replace("?", half);
+    }
+    geometry.replace("\"half\"", second == "lost" ? "\"lost\"" : "\"half\"");
+    file.insert(end, geometry + " Model: 2001, \"Model::n\", \"Mesh\" {\n  Version: 232\n }\n");
+    file.replace("Connections: {", "Connections: {\n C: \"OO\",2001,0\n C: \"OO\",1001,2001\n C: "
+                                   "\"OO\",3000,2001");
+    const ImportedModel imported = importModel(write(QStringLiteral("sets.fbx"), file), {}, {});
+    QCOMPARE(imported.report.triangles, std::size_t(4));
+    QCOMPARE(warningsOf(imported).contains(QStringLiteral("several sets")), isLoss);
+    for (std::size_t t = 0; t < (isLoss ? 2 : 4); ++t) {
+        float largest = 0;
+        for (const Eigen::Vector2f& corner : imported.model.textureCoordinates[t]) {
+            largest = std::max(largest, corner.maxCoeff());
+        }
+        QCOMPARE(largest, expected);
+    }
 }
 
 void OddModelsTest::fbx_hiddenObject_isALoss() {
