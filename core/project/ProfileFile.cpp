@@ -19,6 +19,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Profiles)
 };
 
+constexpr const char* formatKey = "format";
+constexpr const char* versionKey = "version";
+constexpr const char* kindKey = "kind";
 constexpr int profileVersion = 1;
 constexpr int longestName = 100;
 constexpr int longestIccProfile = 16 << 20; // bytes
@@ -284,10 +287,10 @@ const std::vector<Field<TankProfile>>& fieldsOf(const TankProfile*) {
 }
 
 void checkFormat(const QJsonObject& json, const QString& where) {
-    if (json.value(QLatin1String("format")).toString() != QLatin1String("dipwright-profile")) {
+    if (json.value(QLatin1String(formatKey)).toString() != QLatin1String("dipwright-profile")) {
         throw Error(Text::tr("This is not a Dipwright profile"), where);
     }
-    const QJsonValue version = json.value(QLatin1String("version"));
+    const QJsonValue version = json.value(QLatin1String(versionKey));
     checkValue({FieldKind::WholeNumber, 1, false, 1, 1e6}, version, QStringLiteral("version"),
                where);
     if (version.toInt() > profileVersion) {
@@ -304,6 +307,10 @@ template <typename P>
 Profile read(const QJsonObject& json, const QString& where) {
     P profile;
     readFields(profile, fieldsOf(&profile), json, {}, where);
+    profile.unknown = withoutFields(json, fieldsOf(&profile));
+    for (const char* key : {formatKey, versionKey, kindKey}) {
+        profile.unknown.remove(QLatin1String(key));
+    }
     if (profile.name.simplified().isEmpty()) {
         throw Error(Text::tr("A profile needs a name"), where);
     }
@@ -379,9 +386,10 @@ void setByPath(Profile& profile, const QString& path, const QString& value) {
 }
 
 QJsonObject toJson(const Profile& profile) {
-    QJsonObject json{{QStringLiteral("format"), QStringLiteral("dipwright-profile")},
-                     {QStringLiteral("version"), profileVersion},
-                     {QStringLiteral("kind"), profileKindName(kindOf(profile))}};
+    QJsonObject json = std::visit([](const auto& value) { return value.unknown; }, profile);
+    json.insert(QLatin1String(formatKey), QStringLiteral("dipwright-profile"));
+    json.insert(QLatin1String(versionKey), profileVersion);
+    json.insert(QLatin1String(kindKey), profileKindName(kindOf(profile)));
     std::visit([&](const auto& value) { writeFields(value, fieldsOf(&value), json); }, profile);
     return json;
 }
@@ -397,7 +405,7 @@ QJsonObject countedValues(const FilmProfile& film) {
 
 Profile profileFromJson(const QJsonObject& json, const QString& where) {
     checkFormat(json, where);
-    switch (profileKindOf(json.value(QLatin1String("kind")).toString())) {
+    switch (profileKindOf(json.value(QLatin1String(kindKey)).toString())) {
     case ProfileKind::Printer:
         return read<PrinterProfile>(json, where);
     case ProfileKind::Film:

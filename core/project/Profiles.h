@@ -43,7 +43,7 @@ QString expiryWarning(const std::optional<FilmProfile>& film);
 void setByPath(Profile& profile, const QString& path, const QString& value);
 
 // A profile file: {"format":"dipwright-profile","version":1,"kind":…,"name":…,…}. Unknown keys are
-// ignored. `profileFromJson` checks every value and throws Error naming `where` and the path. It
+// kept. `profileFromJson` checks every value and throws Error naming `where` and the path. It
 // refuses newer versions.
 QJsonObject toJson(const Profile& profile);
 Profile profileFromJson(const QJsonObject& json, const QString& where);

@@ -47,19 +47,19 @@ std::vector<Item> readList(const QJsonArray& array, const std::vector<Field<Item
             throw Error(Text::tr("%1 must be an object").arg(itemPath), file);
         }
         Item item;
-        readFields(item, fields, array.at(index).toObject(), itemPath + QLatin1Char('.'), file);
+        const QJsonObject json = array.at(index).toObject();
+        readFields(item, fields, json, itemPath + QLatin1Char('.'), file);
+        item.unknown = withoutFields(json, fields);
         items.push_back(item);
     }
     return items;
 }
 
-// Writes a list of objects. `unknown` holds the unknown keys of the file's list, by position.
 template <typename Item>
-QJsonArray writeList(const std::vector<Item>& items, const std::vector<Field<Item>>& fields,
-                     const QJsonArray& unknown) {
+QJsonArray writeList(const std::vector<Item>& items, const std::vector<Field<Item>>& fields) {
     QJsonArray array;
     for (const Item& item : items) {
-        QJsonObject json = unknown.at(array.size()).toObject();
+        QJsonObject json = item.unknown;
         writeFields(item, fields, json);
         array.append(json);
     }
@@ -161,15 +161,16 @@ Artwork readArtwork(const QJsonObject& json, const QString& file) {
 // Writes nothing if there is no artwork, so that such files stay as in versions without artwork.
 void writeArtwork(const Artwork& artwork, QJsonObject& json) {
     if (!artwork.isEmpty()) {
-        QJsonObject own;
+        QJsonObject own = json.value(QLatin1String(artworkPath)).toObject();
         writeFields(artwork, artworkFields(), own);
         json.insert(QLatin1String(artworkPath), own);
         insertAt(json, QString::fromLatin1(layersPath),
-                 writeList(artwork.layers, artworkLayerFields(), {}));
+                 writeList(artwork.layers, artworkLayerFields()));
     }
 }
 
-// Returns the keys that this version does not know, nested as in the file.
+// Returns the keys that this version does not know, nested as in the file. The entries of lists and
+// the profiles keep theirs.
 QJsonObject unknownPart(const QJsonObject& json) {
     QJsonObject unknown = withoutFields(json, projectFields());
     for (const char* key : {"format", "version", "immersions"}) {
@@ -183,17 +184,11 @@ QJsonObject unknownPart(const QJsonObject& json) {
     }
     for (const char* path :
          {shareMarksPath, zoneMarksPath, masksPath, builtPartsPath, builtPlacesPath, tankTimesPath,
-          photosPath, pairsPath, floatingPath, artworkPath}) {
+          photosPath, pairsPath, floatingPath, layersPath}) {
         removeAt(unknown, QString::fromLatin1(path));
     }
-    QJsonArray immersions;
-    bool anything = false;
-    for (const QJsonValue& immersion : json.value(QLatin1String("immersions")).toArray()) {
-        immersions.append(withoutFields(immersion.toObject(), immersionFields()));
-        anything = anything || !immersions.last().toObject().isEmpty();
-    }
-    if (anything) {
-        unknown.insert(QStringLiteral("immersions"), immersions);
+    for (const Field<Artwork>& field : artworkFields()) {
+        removeAt(unknown, QString::fromLatin1(artworkPath) + QLatin1Char('.') + field.path);
     }
     return unknown;
 }
@@ -415,31 +410,28 @@ QJsonObject toJson(const Project& project) {
     json.insert(QStringLiteral("format"), QStringLiteral("dipwright-project"));
     json.insert(QStringLiteral("version"), projectVersion);
     writeFields(project, projectFields(), json);
-    json.insert(QStringLiteral("immersions"),
-                writeList(project.immersions, immersionFields(),
-                          project.unknown.value(QLatin1String("immersions")).toArray()));
+    json.insert(QStringLiteral("immersions"), writeList(project.immersions, immersionFields()));
     insertAt(json, QString::fromLatin1(shareMarksPath),
-             writeList(project.share.marks, shareMarkFields(), {}));
+             writeList(project.share.marks, shareMarkFields()));
     insertAt(json, QString::fromLatin1(zoneMarksPath),
-             writeList(project.tolerance.marks, zoneMarkFields(), {}));
+             writeList(project.tolerance.marks, zoneMarkFields()));
     if (!project.masks.empty()) {
-        insertAt(json, QString::fromLatin1(masksPath),
-                 writeList(project.masks, maskMarkFields(), {}));
+        insertAt(json, QString::fromLatin1(masksPath), writeList(project.masks, maskMarkFields()));
     }
     insertAt(json, QString::fromLatin1(builtPartsPath),
-             writeList(project.asBuilt.parts, builtPartFields(), {}));
+             writeList(project.asBuilt.parts, builtPartFields()));
     insertAt(json, QString::fromLatin1(builtPlacesPath),
-             writeList(project.asBuilt.places, builtPlaceFields(), {}));
+             writeList(project.asBuilt.places, builtPlaceFields()));
     if (!project.asBuilt.times.empty()) { // so that other files stay as in earlier versions
         insertAt(json, QString::fromLatin1(tankTimesPath),
-                 writeList(project.asBuilt.times, tankTimeFields(), {}));
+                 writeList(project.asBuilt.times, tankTimeFields()));
     }
     insertAt(json, QString::fromLatin1(photosPath),
-             writeList(project.inspection.photos, inspectedPhotoFields(), {}));
+             writeList(project.inspection.photos, inspectedPhotoFields()));
     insertAt(json, QString::fromLatin1(pairsPath),
-             writeList(project.inspection.pairs, clickedPairFields(), {}));
+             writeList(project.inspection.pairs, clickedPairFields()));
     insertAt(json, QString::fromLatin1(floatingPath),
-             writeList(project.filmOnWater.photos, floatingPhotoFields(), {}));
+             writeList(project.filmOnWater.photos, floatingPhotoFields()));
     writeArtwork(project.artwork, json);
     writeProfiles(project.profiles, json);
     return json;

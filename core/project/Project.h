@@ -17,6 +17,7 @@
 #include "settings/ShareSettings.h"
 #include "settings/SheetSettings.h"
 #include "settings/ToleranceSettings.h"
+#include "settings/UnknownKeys.h"
 #include "settings/VerdictSettings.h"
 
 #include <QByteArray>
@@ -87,7 +88,7 @@ struct Project {
     FilmOnWater filmOnWater;
     int partsToMake = 1;      // how many parts are ordered; only the cost depends on it
     ProjectProfiles profiles; // contents of the profiles in use
-    QJsonObject unknown;      // keys that this version does not know; kept on saving
+    UnknownKeys unknown;      // outside the lists and profiles
     std::map<QString, QByteArray> unknownEntries; // the file's other entries by name; also kept
 
     bool operator==(const Project&) const = default;

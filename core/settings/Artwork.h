@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/Units.h"
+#include "settings/UnknownKeys.h"
 
 #include <QColor>
 #include <QImage>
@@ -72,6 +73,7 @@ struct ArtworkLayer {
     // The layer shows only on surface with the material of this name. Each face of a CAD model has
     // its own material. Empty: on all surface.
     QString material = {};
+    UnknownKeys unknown = {};
     bool operator==(const ArtworkLayer&) const = default;
 };
 

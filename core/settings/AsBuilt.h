@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Units.h"
+#include "settings/UnknownKeys.h"
 
 #include <QString>
 #include <QStringList>
@@ -20,6 +21,7 @@ struct BuiltPart {
     // dipKeys() of the job when the part was dipped, separated by spaces. Empty: not known, for
     // parts that an earlier version of the program kept.
     QString dips = {};
+    UnknownKeys unknown = {};
     bool operator==(const BuiltPart&) const = default;
 };
 
@@ -32,6 +34,7 @@ struct BuiltPlace {
     // Intended place on the model. Places of several parts are matched by it.
     std::array<Millimetres, 3> model{};
     std::array<Millimetres, 2> off{}; // offset from `sheet` to the other place, on the sheet
+    UnknownKeys unknown = {};
     bool operator==(const BuiltPlace&) const = default;
 };
 
@@ -53,6 +56,7 @@ struct TankTime {
     QString began;                  // ISO date and time, of the local clock
     std::optional<Seconds> planned; // none: no time is given
     Seconds took{0};                // without pauses
+    UnknownKeys unknown = {};
     bool operator==(const TankTime&) const = default;
 };
 

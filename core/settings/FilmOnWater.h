@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Units.h"
+#include "settings/UnknownKeys.h"
 
 #include <QString>
 
@@ -18,6 +19,7 @@ struct FloatingPhoto {
     QString sha256; // of the file, hexadecimal; empty: it was never read
     // Time since the film was laid, s; none: the photo was taken when the dip began.
     std::optional<double> seconds;
+    UnknownKeys unknown = {};
     bool operator==(const FloatingPhoto&) const = default;
 };
 

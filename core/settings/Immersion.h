@@ -4,6 +4,7 @@
 
 #include "base/Units.h"
 #include "settings/DipPath.h"
+#include "settings/UnknownKeys.h"
 
 #include <QString>
 #include <array>
@@ -17,6 +18,7 @@ struct Immersion {
     // Of the body in the plane of the water, X and Z; on a path, at the beginning of the dip.
     std::array<Millimetres, 2> offset{};
     DipPath path = {};
+    UnknownKeys unknown = {};
     bool operator==(const Immersion&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Units.h"
+#include "settings/UnknownKeys.h"
 
 #include <QString>
 
@@ -15,6 +16,7 @@ namespace dipwright {
 struct InspectedPhoto {
     QString file;   // path; the project does not contain the file
     QString sha256; // of the file, hexadecimal; empty: it was never read
+    UnknownKeys unknown = {};
     bool operator==(const InspectedPhoto&) const = default;
 };
 
@@ -23,6 +25,7 @@ struct ClickedPair {
     int photo = 0;                      // index of the photo
     std::array<double, 2> pixel{};      // from the picture's upper left corner
     std::array<Millimetres, 3> place{}; // model coordinates
+    UnknownKeys unknown = {};
     bool operator==(const ClickedPair&) const = default;
 };
 

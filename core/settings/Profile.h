@@ -10,6 +10,7 @@
 #include "settings/InkSettings.h"
 #include "settings/PdfTarget.h"
 #include "settings/RenderingIntent.h"
+#include "settings/UnknownKeys.h"
 
 #include <QByteArray>
 #include <QString>
@@ -47,6 +48,7 @@ struct PrinterProfile {
     // Width of the loaded roll. None: as the printer's queue reports it.
     std::optional<Millimetres> rollWidth;
     InkCosts costs;
+    UnknownKeys unknown = {};
     bool operator==(const PrinterProfile&) const = default;
 };
 
@@ -84,6 +86,7 @@ struct FilmProfile : FilmBehaviour {
     QString expiry; // ISO date, or empty
     FilmMeasurement measured;
     FilmCosts costs;
+    UnknownKeys unknown = {};
     bool operator==(const FilmProfile&) const = default;
 };
 
@@ -101,6 +104,7 @@ struct TankProfile {
     // is computed from them. 0: no marks.
     std::array<Millimetres, 2> markDistance{};
     WorkCosts costs;
+    UnknownKeys unknown = {};
     bool operator==(const TankProfile&) const = default;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "settings/SurfaceMark.h"
+#include "settings/UnknownKeys.h"
 
 #include <array>
 #include <cstdint>
@@ -24,6 +25,7 @@ struct ShareMark {
     std::array<Millimetres, 3> place{}; // marks the model's point nearest to it; model coordinates
     Millimetres radius{5};              // along the surface; 0: the whole face
     BrushPath path = {};                // of a stroke; empty: a spot or a face
+    UnknownKeys unknown = {};
     bool operator==(const ShareMark&) const = default;
 };
 

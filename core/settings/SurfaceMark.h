@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Units.h"
+#include "settings/UnknownKeys.h"
 
 #include <QString>
 #include <array>
@@ -42,6 +43,7 @@ struct SurfaceMark {
     // With MarkExtent::Material: marks all surface with the material of this name, wherever `place`
     // is. Each face of a CAD model has its own material. Empty: the material at the place.
     QString material = {};
+    UnknownKeys unknown = {};
     bool operator==(const SurfaceMark&) const = default;
 };
 

@@ -108,6 +108,9 @@ private slots:
 void ProfilesTest::profileFromJson_readsWhatToJsonWrote() {
     for (const Profile& profile : {Profile(printer()), Profile(film()), Profile(tank())}) {
         QVERIFY(profileFromJson(toJson(profile), QString()) == profile);
+        QJsonObject newer = toJson(profile);
+        newer["future"] = QJsonArray{1, 2};
+        QCOMPARE(toJson(profileFromJson(newer, QString())), newer);
     }
 }
 

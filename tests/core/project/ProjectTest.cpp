@@ -131,6 +131,50 @@ private slots:
         QCOMPARE(written["film"].toObject()["swell"].toArray(), (QJsonArray{1.1, 1.2}));
     }
 
+    void toJson_unknownKeysOfEntries_goWithTheEntry() {
+        Project project = sampleProject();
+        project.share.marks.resize(1);
+        project.tolerance.marks.resize(1);
+        project.masks.resize(1);
+        project.artwork.layers.resize(1);
+        project.asBuilt = {false, 1, {{}}, {{}}, {{}}};
+        project.inspection.photos.resize(1);
+        project.inspection.pairs.assign(1, {});
+        project.filmOnWater.photos.resize(1);
+        project.profiles.tank.emplace().name = QStringLiteral("Tank");
+        QJsonObject json = toJson(project);
+        for (const QStringList& path : {QStringList{"immersions"},
+                                        {"share", "marks"},
+                                        {"tolerance", "marks"},
+                                        {"masks"},
+                                        {"artwork", "layers"},
+                                        {"as_built", "parts"},
+                                        {"as_built", "places"},
+                                        {"as_built", "times"},
+                                        {"inspection", "photos"},
+                                        {"inspection", "pairs"},
+                                        {"inspection", "film", "photos"}}) {
+            QJsonValue list = json;
+            for (const QString& key : path) {
+                list = list.toObject()[key];
+            }
+            QJsonArray entries = list.toArray();
+            entries[0] = with(entries[0].toObject(), {"future"}, path.join(u'.'));
+            json = with(json, path, entries);
+        }
+        json = with(json, {"profiles", "tank", "future"}, 7);
+        json = with(json, {"artwork", "future"}, 8);
+        Project read = fromJson(json, file);
+        QCOMPARE(toJson(read), json);
+        read.artwork.layers.insert(read.artwork.layers.begin(), ArtworkLayer());
+        read.immersions.erase(read.immersions.begin());
+        json = toJson(read);
+        const QJsonArray layers = json["artwork"].toObject()["layers"].toArray();
+        QVERIFY(!layers[0].toObject().contains("future"));
+        QVERIFY(layers[1].toObject().contains("future"));
+        QVERIFY(!json["immersions"].toArray()[0].toObject().contains("future"));
+    }
+
     void fromJson_seamMarks_areReadOrRefusedByPath() {
         Project project = sampleProject();
         project.share.marks = {{ShareMarkKind::Second,
