@@ -29,6 +29,39 @@ void leaveOutUnused(FilmSettings& film, ProcessSettings& process) {
     }
 }
 
+// Returns the same direction in 0° … 360°.
+Degrees wrapped(Degrees angle) {
+    return angle - Degrees(360 * std::floor(angle.value() / 360));
+}
+
+// Sets values that a path of its kind does not use to their defaults, and its heading to 0° … 360°.
+void leaveOutUnused(DipPath& path) {
+    const DipPath usual;
+    const bool isPoses = path.kind == PathKind::Poses;
+    if (isPoses || path.kind == PathKind::Straight) {
+        path.angle = usual.angle;
+        if (path.waterSpeed == usual.waterSpeed) {
+            path.heading = usual.heading;
+        }
+    }
+    path.heading = wrapped(path.heading);
+    if (path.kind != PathKind::Tilt) {
+        path.levelDepth = usual.levelDepth;
+    }
+    if (path.kind != PathKind::Roll) {
+        path.rollRadius = usual.rollRadius;
+    }
+    if (isPoses) {
+        path.turn = usual.turn;
+        path.slowSpeed = usual.slowSpeed;
+    } else {
+        path.keys = usual.keys;
+    }
+    if (!path.slowSpeed) {
+        path.slowWay = usual.slowWay;
+    }
+}
+
 // Returns the settings of film and process that every dip depends on.
 QJsonObject filmAndProcess(const Project& project) {
     Project part;
@@ -70,10 +103,10 @@ QStringList dipKeys(const Project& project) {
     QJsonObject all = filmAndProcess(project);
     all[QLatin1String("mesh")] = meshHash(project.model);
     QStringList keys;
-    for (const Immersion& immersion : project.immersions) {
+    for (Immersion immersion : project.immersions) {
         QJsonArray pose;
         for (const Degrees angle : immersion.rotation) {
-            pose.append(angle.value() - 360 * std::floor(angle.value() / 360));
+            pose.append(wrapped(angle).value());
         }
         for (const Millimetres offset : immersion.offset) {
             pose.append(offset.value());
@@ -81,6 +114,7 @@ QStringList dipKeys(const Project& project) {
         all[QLatin1String("pose")] = pose;
         all.remove(QLatin1String("path"));
         if (!immersion.path.isStraightDown()) {
+            leaveOutUnused(immersion.path);
             all[QLatin1String("path")] = pathToJson(immersion);
         }
         keys << sha256Hex(QJsonDocument(all).toJson(QJsonDocument::Compact)).left(keyLetters);

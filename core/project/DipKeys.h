@@ -18,9 +18,10 @@ struct TexturedMesh;
 QString meshHash(const std::shared_ptr<const TexturedMesh>& model);
 
 // Returns a key for each dip of the project: 16 hexadecimal digits of a SHA-256. It depends on the
-// model's triangles, the pose and path, and the settings of film and process, but not on the
-// solver, its points and steps: these only change the numerical error. The fields of later versions
-// of the program do not change the key as long as they have their default values.
+// model's triangles, the pose and path, and the settings of film and process, but not on
+// values that this film or path does not use. It does not depend on the solver, its points and
+// steps, which only change the numerical error. The fields of later versions of the program do not
+// change the key as long as they have their default values.
 QStringList dipKeys(const Project& project);
 
 // Returns the measured parts whose errors the next sheets may correct: dippedAlike().

@@ -310,6 +310,37 @@ private slots:
         QVERIFY(dipKeys(project)[0] != keys[0]);
     }
 
+    void dipKeys_valuesThatThePathDoesNotUse_doNotChangeThem() {
+        Project project = sampleProject();
+        const auto after = [&](const QString& name, const QString& value) {
+            Project changed = project;
+            setByPath(changed, QStringLiteral("immersions[0].path.") + name, value);
+            return dipKeys(changed)[0];
+        };
+        const QString poses = QStringLiteral("0x0x0x0x0x0x0/8xnullx0x0x0x0x0");
+        project.immersions[0].path.kind = PathKind::Tilt;
+        project.immersions[0].path.heading = Degrees(30);
+        QString key = dipKeys(project)[0];
+        for (const auto& [name, value] :
+             {std::pair("roll_radius_mm", QStringLiteral("7")),
+              std::pair("slow_mm", QStringLiteral("9")), std::pair("keys", poses),
+              std::pair("heading_deg", QStringLiteral("-330"))}) {
+            QCOMPARE(after(QString::fromLatin1(name), value), key);
+        }
+        for (const char* name : {"heading_deg", "level_depth_mm", "turn_deg", "angle_deg",
+                                 "slow_speed_mm_s", "water_speed_mm_s", "acceleration_mm_s2"}) {
+            QVERIFY2(after(QString::fromLatin1(name), QStringLiteral("8")) != key, name);
+        }
+        project.immersions[0].path.kind = PathKind::Poses;
+        setByPath(project, QStringLiteral("immersions[0].path.keys"), poses);
+        key = dipKeys(project)[0];
+        for (const char* name : {"heading_deg", "level_depth_mm", "turn_deg", "angle_deg",
+                                 "slow_speed_mm_s", "roll_radius_mm"}) {
+            QCOMPARE(after(QString::fromLatin1(name), QStringLiteral("8")), key);
+        }
+        QVERIFY(after(QStringLiteral("water_speed_mm_s"), QStringLiteral("8")) != key);
+    }
+
     void partsDippedAlike_partsOfOtherDips_areLeftOut() {
         Project project = sampleProject();
         project.asBuilt.parts.assign(3, {});
