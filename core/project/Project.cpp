@@ -476,6 +476,12 @@ Project fromJson(const QJsonObject& json, const QString& where) {
                         where);
         }
     }
+    for (const BuiltPlace& place : project.asBuilt.places) {
+        if (std::size_t(place.part) > project.asBuilt.parts.size()) {
+            throw Error(Text::tr("as_built.places names a part that is not in as_built.parts"),
+                        where);
+        }
+    }
     project.artwork = readArtwork(current, where);
     project.profiles = readProfiles(current, where);
     project.unknown = unknownPart(current);

@@ -38,7 +38,7 @@ AsBuilt withTankRun(AsBuilt built, std::vector<TankTime> times) {
 
 AsBuilt dippedAlike(AsBuilt built, const QStringList& dips) {
     std::erase_if(built.places, [&](const BuiltPlace& place) {
-        return !isAlike(built, place, dips).value_or(true);
+        return place.dip > dips.size() || !isAlike(built, place, dips).value_or(true);
     });
     return built;
 }
@@ -47,7 +47,7 @@ BuiltParts countParts(const AsBuilt& built, int dip, const QStringList& dips) {
     BuiltParts parts;
     std::set<int> counted;
     for (const BuiltPlace& place : built.places) {
-        if (place.dip == dip && counted.insert(place.part).second) {
+        if (place.dip == dip && dip <= dips.size() && counted.insert(place.part).second) {
             const std::optional<bool> alike = isAlike(built, place, dips);
             ++(!alike ? parts.unknown : *alike ? parts.alike : parts.otherwise);
         }

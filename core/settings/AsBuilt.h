@@ -81,8 +81,8 @@ AsBuilt withTankRun(AsBuilt built, std::vector<TankTime> times);
 // Tells whether a part's dip, counted from 1, was as `dips` say, the keys of the dips
 // (BuiltPart::dips); nothing if that is not known.
 std::optional<bool> isDippedAlike(const BuiltPart& part, int dip, const QStringList& dips);
-// Returns `built` without the places whose part was dipped otherwise than `dips` say. Keeps the
-// places of parts whose dips are not known.
+// Returns `built` without the places whose part was dipped otherwise than `dips` say, and without
+// those of dips that the job does not have. Keeps the places of parts whose dips are not known.
 AsBuilt dippedAlike(AsBuilt built, const QStringList& dips);
 
 // How many parts with measured places on one dip's sheet were dipped in which way.

@@ -357,6 +357,14 @@ private slots:
         QCOMPARE(alike.places.size(), std::size_t(5));
         QVERIFY(countParts(project.asBuilt, 1, keys) == BuiltParts({2, 1, 0}));
         QVERIFY(countParts(project.asBuilt, 2, keys) == BuiltParts({1, 1, 1}));
+        project.immersions.resize(1); // as if the user had removed a dip
+        for (const BuiltPlace& place : partsDippedAlike(project).places) {
+            QCOMPARE(place.dip, 1);
+        }
+        QVERIFY(countParts(project.asBuilt, 2, dipKeys(project)) == BuiltParts());
+        QVERIFY(refusal(toJson(project)).isEmpty());
+        project.asBuilt.parts.pop_back();
+        QVERIFY(refusal(toJson(project)).contains("as_built.places"));
     }
 
     void fromJson_version1_hasNoShare() {
