@@ -1,5 +1,5 @@
-// Cuts the polygons of a mesh into triangles. Private to this folder. assimp does this for the
-// formats that it reads, but only inside its own scenes, and drops what it cannot cut.
+// Cuts the polygons of a mesh into triangles. Private to this folder. assimp does this only for
+// files that it reads itself.
 #pragma once
 
 #include <Eigen/Core>
