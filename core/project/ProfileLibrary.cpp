@@ -55,7 +55,12 @@ void addFolder(std::map<QString, ProfileEntry>& found, ProfileKind kind, const Q
         try {
             const Profile profile = importProfile(path);
             if (kindOf(profile) == kind) {
-                found.try_emplace(nameOf(profile), ProfileEntry{kind, nameOf(profile), path});
+                ProfileEntry& first =
+                    found.try_emplace(nameOf(profile), ProfileEntry{kind, nameOf(profile), path})
+                        .first->second;
+                if (first.path != path && QFileInfo(first.path).path() == directory.path()) {
+                    first.others << path;
+                }
             }
         } catch (const Error&) {
             continue; // one damaged file must not hide the others
@@ -100,6 +105,17 @@ QString ProfileLibrary::standardFolder() {
     return isChosen()
                ? qEnvironmentVariable(chosenFolder)
                : QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + profilesName;
+}
+
+std::optional<Error> severalFiles(const ProfileEntry& entry) {
+    if (entry.others.isEmpty()) {
+        return std::nullopt;
+    }
+    const QStringList files = QStringList(entry.path) + entry.others;
+    return Error(Text::tr("Several files hold a %1 profile of this name, and only the first is "
+                          "read: %2; remove all but one, or change the name in the others")
+                     .arg(profileKindName(entry.kind), files.join(QStringLiteral(", "))),
+                 entry.name);
 }
 
 ProfileLibrary::ProfileLibrary(const QString& userFolder) : folder_(userFolder) {}
@@ -147,6 +163,14 @@ std::optional<Profile> ProfileLibrary::found(ProfileKind kind, const QString& na
     return std::nullopt;
 }
 
+void ProfileLibrary::requireOneFile(ProfileKind kind, const QString& name) const {
+    for (const ProfileEntry& entry : profiles(kind)) {
+        if (const auto several = severalFiles(entry); several && entry.name == name) {
+            throw *several;
+        }
+    }
+}
+
 void ProfileLibrary::save(const Profile& profile, const std::optional<Profile>& known) const {
     requireReadableAgain(profile);
     const QString path = pathFor(profile);
@@ -171,6 +195,7 @@ void ProfileLibrary::replace(const Profile& profile) const {
 
 // Creates the folder if it is missing.
 QString ProfileLibrary::pathFor(const Profile& profile) const {
+    requireOneFile(kindOf(profile), nameOf(profile));
     const QString folder = folder_ + QLatin1Char('/') + profileKindName(kindOf(profile));
     if (!QDir().mkpath(folder)) {
         throw Error(Text::tr("The folder for profiles cannot be created; choose another with "
@@ -188,6 +213,7 @@ QString ProfileLibrary::pathFor(const Profile& profile) const {
 }
 
 void ProfileLibrary::remove(ProfileKind kind, const QString& name) const {
+    requireOneFile(kind, name);
     for (const ProfileEntry& entry : profiles(kind)) {
         if (entry.name == name && entry.isUsers()) {
             FileLock lock;

@@ -1,8 +1,11 @@
 // Finds, reads and writes profiles: those shipped with the program and the user's own files.
 #pragma once
 
+#include "base/Error.h"
 #include "settings/Profile.h"
 
+#include <QStringList>
+#include <optional>
 #include <vector>
 
 namespace dipwright {
@@ -11,9 +14,13 @@ namespace dipwright {
 struct ProfileEntry {
     ProfileKind kind;
     QString name;
-    QString path; // of its file; begins with ":" if shipped with the program
+    QString path;            // of its file; begins with ":" if shipped with the program
+    QStringList others = {}; // paths of further files in the folder that have the same name
     bool isUsers() const { return !path.startsWith(QLatin1Char(':')); }
 };
+
+// Returns what to tell the user if several files have the name of this profile.
+std::optional<Error> severalFiles(const ProfileEntry& entry);
 
 // Reads files on each call and caches nothing. A user's profile replaces a shipped one of the same
 // name.
@@ -34,6 +41,9 @@ public:
 
     // Returns nothing if there is no profile of that name. Throws Error if its file is damaged.
     std::optional<Profile> found(ProfileKind kind, const QString& name) const;
+    // Throws severalFiles() if there are several files of this name. The functions below do this,
+    // too.
+    void requireOneFile(ProfileKind kind, const QString& name) const;
 
     // Writes a user's profile by an atomic write and replaces one of the same name. `known` is the
     // result of found() when the profile was read. If another program has changed the profile since

@@ -97,6 +97,7 @@ private slots:
     void profileLibrary_invalidName_isNotSaved_data();
     void profileLibrary_invalidName_isNotSaved();
     void profileLibrary_missingProfile_isNamed();
+    void profileLibrary_severalFilesOfOneName_areNotChanged();
     void importProfile_damagedFile_isRefused();
     void profileLibrary_damagedFile_doesNotHideOthers();
     void profileFromJson_valueOutOfRange_isRefusedByPath();
@@ -191,6 +192,29 @@ void ProfilesTest::profileLibrary_missingProfile_isNamed() {
         QVERIFY(error.sentence().contains("Green box"));
         QVERIFY(error.sentence().contains("Ideal film, A4"));
     }
+}
+
+void ProfilesTest::profileLibrary_severalFilesOfOneName_areNotChanged() {
+    QTemporaryDir folder;
+    const ProfileLibrary library(folder.path());
+    library.replace(tank());
+    TankProfile other = tank();
+    other.waterLevel = Millimetres(99);
+    const QString otherFile = folder.filePath(QStringLiteral("tank/aaa.json"));
+    exportProfile(other, otherFile);
+    const auto entries = library.profiles(ProfileKind::Tank);
+    const auto entry = std::find_if(entries.begin(), entries.end(),
+                                    [](const auto& one) { return one.name == tank().name; });
+    QVERIFY(severalFiles(*entry)->message().contains(otherFile));
+    QVERIFY(severalFiles(*entry)->message().contains(entry->others.value(0)));
+    QVERIFY_EXCEPTION_THROWN(library.requireOneFile(ProfileKind::Tank, tank().name), Error);
+    QVERIFY_EXCEPTION_THROWN(library.save(tank(), other), Error);
+    QVERIFY_EXCEPTION_THROWN(library.replace(tank()), Error);
+    QVERIFY_EXCEPTION_THROWN(library.remove(ProfileKind::Tank, tank().name), Error);
+    QVERIFY(library.profile(ProfileKind::Tank, tank().name) == Profile(other));
+    QVERIFY(QFile::remove(otherFile));
+    library.remove(ProfileKind::Tank, tank().name);
+    QVERIFY(!library.contains(ProfileKind::Tank, tank().name));
 }
 
 void ProfilesTest::importProfile_damagedFile_isRefused() {
