@@ -32,7 +32,18 @@ ProfileKind takeKind(Words& words) {
     }
 }
 
-void list(const Words& words, const QCommandLineParser& parser, QTextStream& out) {
+const QString builtInMark = QStringLiteral(" (built in)"); // not part of the name
+
+using Warn = std::function<void(const Error&)>;
+
+void warnOfSeveralFiles(const ProfileEntry& entry, const Warn& warn) {
+    if (const auto several = severalFiles(entry)) {
+        warn(*several);
+    }
+}
+
+void list(const Words& words, const QCommandLineParser& parser, QTextStream& out,
+          const Warn& warn) {
     words.finish();
     QJsonArray array;
     for (const ProfileKind kind : {ProfileKind::Printer, ProfileKind::Film, ProfileKind::Tank}) {
@@ -43,9 +54,9 @@ void list(const Words& words, const QCommandLineParser& parser, QTextStream& out
             if (!parser.isSet(jsonOption)) {
                 out << QStringLiteral("%1 %2%3\n")
                            .arg(profileKindName(kind), -8)
-                           .arg(entry.name,
-                                entry.isUsers() ? QString() : QStringLiteral(" (built in)"));
+                           .arg(entry.name, entry.isUsers() ? QString() : builtInMark);
             }
+            warnOfSeveralFiles(entry, warn);
         }
     }
     if (parser.isSet(jsonOption)) {
@@ -53,11 +64,49 @@ void list(const Words& words, const QCommandLineParser& parser, QTextStream& out
     }
 }
 
-void show(Words words, QTextStream& out) {
+void show(Words words, QTextStream& out, const Warn& warn) {
     const ProfileKind kind = takeKind(words);
     const QString name = words.take(QStringLiteral("NAME"));
     words.finish();
-    out << QJsonDocument(toJson(ProfileLibrary().profile(kind, name))).toJson();
+    const ProfileLibrary library;
+    out << QJsonDocument(toJson(library.profile(kind, name))).toJson();
+    for (const ProfileEntry& entry : library.profiles(kind)) {
+        if (entry.name == name) {
+            warnOfSeveralFiles(entry, warn);
+        }
+    }
+}
+
+// Returns the profile that is to be changed; nothing for a new one.
+std::optional<Profile> toChange(const ProfileLibrary& library, ProfileKind kind,
+                                const QString& name) {
+    library.requireOneFile(kind, name);
+    const std::optional<Profile> known = library.found(kind, name);
+    if (!known && name.endsWith(builtInMark) &&
+        library.contains(kind, name.chopped(builtInMark.size()))) {
+        throw UsageError(
+            QStringLiteral("The words (built in) are a note of `list`, not part of the "
+                           "name; the profile is called %1")
+                .arg(name.chopped(builtInMark.size())),
+            name);
+    }
+    return known;
+}
+
+// Throws Error if no sheet can be printed with the ICC profiles of a printer.
+void requireUsableColours(const Profile& profile, const QString& where) {
+    const auto* printer = std::get_if<PrinterProfile>(&profile);
+    if (!printer) {
+        return;
+    }
+    if (!printer->deviceLink.isEmpty() && printer->iccProfile.isEmpty()) {
+        throw UsageError(QStringLiteral("A device link needs the printer's ICC profile, too; give "
+                                        "it with --icc"),
+                         where);
+    }
+    if (!printer->iccProfile.isEmpty()) {
+        PrinterColour(*printer, where);
+    }
 }
 
 // Reads the file that an option names into a member of a printer profile.
@@ -69,12 +118,7 @@ void setIccFile(Profile& profile, const QString& option, const QString& path,
                          QStringLiteral("--") + option);
     }
     printer->*member = readSmallFile(path, mostProfileBytes);
-    if (member == &PrinterProfile::deviceLink && printer->iccProfile.isEmpty()) {
-        throw UsageError(QStringLiteral("A device link needs the printer's ICC profile, too; give "
-                                        "it with --icc"),
-                         QStringLiteral("--") + option);
-    }
-    PrinterColour(*printer, path); // throws Error if no sheet can be printed with it
+    requireUsableColours(profile, path);
 }
 
 void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
@@ -82,7 +126,7 @@ void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
     const QString name = words.take(QStringLiteral("NAME"));
     words.finish();
     const ProfileLibrary library;
-    const std::optional<Profile> known = library.found(kind, name);
+    const std::optional<Profile> known = toChange(library, kind, name);
     Profile profile = known.value_or(newProfile(kind));
     std::visit([&](auto& value) { value.name = name; }, profile);
     for (const QString& setting : parser.values(setOption)) {
@@ -97,12 +141,24 @@ void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
         } catch (const Error& error) {
             throw UsageError(error.message(), QStringLiteral("--set %1").arg(setting));
         }
+        if (nameOf(profile) != name) {
+            throw UsageError(
+                QStringLiteral("A profile is not renamed by --set; export it, change the name in "
+                               "the file, import the file, and remove the old profile"),
+                QStringLiteral("--set %1").arg(setting));
+        }
     }
     if (parser.isSet(iccOption)) {
         setIccFile(profile, iccOption, parser.value(iccOption), &PrinterProfile::iccProfile);
     }
     if (parser.isSet(linkOption)) {
         setIccFile(profile, linkOption, parser.value(linkOption), &PrinterProfile::deviceLink);
+    }
+    for (const QString& setting : parser.values(setOption)) {
+        const QString path = setting.section(QLatin1Char('='), 0, 0);
+        if (path == QLatin1String("icc_profile") || path == QLatin1String("device_link")) {
+            requireUsableColours(profile, QStringLiteral("--set %1").arg(path));
+        }
     }
     library.save(profile, known);
     out << QStringLiteral("Saved the %1 profile %2\n").arg(profileKindName(kind), nameOf(profile));
@@ -112,10 +168,7 @@ void import(Words words, QTextStream& out) {
     const QString path = words.take(QStringLiteral("FILE"));
     words.finish();
     const Profile profile = importProfile(path);
-    const auto* printer = std::get_if<PrinterProfile>(&profile);
-    if (printer && !printer->iccProfile.isEmpty()) {
-        PrinterColour(*printer, path); // throws Error if no sheet can be printed with it
-    }
+    requireUsableColours(profile, path);
     const ProfileLibrary library;
     const bool isKnown = library.contains(kindOf(profile), nameOf(profile));
     library.replace(profile);
@@ -129,7 +182,9 @@ void exportOne(Words words, QTextStream& out) {
     const QString name = words.take(QStringLiteral("NAME"));
     const QString path = words.take(QStringLiteral("FILE"));
     words.finish();
-    exportProfile(ProfileLibrary().profile(kind, name), path);
+    const ProfileLibrary library;
+    library.requireOneFile(kind, name);
+    exportProfile(library.profile(kind, name), path);
     out << QStringLiteral("Wrote %1\n").arg(path);
 }
 
@@ -148,7 +203,7 @@ void takeWedge(Words words, QTextStream& out) {
     const QString path = words.take(QStringLiteral("READINGS.csv"));
     words.finish();
     const ProfileLibrary library;
-    const std::optional<Profile> known = library.found(ProfileKind::Film, name);
+    const std::optional<Profile> known = toChange(library, ProfileKind::Film, name);
     FilmProfile film;
     if (known) {
         film = std::get<FilmProfile>(*known);
@@ -177,9 +232,11 @@ void use(Words words, QTextStream& out) {
     const QString name = words.take(QStringLiteral("NAME"));
     const QString path = words.take(QStringLiteral("JOB.dipw"));
     words.finish();
+    const ProfileLibrary library;
+    library.requireOneFile(kind, name);
     ProjectFile file(path);
     Project project = loadProject(path);
-    applyProfile(project, ProfileLibrary().profile(kind, name));
+    applyProfile(project, library.profile(kind, name));
     file.save(project);
     out << QStringLiteral("%1 now uses the %2 profile %3\n").arg(path, profileKindName(kind), name);
 }
@@ -220,9 +277,9 @@ public:
         const QString action = words.take(QStringLiteral("The action"));
         QTextStream& out = console.out();
         if (action == QLatin1String("list")) {
-            list(words, parser, out);
+            list(words, parser, out, console.warnings());
         } else if (action == QLatin1String("show")) {
-            show(words, out);
+            show(words, out, console.warnings());
         } else if (action == QLatin1String("set")) {
             change(words, parser, out);
         } else if (action == QLatin1String("import")) {

@@ -1,4 +1,4 @@
-// Tests `dipwright-cli profile import` and `profile wedge`.
+// Tests `dipwright-cli profile`.
 #include "CliProcess.h"
 
 #include <QFile>
@@ -48,6 +48,44 @@ private slots:
         const Outcome imported = cli({"profile", "import", in("jet.json")});
         QVERIFY2(imported.exitCode == 1 && imported.err.contains("ICC profile"), imported.err);
         QVERIFY(!cli({"profile", "list"}).out.contains("Broken"));
+    }
+
+    void set_damagedIccProfile_isRefused() {
+        for (const char* setting : {"icc_profile=YWJj", "device_link=YWJj"}) {
+            const Outcome set = cli({"profile", "set", "printer", "Inky", "--set", setting});
+            QVERIFY2(set.exitCode != 0 && set.err.contains("ICC profile"), set.err);
+        }
+        QVERIFY(!cli({"profile", "list"}).out.contains("Inky"));
+    }
+
+    void set_name_saysHowAProfileIsRenamed() {
+        const Outcome set = cli({"profile", "set", "printer", "Old", "--set", "name=New"});
+        QVERIFY2(set.exitCode == 2 && set.err.contains("not renamed"), set.err);
+    }
+
+    void set_nameWithTheMarkOfTheList_isRefused() {
+        const Outcome set = cli({"profile", "set", "film", "Ideal film, A4 (built in)"});
+        QVERIFY2(set.exitCode == 2 && set.err.contains("is called Ideal film, A4"), set.err);
+        QCOMPARE(cli({"profile", "set", "film", "Ideal film, A4"}).exitCode, 0);
+        QCOMPARE(cli({"profile", "remove", "film", "Ideal film, A4"}).exitCode, 0);
+    }
+
+    void severalFilesOfOneName_areShownButNotChanged() {
+        QCOMPARE(cli({"profile", "set", "tank", "Twin"}).exitCode, 0);
+        QCOMPARE(cli({"profile", "export", "tank", "Twin", in("profiles/tank/aaa.json")}).exitCode,
+                 0);
+        for (const QStringList& words : {QStringList{"list"},
+                                         {"show", "tank", "Twin"},
+                                         {"set", "tank", "Twin"},
+                                         {"remove", "tank", "Twin"},
+                                         {"use", "tank", "Twin", in("none.dipw")}}) {
+            const Outcome outcome = cli(QStringList("profile") + words);
+            QVERIFY2(outcome.err.contains("Several files") && outcome.err.contains("aaa.json"),
+                     outcome.err);
+            QCOMPARE(outcome.exitCode, words[0] == "list" || words[0] == "show" ? 0 : 1);
+        }
+        QVERIFY(QFile::remove(in("profiles/tank/aaa.json")));
+        QCOMPARE(cli({"profile", "remove", "tank", "Twin"}).exitCode, 0);
     }
 };
 
