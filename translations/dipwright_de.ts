@@ -1757,6 +1757,18 @@
         <source>This job has another printer profile than %1; give both the same profile (on the command line, --profile gives it to all jobs)</source>
         <translation>Dieser Auftrag hat ein anderes Druckerprofil als %1; geben Sie beiden dasselbe Profil (auf der Befehlszeile gibt --profile es allen Aufträgen)</translation>
     </message>
+    <message>
+        <source>Masks that lie more than %2 mm off the part: %1. Perhaps they were made for another model; draw them again</source>
+        <translation>Masken, die mehr als %2 mm vom Teil entfernt liegen: %1. Vielleicht gehören sie zu einem anderen Modell; zeichnen Sie sie neu</translation>
+    </message>
+    <message>
+        <source>Zones that lie more than %2 mm off the part: %1. Perhaps they were made for another model; mark them again</source>
+        <translation>Zonen, die mehr als %2 mm vom Teil entfernt liegen: %1. Vielleicht gehören sie zu einem anderen Modell; markieren Sie sie neu</translation>
+    </message>
+    <message>
+        <source>Marks for the seam that lie more than %2 mm off the part: %1. Perhaps they were made for another model; mark the seam again</source>
+        <translation>Markierungen für die Naht, die mehr als %2 mm vom Teil entfernt liegen: %1. Vielleicht gehören sie zu einem anderen Modell; markieren Sie die Naht neu</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -2608,6 +2620,10 @@
         <source>The film %1 expired on %2; use a new lot, or test this lot first</source>
         <translation>Der Film %1 ist am %2 abgelaufen; nehmen Sie eine neue Charge oder testen Sie zuerst diese Charge</translation>
     </message>
+    <message>
+        <source>Several files hold a %1 profile of this name, and only the first is read: %2; remove all but one, or change the name in the others</source>
+        <translation>Mehrere Dateien enthalten ein Profil (%1) dieses Namens, und nur die erste wird gelesen: %2; entfernen Sie alle bis auf eine, oder ändern Sie den Namen in den anderen</translation>
+    </message>
 </context>
 <context>
     <name>Project</name>
@@ -2754,6 +2770,10 @@
     <message>
         <source>There is no such value; write its path as in the project file</source>
         <translation>Einen solchen Wert gibt es nicht; schreiben Sie seinen Pfad wie in der Projektdatei</translation>
+    </message>
+    <message>
+        <source>as_built.places names a part that is not in as_built.parts</source>
+        <translation>as_built.places nennt ein Teil, das nicht in as_built.parts steht</translation>
     </message>
 </context>
 <context>
@@ -4867,6 +4887,10 @@
         <source>The part turns at up to %1°/s, but the machine of the tank “%2” reaches only %3°/s; use a slower dip or a smaller turn</source>
         <translation>Das Teil dreht sich mit bis zu %1°/s, aber die Maschine des Beckens „%2“ schafft nur %3°/s; langsamer tauchen oder weniger drehen</translation>
     </message>
+    <message>
+        <source>The water carries the film %1 mm during the dip, past the edge of the tank “%2”; reduce the speed of the water, or use a smaller film</source>
+        <translation>Das Wasser trägt den Film während des Tauchvorgangs %1 mm weit, über den Rand des Beckens „%2“ hinaus; verringern Sie die Geschwindigkeit des Wassers, oder verwenden Sie einen kleineren Film</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>
@@ -5074,10 +5098,6 @@
         <translation>Auf der Halterung stehen die Nummer dieses Tauchvorgangs und die Nummer seines Blatts, %1. Ihr Pfeil zeigt zur oberen Kante des Films.</translation>
     </message>
     <message>
-        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at (x; z) = %1, %2 and %3 mm from the film&apos;s centre, x to the right, z towards the lower edge. Dashed: the part.</source>
-        <translation>Von oben, Farbseite oben. Kreuze: Marken des schwimmenden Films. Rote Kreise: Passstifte bei (x; z) = %1, %2 und %3 mm von der Mitte des Films, x nach rechts, z zur unteren Kante. Gestrichelt: das Teil.</translation>
-    </message>
-    <message>
         <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart. Centre the film between them.</source>
         <translation>Gepunktet: die Marken des Beckens, %1 × %2 mm voneinander. Den Film mittig dazwischen legen.</translation>
     </message>
@@ -5196,6 +5216,14 @@
     <message>
         <source>All dips: %1</source>
         <translation>Alle Tauchvorgänge: %1</translation>
+    </message>
+    <message>
+        <source>From above, ink side up. Crosses: marks of the floating film, or its corners if it has no marks. Red circles: datum pins at (x; z) = %1, %2 and %3 mm from the film&apos;s centre, x to the right, z towards the lower edge. Dashed: the part.</source>
+        <translation>Von oben, Farbseite oben. Kreuze: Marken des schwimmenden Films, oder seine Ecken, wenn er keine Marken hat. Rote Kreise: Passstifte bei (x; z) = %1, %2 und %3 mm von der Mitte des Films, x nach rechts, z zur unteren Kante. Gestrichelt: das Teil.</translation>
+    </message>
+    <message>
+        <source>The water flows at %1 mm/s with the heading %2° (0°: to the right, 90°: towards the lower edge) and carries the film. Lay the film so far upstream that its centre is in the middle of the tank when the dip begins; all positions are relative to that place. At the end of the dip, the film&apos;s centre is %3 mm to the right of it and %4 mm towards the lower edge.</source>
+        <translation>Das Wasser fließt mit %1 mm/s in Richtung %2° (0°: nach rechts, 90°: zur unteren Kante) und trägt den Film mit. Legen Sie den Film so weit stromaufwärts auf, dass seine Mitte in der Mitte des Beckens ist, wenn der Tauchvorgang beginnt; alle Positionen gelten von dort aus. Am Ende des Tauchvorgangs ist die Mitte des Films %3 mm rechts davon und %4 mm zur unteren Kante hin.</translation>
     </message>
 </context>
 <context>
@@ -5467,6 +5495,10 @@
         <source>The sheet is corrected without %1 of %2 measured parts, which were dipped with another pose, film, process or model.</source>
         <translation>Das Blatt wird ohne %1 von %2 gemessenen Teilen korrigiert, die mit anderer Lage, anderem Film, Prozess oder Modell getaucht wurden.</translation>
     </message>
+    <message>
+        <source>%1: the film did not converge there</source>
+        <translation>%1: der Film konvergierte dort nicht</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -5523,6 +5555,10 @@
     <message>
         <source>No installed font has the characters %2 of the text “%1”, so boxes are printed; install a font that has them</source>
         <translation>Keine installierte Schrift hat die Zeichen %2 des Textes „%1“, daher werden Kästchen gedruckt; installieren Sie eine passende Schrift</translation>
+    </message>
+    <message>
+        <source>The layer “%1” is %2 mm long, but a turn around its axis is only %3 mm, so its sides are cut off; make it smaller</source>
+        <translation>Die Ebene „%1“ ist %2 mm lang, aber eine Umdrehung um ihre Achse nur %3 mm, daher sind ihre Seiten abgeschnitten; machen Sie sie kleiner</translation>
     </message>
 </context>
 <context>
@@ -6134,6 +6170,30 @@
     <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>only dip %1</source>
+        <translation>nur Tauchvorgang %1</translation>
+    </message>
+    <message>
+        <source>Dips as now</source>
+        <translation>Getaucht wie jetzt</translation>
+    </message>
+    <message>
+        <source>Whether the part was dipped with the present pose, film, process and model. The next sheets are corrected without dips of which this is not so.</source>
+        <translation>Ob das Teil mit der jetzigen Lage, dem jetzigen Film, Prozess und Modell getaucht wurde. Die nächsten Blätter werden ohne die Tauchvorgänge korrigiert, bei denen das nicht so ist.</translation>
     </message>
 </context>
 <context>
@@ -8001,10 +8061,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Das Modell tönt eine Textur mit der Farbe ihres Materials, was nicht gezeigt wird; wenden Sie die Farbe auf das Bild an</translation>
     </message>
     <message>
-        <source>%1 triangles have no place on the model&apos;s texture; they show the colour of its corner</source>
-        <translation>%1 Dreiecke haben keinen Ort auf der Textur des Modells; sie zeigen die Farbe ihrer Ecke</translation>
-    </message>
-    <message>
         <source>Triangles of closed cavities that were removed: %1</source>
         <translation>Entfernte Dreiecke geschlossener Hohlräume: %1</translation>
     </message>
@@ -8057,12 +8113,48 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Die Koordinaten des Modells sind zu groß; verkleinern Sie das Modell in einem Modellierprogramm und speichern Sie es neu</translation>
     </message>
     <message>
-        <source>%1 points of the model lie more than %2 times as far from its middle as most points; delete them in a modelling program and save the model again</source>
-        <translation>%1 Punkte des Modells liegen mehr als %2-mal so weit von seiner Mitte entfernt wie die meisten Punkte; löschen Sie sie in einem Modellierprogramm und speichern Sie das Modell neu</translation>
-    </message>
-    <message>
         <source>The texture coordinates of %1 triangles are not numbers or are too large; these triangles show their material&apos;s colour</source>
         <translation>Die Texturkoordinaten von %1 Dreiecken sind keine Zahlen oder zu groß; diese Dreiecke zeigen die Farbe ihres Materials</translation>
+    </message>
+    <message>
+        <source>The model has a texture of several layers, which is not shown correctly; merge the layers into one picture</source>
+        <translation>Das Modell hat eine Textur aus mehreren Ebenen, die nicht richtig gezeigt wird; fassen Sie die Ebenen zu einem Bild zusammen</translation>
+    </message>
+    <message>
+        <source>Objects that share the mesh of another object, but not its materials: %1, first %2. They are shown with the materials of that object; give each object its own mesh in a modelling program</source>
+        <translation>Objekte, die das Netz eines anderen Objekts teilen, aber nicht dessen Materialien: %1, zuerst %2. Sie werden mit den Materialien jenes Objekts gezeigt; geben Sie in einem Modellierprogramm jedem Objekt ein eigenes Netz</translation>
+    </message>
+    <message>
+        <source>Objects that do not inherit the scale of their parents as usual (InheritType): %1, first %2. This is not followed, so they may have another size or shape; apply their transforms in a modelling program</source>
+        <translation>Objekte, die die Skalierung ihrer Eltern nicht wie üblich erben (InheritType): %1, zuerst %2. Das wird nicht befolgt, daher können sie eine andere Größe oder Form haben; wenden Sie ihre Transformationen in einem Modellierprogramm an</translation>
+    </message>
+    <message>
+        <source>Hidden objects: %1, first %2. They are imported, too, and dipped with the others; delete them in a modelling program if they do not belong to the part</source>
+        <translation>Ausgeblendete Objekte: %1, zuerst %2. Sie werden ebenfalls importiert und mit den anderen getaucht; löschen Sie sie in einem Modellierprogramm, wenn sie nicht zum Teil gehören</translation>
+    </message>
+    <message>
+        <source>The model wants hard edges between the pixels of a picture (magFilter NEAREST), but the sheet shows smooth changes of colour; enlarge the picture without smoothing in an image program</source>
+        <translation>Das Modell will harte Kanten zwischen den Pixeln eines Bildes (magFilter NEAREST), aber das Blatt zeigt weiche Farbübergänge; vergrößern Sie das Bild ohne Glättung in einem Bildprogramm</translation>
+    </message>
+    <message>
+        <source>its line %1 gives a point by %2 numbers instead of 3</source>
+        <translation>ihre Zeile %1 gibt einen Punkt mit %2 statt 3 Zahlen an</translation>
+    </message>
+    <message>
+        <source>its line %1 gives a point the weight %2, which programs read in different ways</source>
+        <translation>ihre Zeile %1 gibt einem Punkt das Gewicht %2, das Programme unterschiedlich lesen</translation>
+    </message>
+    <message>
+        <source>Faces whose edges cross each other: %1. Their inside is not clear, so they may be filled wrongly; cut them into triangles in a modelling program</source>
+        <translation>Flächen, deren Kanten sich kreuzen: %1. Ihr Inneres ist nicht eindeutig, daher können sie falsch gefüllt sein; zerlegen Sie sie in einem Modellierprogramm in Dreiecke</translation>
+    </message>
+    <message>
+        <source>Some triangles (%1) have no place on the model&apos;s texture; they show the colour of its corner</source>
+        <translation>Einige Dreiecke (%1) haben keinen Platz auf der Textur des Modells; sie zeigen die Farbe ihrer Ecke</translation>
+    </message>
+    <message>
+        <source>Some points of the model (%1) lie more than %2 times as far from its middle as most points; delete them in a modelling program and save the model again</source>
+        <translation>Einige Punkte des Modells (%1) liegen mehr als %2-mal so weit von seiner Mitte entfernt wie die meisten; löschen Sie sie in einem Modellierprogramm, und speichern Sie das Modell neu</translation>
     </message>
 </context>
 <context>
@@ -10586,6 +10678,10 @@ Dehnung</translation>
     <message>
         <source>%1; choose larger paper, or accept that a part of it is lost</source>
         <translation>%1; wählen Sie größeres Papier, oder nehmen Sie hin, dass ein Teil davon verloren geht</translation>
+    </message>
+    <message>
+        <source>This printer&apos;s margins are larger than those of the job&apos;s printer profile, so the registration marks stand %1 mm farther inside than the pins of traveller and cradle; use these pins only after a run with the margins in the profile</source>
+        <translation>Die Ränder dieses Druckers sind breiter als die des Druckerprofils im Auftrag, daher stehen die Passmarken %1 mm weiter innen als die Passstifte von Laufkarte und Halterung; verwenden Sie diese Stifte erst nach einem Lauf mit den Rändern im Profil</translation>
     </message>
 </context>
 <context>

@@ -1757,6 +1757,18 @@
         <source>This job has another printer profile than %1; give both the same profile (on the command line, --profile gives it to all jobs)</source>
         <translation>Este trabalho tem outro perfil de impressora que %1; dê a ambos o mesmo perfil (na linha de comando, --profile o dá a todos os trabalhos)</translation>
     </message>
+    <message>
+        <source>Masks that lie more than %2 mm off the part: %1. Perhaps they were made for another model; draw them again</source>
+        <translation>Máscaras a mais de %2 mm da peça: %1. Talvez tenham sido feitas para outro modelo; desenhe-as de novo</translation>
+    </message>
+    <message>
+        <source>Zones that lie more than %2 mm off the part: %1. Perhaps they were made for another model; mark them again</source>
+        <translation>Zonas a mais de %2 mm da peça: %1. Talvez tenham sido feitas para outro modelo; marque-as de novo</translation>
+    </message>
+    <message>
+        <source>Marks for the seam that lie more than %2 mm off the part: %1. Perhaps they were made for another model; mark the seam again</source>
+        <translation>Marcações da emenda a mais de %2 mm da peça: %1. Talvez tenham sido feitas para outro modelo; marque a emenda de novo</translation>
+    </message>
 </context>
 <context>
     <name>PlainFile</name>
@@ -2608,6 +2620,10 @@
         <source>The film %1 expired on %2; use a new lot, or test this lot first</source>
         <translation>A película %1 venceu em %2; use um lote novo ou teste primeiro este lote</translation>
     </message>
+    <message>
+        <source>Several files hold a %1 profile of this name, and only the first is read: %2; remove all but one, or change the name in the others</source>
+        <translation>Vários arquivos contêm um perfil (%1) com este nome, e só o primeiro é lido: %2; remova todos menos um ou mude o nome nos outros</translation>
+    </message>
 </context>
 <context>
     <name>Project</name>
@@ -2754,6 +2770,10 @@
     <message>
         <source>There is no such value; write its path as in the project file</source>
         <translation>Esse valor não existe; escreva o caminho dele como no arquivo do projeto</translation>
+    </message>
+    <message>
+        <source>as_built.places names a part that is not in as_built.parts</source>
+        <translation>as_built.places indica uma peça que não está em as_built.parts</translation>
     </message>
 </context>
 <context>
@@ -4867,6 +4887,10 @@
         <source>The part turns at up to %1°/s, but the machine of the tank “%2” reaches only %3°/s; use a slower dip or a smaller turn</source>
         <translation>A peça gira a até %1°/s, mas a máquina do tanque “%2” chega só a %3°/s; use uma imersão mais lenta ou um giro menor</translation>
     </message>
+    <message>
+        <source>The water carries the film %1 mm during the dip, past the edge of the tank “%2”; reduce the speed of the water, or use a smaller film</source>
+        <translation>A água leva a película %1 mm durante a imersão, além da borda do tanque “%2”; reduza a velocidade da água ou use uma película menor</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>
@@ -5074,10 +5098,6 @@
         <translation>O berço traz o número desta imersão e o número da sua folha, %1. A seta aponta para a borda superior da película.</translation>
     </message>
     <message>
-        <source>From above, ink side up. Crosses: marks of the floating film. Red circles: datum pins at (x; z) = %1, %2 and %3 mm from the film&apos;s centre, x to the right, z towards the lower edge. Dashed: the part.</source>
-        <translation>De cima, lado da tinta para cima. Cruzes: marcas da película flutuando. Círculos vermelhos: pinos de referência em (x; z) = %1, %2 e %3 mm do centro da película, x para a direita, z em direção à borda inferior. Tracejado: a peça.</translation>
-    </message>
-    <message>
         <source>Dotted: the tank&apos;s marks, %1 × %2 mm apart. Centre the film between them.</source>
         <translation>Pontilhado: as marcas do tanque, a %1 × %2 mm. Centralize a película entre elas.</translation>
     </message>
@@ -5196,6 +5216,14 @@
     <message>
         <source>All dips: %1</source>
         <translation>Todas as imersões: %1</translation>
+    </message>
+    <message>
+        <source>From above, ink side up. Crosses: marks of the floating film, or its corners if it has no marks. Red circles: datum pins at (x; z) = %1, %2 and %3 mm from the film&apos;s centre, x to the right, z towards the lower edge. Dashed: the part.</source>
+        <translation>De cima, lado da tinta para cima. Cruzes: marcas da película flutuando, ou seus cantos se não tiver marcas. Círculos vermelhos: pinos de referência em (x; z) = %1, %2 e %3 mm do centro da película, x para a direita, z em direção à borda inferior. Tracejado: a peça.</translation>
+    </message>
+    <message>
+        <source>The water flows at %1 mm/s with the heading %2° (0°: to the right, 90°: towards the lower edge) and carries the film. Lay the film so far upstream that its centre is in the middle of the tank when the dip begins; all positions are relative to that place. At the end of the dip, the film&apos;s centre is %3 mm to the right of it and %4 mm towards the lower edge.</source>
+        <translation>A água corre a %1 mm/s na direção %2° (0°: para a direita, 90°: para a borda inferior) e leva a película. Coloque a película tão a montante que seu centro esteja no meio do tanque quando a imersão começar; todas as posições são relativas a esse lugar. No fim da imersão, o centro da película está %3 mm à direita dele e %4 mm em direção à borda inferior.</translation>
     </message>
 </context>
 <context>
@@ -5467,6 +5495,10 @@
         <source>The sheet is corrected without %1 of %2 measured parts, which were dipped with another pose, film, process or model.</source>
         <translation>A folha é corrigida sem %1 de %2 peças medidas, que foram mergulhadas com outra pose, película, processo ou modelo.</translation>
     </message>
+    <message>
+        <source>%1: the film did not converge there</source>
+        <translation>%1: a película não convergiu ali</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -5523,6 +5555,10 @@
     <message>
         <source>No installed font has the characters %2 of the text “%1”, so boxes are printed; install a font that has them</source>
         <translation>Nenhuma fonte instalada tem os caracteres %2 do texto “%1”, por isso são impressos retângulos; instale uma fonte que os tenha</translation>
+    </message>
+    <message>
+        <source>The layer “%1” is %2 mm long, but a turn around its axis is only %3 mm, so its sides are cut off; make it smaller</source>
+        <translation>A camada “%1” tem %2 mm de comprimento, mas uma volta em torno de seu eixo tem só %3 mm, por isso seus lados são cortados; diminua-a</translation>
     </message>
 </context>
 <context>
@@ -6134,6 +6170,30 @@
     <message>
         <source>%1 (%2 to %3)</source>
         <translation>%1 (%2 a %3)</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>desconhecido</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sim</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>não</translation>
+    </message>
+    <message>
+        <source>only dip %1</source>
+        <translation>só a imersão %1</translation>
+    </message>
+    <message>
+        <source>Dips as now</source>
+        <translation>Imersões como agora</translation>
+    </message>
+    <message>
+        <source>Whether the part was dipped with the present pose, film, process and model. The next sheets are corrected without dips of which this is not so.</source>
+        <translation>Se a peça foi mergulhada com a pose, a película, o processo e o modelo atuais. As próximas folhas são corrigidas sem as imersões em que não é assim.</translation>
     </message>
 </context>
 <context>
@@ -8001,10 +8061,6 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>O modelo tinge uma textura com a cor do material, o que não é mostrado; aplique a cor à imagem</translation>
     </message>
     <message>
-        <source>%1 triangles have no place on the model&apos;s texture; they show the colour of its corner</source>
-        <translation>%1 triângulos não têm lugar na textura do modelo; eles mostram a cor do canto dela</translation>
-    </message>
-    <message>
         <source>Triangles of closed cavities that were removed: %1</source>
         <translation>Triângulos de cavidades fechadas que foram removidos: %1</translation>
     </message>
@@ -8057,12 +8113,48 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>As coordenadas do modelo são grandes demais; reduza o modelo em um programa de modelagem e salve-o de novo</translation>
     </message>
     <message>
-        <source>%1 points of the model lie more than %2 times as far from its middle as most points; delete them in a modelling program and save the model again</source>
-        <translation>%1 pontos do modelo ficam mais de %2 vezes mais longe do seu centro do que a maioria dos pontos; exclua-os em um programa de modelagem e salve o modelo de novo</translation>
-    </message>
-    <message>
         <source>The texture coordinates of %1 triangles are not numbers or are too large; these triangles show their material&apos;s colour</source>
         <translation>As coordenadas de textura de %1 triângulos não são números ou são grandes demais; esses triângulos mostram a cor do seu material</translation>
+    </message>
+    <message>
+        <source>The model has a texture of several layers, which is not shown correctly; merge the layers into one picture</source>
+        <translation>O modelo tem uma textura de várias camadas, que não é mostrada corretamente; junte as camadas em uma só imagem</translation>
+    </message>
+    <message>
+        <source>Objects that share the mesh of another object, but not its materials: %1, first %2. They are shown with the materials of that object; give each object its own mesh in a modelling program</source>
+        <translation>Objetos que compartilham a malha de outro objeto, mas não seus materiais: %1, primeiro %2. São mostrados com os materiais daquele objeto; dê a cada objeto sua própria malha em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>Objects that do not inherit the scale of their parents as usual (InheritType): %1, first %2. This is not followed, so they may have another size or shape; apply their transforms in a modelling program</source>
+        <translation>Objetos que não herdam a escala de seus pais como de costume (InheritType): %1, primeiro %2. Isso não é seguido, portanto podem ter outro tamanho ou forma; aplique suas transformações em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>Hidden objects: %1, first %2. They are imported, too, and dipped with the others; delete them in a modelling program if they do not belong to the part</source>
+        <translation>Objetos ocultos: %1, primeiro %2. Também são importados e mergulhados com os outros; apague-os em um programa de modelagem se não pertencerem à peça</translation>
+    </message>
+    <message>
+        <source>The model wants hard edges between the pixels of a picture (magFilter NEAREST), but the sheet shows smooth changes of colour; enlarge the picture without smoothing in an image program</source>
+        <translation>O modelo pede bordas nítidas entre os pixels de uma imagem (magFilter NEAREST), mas a folha mostra transições suaves de cor; amplie a imagem sem suavização em um programa de imagens</translation>
+    </message>
+    <message>
+        <source>its line %1 gives a point by %2 numbers instead of 3</source>
+        <translation>sua linha %1 define um ponto com %2 números em vez de 3</translation>
+    </message>
+    <message>
+        <source>its line %1 gives a point the weight %2, which programs read in different ways</source>
+        <translation>sua linha %1 dá a um ponto o peso %2, que os programas leem de formas diferentes</translation>
+    </message>
+    <message>
+        <source>Faces whose edges cross each other: %1. Their inside is not clear, so they may be filled wrongly; cut them into triangles in a modelling program</source>
+        <translation>Faces cujas arestas se cruzam: %1. Seu interior não é claro, portanto podem estar preenchidas de forma errada; divida-as em triângulos em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>Some triangles (%1) have no place on the model&apos;s texture; they show the colour of its corner</source>
+        <translation>Alguns triângulos (%1) não têm lugar na textura do modelo; mostram a cor do canto dela</translation>
+    </message>
+    <message>
+        <source>Some points of the model (%1) lie more than %2 times as far from its middle as most points; delete them in a modelling program and save the model again</source>
+        <translation>Alguns pontos do modelo (%1) estão mais de %2 vezes mais longe do centro do que a maioria; apague-os em um programa de modelagem e salve o modelo de novo</translation>
     </message>
 </context>
 <context>
@@ -10586,6 +10678,10 @@ estiramento</translation>
     <message>
         <source>%1; choose larger paper, or accept that a part of it is lost</source>
         <translation>%1; escolha um papel maior ou aceite que uma parte dele se perca</translation>
+    </message>
+    <message>
+        <source>This printer&apos;s margins are larger than those of the job&apos;s printer profile, so the registration marks stand %1 mm farther inside than the pins of traveller and cradle; use these pins only after a run with the margins in the profile</source>
+        <translation>As margens desta impressora são maiores que as do perfil de impressora do trabalho, por isso as marcas de registro ficam %1 mm mais para dentro que os pinos da ficha de acompanhamento e do berço; use esses pinos só depois de uma execução com as margens no perfil</translation>
     </message>
 </context>
 <context>
