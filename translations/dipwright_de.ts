@@ -1758,16 +1758,16 @@
         <translation>Dieser Auftrag hat ein anderes Druckerprofil als %1; geben Sie beiden dasselbe Profil (auf der Befehlszeile gibt --profile es allen Aufträgen)</translation>
     </message>
     <message>
-        <source>Masks that lie more than %2 mm off the part: %1. Perhaps they were made for another model; draw them again</source>
-        <translation>Masken, die mehr als %2 mm vom Teil entfernt liegen: %1. Vielleicht gehören sie zu einem anderen Modell; zeichnen Sie sie neu</translation>
+        <source>Masks that lie off the part: %1. Perhaps they were made for another model; draw them again</source>
+        <translation>Masken, die neben dem Teil liegen: %1. Vielleicht gehören sie zu einem anderen Modell; zeichnen Sie sie neu</translation>
     </message>
     <message>
-        <source>Zones that lie more than %2 mm off the part: %1. Perhaps they were made for another model; mark them again</source>
-        <translation>Zonen, die mehr als %2 mm vom Teil entfernt liegen: %1. Vielleicht gehören sie zu einem anderen Modell; markieren Sie sie neu</translation>
+        <source>Zones that lie off the part: %1. Perhaps they were made for another model; mark them again</source>
+        <translation>Zonen, die neben dem Teil liegen: %1. Vielleicht gehören sie zu einem anderen Modell; markieren Sie sie neu</translation>
     </message>
     <message>
-        <source>Marks for the seam that lie more than %2 mm off the part: %1. Perhaps they were made for another model; mark the seam again</source>
-        <translation>Markierungen für die Naht, die mehr als %2 mm vom Teil entfernt liegen: %1. Vielleicht gehören sie zu einem anderen Modell; markieren Sie die Naht neu</translation>
+        <source>Marks for the seam that lie off the part: %1. Perhaps they were made for another model; mark the seam again</source>
+        <translation>Markierungen für die Naht, die neben dem Teil liegen: %1. Vielleicht gehören sie zu einem anderen Modell; markieren Sie die Naht neu</translation>
     </message>
 </context>
 <context>

@@ -1758,16 +1758,16 @@
         <translation>Este trabalho tem outro perfil de impressora que %1; dê a ambos o mesmo perfil (na linha de comando, --profile o dá a todos os trabalhos)</translation>
     </message>
     <message>
-        <source>Masks that lie more than %2 mm off the part: %1. Perhaps they were made for another model; draw them again</source>
-        <translation>Máscaras a mais de %2 mm da peça: %1. Talvez tenham sido feitas para outro modelo; desenhe-as de novo</translation>
+        <source>Masks that lie off the part: %1. Perhaps they were made for another model; draw them again</source>
+        <translation>Máscaras fora da peça: %1. Talvez tenham sido feitas para outro modelo; desenhe-as de novo</translation>
     </message>
     <message>
-        <source>Zones that lie more than %2 mm off the part: %1. Perhaps they were made for another model; mark them again</source>
-        <translation>Zonas a mais de %2 mm da peça: %1. Talvez tenham sido feitas para outro modelo; marque-as de novo</translation>
+        <source>Zones that lie off the part: %1. Perhaps they were made for another model; mark them again</source>
+        <translation>Zonas fora da peça: %1. Talvez tenham sido feitas para outro modelo; marque-as de novo</translation>
     </message>
     <message>
-        <source>Marks for the seam that lie more than %2 mm off the part: %1. Perhaps they were made for another model; mark the seam again</source>
-        <translation>Marcações da emenda a mais de %2 mm da peça: %1. Talvez tenham sido feitas para outro modelo; marque a emenda de novo</translation>
+        <source>Marks for the seam that lie off the part: %1. Perhaps they were made for another model; mark the seam again</source>
+        <translation>Marcações da emenda fora da peça: %1. Talvez tenham sido feitas para outro modelo; marque a emenda de novo</translation>
     </message>
 </context>
 <context>

@@ -57,6 +57,15 @@ void applyToLayer(Project& project, std::size_t layer, const QCommandLineParser&
     }
 }
 
+// Changes a layer. With another placement it moves as in the window, unless its place is stated.
+void change(Project& project, std::size_t layer, const QCommandLineParser& parser) {
+    const ArtworkLayer before = project.artwork.layers[layer];
+    applyToLayer(project, layer, parser);
+    ArtworkLayer& after = project.artwork.layers[layer];
+    after.place = replacedAs(after.placement, *project.model, before).place;
+    applyToLayer(project, layer, parser);
+}
+
 void list(const Project& project, const QCommandLineParser& parser, QTextStream& out) {
     const QJsonObject json = toJson(project).value(QLatin1String("artwork")).toObject();
     if (parser.isSet(jsonOption)) {
@@ -211,7 +220,7 @@ public:
         } else if (action == QLatin1String("set")) {
             const std::size_t layer = takeLayer(words, project.artwork);
             words.finish();
-            applyToLayer(project, layer, parser);
+            change(project, layer, parser);
             out << QStringLiteral("Changed %1\n").arg(project.artwork.layers[layer].name);
         } else if (action == QLatin1String("move")) {
             move(project.artwork, words, out);

@@ -52,13 +52,15 @@ QMarginsF lostOnPage(const Sheet& sheet, const QMarginsF& margins,
     return {lost.top(), lost.right(), lost.bottom(), lost.left()};
 }
 
-// Returns how much farther inside marks on the film stand on the second sheet, mm.
+// Returns how much farther inside marks on the film stand on the second sheet than on the first, or
+// than the film's corners if the first has none, mm.
 double markShift(const Sheet& sheet, const Sheet& inside) {
     if (!sheet.settings.marks || !sheet.pieces.empty()) {
         return 0;
     }
-    const std::optional<QPointF> before = marksOnFilm(sheet), after = marksOnFilm(inside);
-    return before && after ? before->x() - after->x() : 0;
+    const QPointF corner(sheet.filmWidth.value() / 2, sheet.filmHeight.value() / 2);
+    const std::optional<QPointF> after = marksOnFilm(inside);
+    return after ? marksOnFilm(sheet).value_or(corner).x() - after->x() : 0;
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "project/Project.h"
 #include "settings/Immersion.h"
 #include "sheet/page/PaperMargins.h"
+#include "sheet/page/SheetLayout.h"
 #include "sheet/prepress/Separation.h"
 
 #include <QCoreApplication>
@@ -177,8 +178,7 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
         correction.scaleX = printer->scaleX;
         correction.scaleY = printer->scaleY;
     }
-    sheet.clearance = clearanceFor({sheet.filmWidth.value(), sheet.filmHeight.value()},
-                                   unreachable({}, printer), correction);
+    sheet.clearance = clearanceFor(paperSize(sheet), unreachable({}, printer), correction);
     sheet.job = {
         project.name,           immersion.name,          project.date,
         filmText(project.film), scaleText(project.film), jobHash(project, immersion, film)};

@@ -21,7 +21,8 @@ struct Text {
 
 constexpr double farOffPart = 1; // mm; marks are drawn on the surface
 
-// Tells whether a mark lies off the part, at least in places.
+// Tells whether a mark lies farther from the part than its radius and farOffPart, at least in
+// places.
 class OffPart {
 public:
     // Keeps references.
@@ -30,23 +31,25 @@ public:
 
     bool operator()(const SurfaceMark& mark) const {
         if (mark.extent == MarkExtent::Stroke) {
-            return mark.path.empty() || isOff(mark.path);
+            return mark.path.empty() || isOff(mark.path, mark.radius);
         }
         const bool isNamed = mark.extent == MarkExtent::Material && !mark.material.isEmpty();
-        return !isNamed && isOff(mark.place);
+        return !isNamed &&
+               isOff(mark.place, mark.extent == MarkExtent::Spot ? mark.radius : Millimetres(0));
     }
     bool operator()(const ShareMark& mark) const {
-        return mark.path.empty() ? isOff(mark.place) : isOff(mark.path);
+        return mark.path.empty() ? isOff(mark.place, mark.radius) : isOff(mark.path, mark.radius);
     }
 
 private:
-    bool isOff(const std::array<Millimetres, 3>& place) const {
+    bool isOff(const std::array<Millimetres, 3>& place, Millimetres radius) const {
         const Eigen::Vector3d inModel(place[0].value(), place[1].value(), place[2].value());
-        return !query_.isNear((modelToPose_ * inModel).cast<float>(), float(farOffPart));
+        return !query_.isNear((modelToPose_ * inModel).cast<float>(),
+                              float(std::max(radius.value(), farOffPart)));
     }
-    bool isOff(const BrushPath& path) const {
+    bool isOff(const BrushPath& path, Millimetres radius) const {
         return std::any_of(path.begin(), path.end(),
-                           [this](const BrushPoint& point) { return isOff(point.place); });
+                           [&](const BrushPoint& point) { return isOff(point.place, radius); });
     }
 
     const SurfaceQuery& query_;
@@ -109,17 +112,17 @@ QStringList misplacedNotes(const Project& project, const SurfaceQuery& query,
     QStringList notes = cutOffWarnings(project.artwork, project.model->mesh);
     const auto note = [&notes](qsizetype off, const QString& sentence) {
         if (off > 0) {
-            notes.append(sentence.arg(off).arg(farOffPart));
+            notes.append(sentence.arg(off));
         }
     };
     note(count(project.masks),
-         Text::tr("Masks that lie more than %2 mm off the part: %1. Perhaps they were made for "
+         Text::tr("Masks that lie off the part: %1. Perhaps they were made for "
                   "another model; draw them again"));
     note(count(project.tolerance.marks),
-         Text::tr("Zones that lie more than %2 mm off the part: %1. Perhaps they were made for "
+         Text::tr("Zones that lie off the part: %1. Perhaps they were made for "
                   "another model; mark them again"));
     note(count(project.share.marks),
-         Text::tr("Marks for the seam that lie more than %2 mm off the part: %1. Perhaps they were "
+         Text::tr("Marks for the seam that lie off the part: %1. Perhaps they were "
                   "made for another model; mark the seam again"));
     return notes;
 }

@@ -300,7 +300,7 @@ std::vector<Seconds> listedTimes(const TravellerDip& dip) {
     return times;
 }
 
-// Tells how the water must flow, with a space at the end; empty if it stands.
+// Tells how the water must flow, with a space before it; empty if it stands.
 QString flowText(const TravellerDip& dip) {
     const Eigen::Vector3d flow = waterVelocity(dip.immersion.path);
     if (flow.norm() == 0) {
@@ -308,14 +308,14 @@ QString flowText(const TravellerDip& dip) {
     }
     const Eigen::Vector3d way = dip.motion.dipTime().value() * flow;
     const double heading = std::atan2(flow.z(), flow.x()) * 180 / pi;
-    return Text::tr("The water flows at %1 mm/s with the heading %2° (0°: to the right, 90°: "
+    return u' ' +
+           Text::tr("The water flows at %1 mm/s with the heading %2° (0°: to the right, 90°: "
                     "towards the lower edge) and carries the film. Lay the film so far upstream "
                     "that its centre is in the middle of the tank when the dip begins; all "
                     "positions are relative to that place. At the end of the dip, the film's "
                     "centre is %3 mm to the right of it and %4 mm towards the lower edge.")
                .arg(plain(flow.norm(), 2), plain(heading < 0 ? heading + 360 : heading),
-                    plain(way.x()), plain(way.z())) +
-           u' ';
+                    plain(way.x()), plain(way.z()));
 }
 
 // Describes a dip that does not go straight down. Each pose has a line of its own.
@@ -334,8 +334,7 @@ QString pathStep(const TravellerDip& dip, std::size_t number) {
                     .arg(plain(poses[pose].time.value()), plain(place.x()), plain(place.y()),
                          plain(place.z()), plain(turn.x()), plain(turn.y()), plain(turn.z()));
     }
-    return flowText(dip) +
-           Text::tr("Dip the part along its path in %1 s (motion-%2.csv begins at the waiting "
+    return Text::tr("Dip the part along its path in %1 s (motion-%2.csv begins at the waiting "
                     "height). Each pose gives the time, the position of the part's centre relative "
                     "to the film's centre on the water, and the turn relative to the rotation at "
                     "the end: about the axis to the right, then about the axis towards the upper "
@@ -359,6 +358,7 @@ std::vector<TankTask> stepsOf(const Traveller& traveller, std::size_t number) {
         lay += u' ' + Text::tr("The arrow on the cradle's plate must point to the upper edge of "
                                "the sheet.");
     }
+    lay += flowText(dip);
     std::vector<TankTask> tasks;
     const auto add = [&](TankStep step, const QString& text,
                          const std::optional<Seconds>& time = {}) {

@@ -8,8 +8,9 @@
 #include <QSet>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace dipwright {
@@ -122,25 +123,35 @@ private:
 
     void readObjects() {
         const FbxNodes objects = nodes_.from(nodes_.bytes().indexOf("Objects"));
-        std::vector<std::pair<qsizetype, QByteArray>> places; // of the models
-        forEachObject(objects, "Model",
-                      [&](const QByteArray& id, const QString& name, qsizetype at) {
-                          models_[id].name = name;
-                          places.emplace_back(at, id);
-                      });
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            const bool isLast = i + 1 == places.size();
-            const qsizetype end = isLast ? objects.bytes().size() : places[i + 1].first;
-            readProperties(objects.part(places[i].first, end), models_[places[i].second]);
+        std::map<qsizetype, QByteArray> places; // where each object begins, and its number
+        for (const char* kind : {"Model", "Geometry", "Material", "LayeredTexture", "Texture",
+                                 "Video", "NodeAttribute", "CollectionExclusive", "DisplayLayer",
+                                 "Deformer", "Pose", "AnimCurveNode", "Implementation"}) {
+            forEachObject(objects, kind,
+                          [&](const QByteArray& id, const QString& name, qsizetype at) {
+                              places.emplace(at, id);
+                              addObject(kind, id, name);
+                          });
         }
-        forEachObject(objects, "Geometry", [&](const QByteArray& id, const QString&, qsizetype) {
+        for (auto place = places.begin(); place != places.end(); ++place) {
+            const auto next = std::next(place);
+            const qsizetype end = next == places.end() ? objects.bytes().size() : next->first;
+            if (const auto model = models_.find(place->second); model != models_.end()) {
+                readProperties(objects.part(place->first, end), *model);
+            }
+        }
+    }
+
+    void addObject(const QByteArray& kind, const QByteArray& id, const QString& name) {
+        if (kind == "Model") {
+            models_[id].name = name;
+        } else if (kind == "Geometry") {
             geometries_.push_back(id);
-        });
-        forEachObject(objects, "Material", [&](const QByteArray& id, const QString&, qsizetype) {
+        } else if (kind == "Material") {
             materials_.insert(id);
-        });
-        forEachObject(objects, "LayeredTexture",
-                      [&](const QByteArray& id, const QString&, qsizetype) { layers_.insert(id); });
+        } else if (kind == "LayeredTexture") {
+            layers_.insert(id);
+        }
     }
 
     void readConnections() {

@@ -10,9 +10,10 @@ namespace {
 
 // Values are separated by commas. Texts are in quotes.
 FbxValues textValues(QByteArrayView rest, int count) {
+    constexpr qsizetype longest = 10'000; // bytes
     FbxValues values{QByteArray()};
     bool isQuoted = false;
-    for (const char byte : rest) {
+    for (const char byte : rest.first(std::min(rest.size(), longest))) {
         if (byte == '\n' || (!isQuoted && byte == '{')) {
             break;
         }

@@ -209,9 +209,13 @@ QRectF SheetMark::box() const {
     return {centre.x() - markReach, centre.y() - markReach, 2 * markReach, 2 * markReach};
 }
 
+QSizeF paperSize(const Sheet& sheet) {
+    return paperSize(sheet.settings, {sheet.filmWidth.value(), sheet.filmHeight.value()});
+}
+
 QSizeF pageSize(const Sheet& sheet) {
     const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
-    const QSizeF page = paperSize(sheet.settings, film);
+    const QSizeF page = paperSize(sheet);
     constexpr double tolerance = 0.01;
     if (page.width() < film.width() - tolerance || page.height() < film.height() - tolerance) {
         throw Error(

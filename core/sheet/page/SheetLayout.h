@@ -61,6 +61,10 @@ inline constexpr double jobLinePitch = 3;  // mm between two lines of text
 // Returns the layout. Throws the same errors as pageSize().
 SheetLayout sheetLayout(const Sheet& sheet);
 
+// Returns the size of the paper, even if the film does not fit on it. Throws Error if the paper's
+// name is unknown.
+QSizeF paperSize(const Sheet& sheet);
+
 // Returns how far the registration marks are from the film's middle, to each side, in printed mm.
 // None if the film is too small for marks, or if the paper round it, which is cut off, has them.
 // Does not depend on whether marks are printed. Throws the same errors as pageSize().

@@ -52,6 +52,10 @@ private slots:
         QVERIFY(artwork({"add", job_, "picture", logo_, "--set", "placement=cylinder"}));
         const auto depth = [&](int index) { return layer(index)["place_mm"][2].toDouble(); };
         QVERIFY(depth(0) > depth(1) + 20);
+        QVERIFY(artwork({"set", job_, "1", "--set", "placement=cylinder"}));
+        QCOMPARE(depth(0), depth(1));
+        QVERIFY(artwork({"set", job_, "1", "--set", "placement=box", "--set", "place_mm=0;0;5"}));
+        QCOMPARE(depth(0), 5.0);
     }
 
     // A picture in an unread colour space is reported at once, and only for its own layer, although

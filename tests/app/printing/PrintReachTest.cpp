@@ -55,9 +55,18 @@ private slots:
         QCOMPARE(inside.clearance, Millimetres(5));
         QCOMPARE(warnings.size(), qsizetype(1));
         QVERIFY2(warnings[0].contains("2.0 mm farther inside"), qPrintable(warnings[0]));
+        // Marks on the paper round the film would come too near to the paper's edge.
+        Sheet larger = sheet;
+        larger.settings.paper = QStringLiteral("custom");
+        larger.settings.customWidth = larger.settings.customHeight = Millimetres(130);
+        withinReach(larger, {3, 3, 3, 3}, {}, false, {}, warnings);
+        QCOMPARE(warnings.size(), qsizetype(1));
+        withinReach(larger, {12, 12, 12, 12}, {}, false, {}, warnings);
+        QCOMPARE(warnings.size(), qsizetype(2));
+        QVERIFY2(warnings[1].contains("15.0 mm farther inside"), qPrintable(warnings[1]));
         sheet.clearance = Millimetres(5); // by the job's printer profile
         withinReach(sheet, {0, 5, 0, 0}, {}, false, {}, warnings);
-        QCOMPARE(warnings.size(), qsizetype(1));
+        QCOMPARE(warnings.size(), qsizetype(2));
     }
 };
 

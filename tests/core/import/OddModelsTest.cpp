@@ -832,6 +832,11 @@ void OddModelsTest::fbx_hiddenObject_isALoss() {
     };
     QCOMPARE(lossesOf(text("1")), QString());
     QCOMPARE(lossesOf(tetrahedronBinaryFbx()), QString());
+    QByteArray layer = text("1"); // an object after the model is hidden, not the model
+    layer.insert(layer.lastIndexOf('}', layer.indexOf("Connections: {")),
+                 " CollectionExclusive: 77, \"DisplayLayer::l\", \"DisplayLayer\" {\n"
+                 "  Properties70: {\n   P: \"Visibility\", \"bool\", \"\", \"\",0\n  }\n }\n");
+    QCOMPARE(lossesOf(layer), QString());
     QVERIFY(lossesOf(text("0")).startsWith(QStringLiteral("Hidden objects: 1, first m.")));
     QVERIFY(lossesOf(tetrahedronBinaryFbx({}, 1, 0, 0))
                 .startsWith(QStringLiteral("Hidden objects: 1, first part.")));

@@ -124,13 +124,14 @@ private slots:
         project.tolerance.marks.emplace_back().place = {Millimetres(radius), {}, {}};
         project.share.marks.emplace_back().place = {Millimetres(-radius), {}, {}};
         QCOMPARE(notes(), QStringList());
-        project.masks.push_back(capAt(1.1));
+        project.masks.push_back(capAt(1.1)); // within its radius
+        QCOMPARE(notes(), QStringList());
+        project.masks.push_back(capAt(1.5));
         project.masks.emplace_back(); // a stroke without points
         project.tolerance.marks.emplace_back().place = {Millimetres(9999), {}, {}};
-        project.share.marks.emplace_back().path = capAt(-1.1).path;
+        project.share.marks.emplace_back().path = capAt(-1.5).path;
         QCOMPARE(notes().size(), qsizetype(3));
-        QVERIFY2(notes()[0].startsWith(QStringLiteral("Masks that lie more than 1 mm off the "
-                                                      "part: 2.")),
+        QVERIFY2(notes()[0].startsWith(QStringLiteral("Masks that lie off the part: 2.")),
                  qPrintable(notes()[0]));
         // A mark by name is not at a place.
         project.masks = {};

@@ -123,7 +123,7 @@ private slots:
         dip.immersion.path.waterSpeed = MillimetresPerSecond(-3);
         dip.immersion.path.heading = Degrees(90);
         const std::vector<TankTask> tasks = tankTasks(inFlow);
-        const auto step = std::ranges::find(tasks, TankStep::Dip, &TankTask::step);
+        const auto step = std::ranges::find(tasks, TankStep::Lay, &TankTask::step);
         QVERIFY(step != tasks.end());
         const double seconds = dip.motion.dipTime().value();
         QVERIFY2(
