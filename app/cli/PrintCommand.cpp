@@ -9,6 +9,7 @@
 #include "disk/FolderTransaction.h"
 #include "pipeline/DipCache.h"
 #include "pipeline/JobPacking.h"
+#include "pipeline/JobSheet.h"
 #include "pipeline/Pipeline.h"
 #include "project/FilmSizes.h"
 
@@ -291,6 +292,7 @@ public:
         }
         const ThreadLimit threads = threadLimit(parser);
         Project project = projectArgument(parser);
+        const Millimetres clearance = markClearance(project);
         useProfile(parser, project);
         const std::optional<std::size_t> dip = chosenDip(parser, project);
         const QString plates = parser.value(platesOption);
@@ -323,6 +325,9 @@ public:
         const auto kept = usableDips(project, registry, projectPath(parser), progress.silent(),
                                      console.warnings());
         JobResult result = runJob(project, registry, options, kept.get(), progress.part(0, 0.8));
+        for (ImmersionResult& immersion : result.immersions) {
+            immersion.sheet.clearance = clearance; // as on traveller and cradle
+        }
         for (const QString& note : result.notes) {
             console.out() << note << '\n';
         }

@@ -149,6 +149,17 @@ void checkEditedSpots(const Project& before, const Project& after) {
     checkSpots(after);
 }
 
+Millimetres markClearance(const Project& project) {
+    const auto& printer = project.profiles.printer;
+    PrintCorrection correction;
+    if (printer) {
+        correction.scaleX = printer->scaleX;
+        correction.scaleY = printer->scaleY;
+    }
+    const Sheet bare{{}, project.film.width, project.film.height, project.sheet, {}};
+    return clearanceFor(paperSize(bare), unreachable({}, printer), correction);
+}
+
 Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film,
                const CancelToken& user) {
     Sheet sheet;
@@ -172,13 +183,7 @@ Sheet jobSheet(const Project& project, const Immersion& immersion, const Printed
     sheet.filmWidth = project.film.width;
     sheet.filmHeight = project.film.height;
     sheet.settings = project.sheet;
-    const auto& printer = project.profiles.printer;
-    PrintCorrection correction;
-    if (printer) {
-        correction.scaleX = printer->scaleX;
-        correction.scaleY = printer->scaleY;
-    }
-    sheet.clearance = clearanceFor(paperSize(sheet), unreachable({}, printer), correction);
+    sheet.clearance = markClearance(project);
     sheet.job = {
         project.name,           immersion.name,          project.date,
         filmText(project.film), scaleText(project.film), jobHash(project, immersion, film)};

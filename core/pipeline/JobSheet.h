@@ -25,6 +25,10 @@ void checkSpots(const Project& project);
 // of an opened file can then be repaired one by one.
 void checkEditedSpots(const Project& before, const Project& after);
 
+// Returns Sheet::clearance of the project's sheets: their marks are clear of the margins of the
+// project's printer profile. Traveller and cradle have their pins at these marks.
+Millimetres markClearance(const Project& project);
+
 // Makes the sheet. Throws Cancelled.
 Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film,
                const CancelToken& user = {});
