@@ -10680,8 +10680,8 @@ Dehnung</translation>
         <translation>%1; wählen Sie größeres Papier, oder nehmen Sie hin, dass ein Teil davon verloren geht</translation>
     </message>
     <message>
-        <source>This printer&apos;s margins are larger than those of the job&apos;s printer profile, so the registration marks stand %1 mm farther inside than the pins of traveller and cradle; use these pins only after a run with the margins in the profile</source>
-        <translation>Die Ränder dieses Druckers sind breiter als die des Druckerprofils im Auftrag, daher stehen die Passmarken %1 mm weiter innen als die Passstifte von Laufkarte und Halterung; verwenden Sie diese Stifte erst nach einem Lauf mit den Rändern im Profil</translation>
+        <source>The registration marks are printed %1 mm farther inside than the pins of traveller and cradle, because this printer needs wider margins than the job&apos;s profile has. Before you use the pins, enter these margins in the profile and run the job again</source>
+        <translation>Die Passmarken werden %1 mm weiter innen gedruckt, als die Passstifte von Laufkarte und Halterung stehen, weil dieser Drucker breitere Ränder braucht, als im Profil des Auftrags stehen. Tragen Sie diese Ränder in das Profil ein, und führen Sie den Auftrag erneut aus, bevor Sie die Stifte verwenden</translation>
     </message>
 </context>
 <context>

@@ -10680,8 +10680,8 @@ estiramento</translation>
         <translation>%1; escolha um papel maior ou aceite que uma parte dele se perca</translation>
     </message>
     <message>
-        <source>This printer&apos;s margins are larger than those of the job&apos;s printer profile, so the registration marks stand %1 mm farther inside than the pins of traveller and cradle; use these pins only after a run with the margins in the profile</source>
-        <translation>As margens desta impressora são maiores que as do perfil de impressora do trabalho, por isso as marcas de registro ficam %1 mm mais para dentro que os pinos da ficha de acompanhamento e do berço; use esses pinos só depois de uma execução com as margens no perfil</translation>
+        <source>The registration marks are printed %1 mm farther inside than the pins of traveller and cradle, because this printer needs wider margins than the job&apos;s profile has. Before you use the pins, enter these margins in the profile and run the job again</source>
+        <translation>As marcas de registro são impressas %1 mm mais para dentro que os pinos da ficha de acompanhamento e do berço, porque esta impressora precisa de margens maiores que as do perfil do trabalho. Antes de usar os pinos, informe essas margens no perfil e execute o trabalho de novo</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 #include "cli/VerdictOutput.h"
+#include "sheet/page/PaperMargins.h"
 #include "sheet/prepress/PlateProof.h"
 #include "sheet/prepress/PrinterColour.h"
 

@@ -4,6 +4,7 @@
 #include "base/Sha256.h"
 #include "disk/AtomicFile.h"
 #include "printing/PrintReach.h"
+#include "sheet/page/PaperMargins.h"
 #include "sheet/page/SheetLayout.h"
 #include "sheet/prepress/PrinterColour.h"
 #include "sheet/prepress/Separation.h"
@@ -54,20 +55,6 @@ std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>
     return !profile || profile->iccProfile.isEmpty()
                ? nullptr
                : std::make_unique<PrinterColour>(*profile, profile->name);
-}
-
-PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
-                                const PrinterColour* colour) {
-    PrintCorrection correction;
-    correction.colour = colour;
-    if (profile) {
-        correction.scaleX = profile->scaleX;
-        correction.scaleY = profile->scaleY;
-        correction.totalInk = profile->totalInk;
-        correction.pdfTarget = profile->pdfTarget;
-        correction.squarePixels = profile->squarePixels;
-    }
-    return correction;
 }
 
 TileSettings tileSettings(QSizeF paper, const QMarginsF& lost) {

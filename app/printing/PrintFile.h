@@ -16,10 +16,6 @@ namespace dipwright {
 // Returns the profile's colours, or null without a profile or if the profile has no colours. Throws
 // Error.
 std::unique_ptr<PrinterColour> printerColour(const std::optional<PrinterProfile>& profile);
-// Returns the profile's scales (true size without a profile) and ink limit, combined with `colour`,
-// which may be null.
-PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
-                                const PrinterColour* colour);
 
 // Returns the settings for tiles on this paper. `lost` is the width of each edge that the printer
 // cannot print. The margins of the tiles are at least as wide as `lost` and as the default of

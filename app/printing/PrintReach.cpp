@@ -72,10 +72,10 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
     inside.clearance =
         std::max(sheet.clearance, clearanceFor(pageSize(sheet), margins, correction));
     if (const double moved = markShift(sheet, inside); moved > sharpness) {
-        warnings << Text::tr("This printer's margins are larger than those of the job's printer "
-                             "profile, so the registration marks stand %1 mm farther inside than "
-                             "the pins of traveller and cradle; use these pins only after a run "
-                             "with the margins in the profile")
+        warnings << Text::tr("The registration marks are printed %1 mm farther inside than the "
+                             "pins of traveller and cradle, because this printer needs wider "
+                             "margins than the job's profile has. Before you use the pins, enter "
+                             "these margins in the profile and run the job again")
                         .arg(numberText(moved, 1));
     }
     const QMarginsF lost = lostOnPage(sheet, margins, correction);

@@ -5,6 +5,7 @@
 #include "printing/PrintFile.h"
 #include "printing/PrintReach.h"
 #include "sheet/packing/FilmPacking.h"
+#include "sheet/page/PaperMargins.h"
 #include "sheet/page/SheetLayout.h"
 #include "sheet/page/SheetRows.h"
 #include "sheet/pdf/PdfDocument.h"

@@ -151,13 +151,9 @@ void checkEditedSpots(const Project& before, const Project& after) {
 
 Millimetres markClearance(const Project& project) {
     const auto& printer = project.profiles.printer;
-    PrintCorrection correction;
-    if (printer) {
-        correction.scaleX = printer->scaleX;
-        correction.scaleY = printer->scaleY;
-    }
     const Sheet bare{{}, project.film.width, project.film.height, project.sheet, {}};
-    return clearanceFor(paperSize(bare), unreachable({}, printer), correction);
+    return clearanceFor(paperSize(bare), unreachable({}, printer),
+                        printCorrection(printer, nullptr));
 }
 
 Sheet jobSheet(const Project& project, const Immersion& immersion, const PrintedFilm& film,

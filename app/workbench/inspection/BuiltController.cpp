@@ -36,10 +36,10 @@ void BuiltController::showProject() {
         return;
     }
     const Project& project = document->project();
-    page_->setBuilt(project.asBuilt,
-                    project.asBuilt.parts.empty() ? QStringList() : dipKeys(project),
-                    project.film.width, project.film.height);
-    const AsBuilt built = partsDippedAlike(project);
+    const bool isKnown = project.model && !project.asBuilt.parts.empty();
+    const QStringList dips = isKnown ? dipKeys(project) : QStringList();
+    page_->setBuilt(project.asBuilt, dips, project.film.width, project.film.height);
+    const AsBuilt built = isKnown ? dippedAlike(project.asBuilt, dips) : project.asBuilt;
     if (built.places != places_) {
         places_ = built.places;
         page_->setErrors(nullptr);

@@ -28,7 +28,7 @@ constexpr int rows = 4;             // parts visible without scrolling
 
 // Tells which dips of a part were as the job's dips are now.
 QString alikeText(const BuiltPart& part, const QStringList& dips) {
-    if (part.dips.isEmpty()) {
+    if (part.dips.isEmpty() || dips.isEmpty()) {
         return BuiltPage::tr("not known");
     }
     QStringList alike;

@@ -3,6 +3,7 @@
 #include "base/Error.h"
 #include "base/NumberText.h"
 #include "printing/PrintFile.h"
+#include "sheet/page/PaperMargins.h"
 #include "sheet/prepress/Separation.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"

@@ -6,6 +6,7 @@
 #include "pipeline/JobVerdict.h"
 #include "printing/PrintFile.h"
 #include "project/Profiles.h"
+#include "sheet/page/PaperMargins.h"
 #include "sheet/page/SheetRows.h"
 #include "workbench/printing/PlatesDialog.h"
 #include "workbench/widgets/NoticeBar.h"

@@ -190,9 +190,9 @@ private:
     std::vector<QByteArray> geometries_;
     QHash<QByteArray, FbxModel> models_;
     QSet<QByteArray> materials_, layers_;
-    // Of each geometry and model: the models that it is part of. Of each model: its materials.
-    QHash<QByteArray, QList<QByteArray>> parentsOf_, materialsOf_;
-    bool hasLayers_ = false; // in a colour that is shown
+    QHash<QByteArray, QList<QByteArray>> parentsOf_;   // the models above a geometry or a model
+    QHash<QByteArray, QList<QByteArray>> materialsOf_; // the materials of a model
+    bool hasLayers_ = false;                           // in a colour that is shown
 };
 
 } // namespace

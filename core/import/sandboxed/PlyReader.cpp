@@ -498,7 +498,7 @@ private:
     Scanner scanner_;
     Header header_;
     TexturedMesh model_;
-    // Of each polygon that is no triangle: its first triangle, and the number of its corners.
+    // First triangle and number of corners of each polygon with more than three corners.
     std::vector<std::pair<std::size_t, std::size_t>> fans_;
     // Texture coordinates per point; empty if there are none.
     std::vector<Eigen::Vector2f> pointCoordinates_;

@@ -13,6 +13,20 @@ double lostEdge(double half, double margin, double scale) {
 
 } // namespace
 
+PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
+                                const PrinterColour* colour) {
+    PrintCorrection correction;
+    correction.colour = colour;
+    if (profile) {
+        correction.scaleX = profile->scaleX;
+        correction.scaleY = profile->scaleY;
+        correction.totalInk = profile->totalInk;
+        correction.pdfTarget = profile->pdfTarget;
+        correction.squarePixels = profile->squarePixels;
+    }
+    return correction;
+}
+
 QMarginsF larger(const QMarginsF& a, const QMarginsF& b) {
     return {std::max(a.left(), b.left()), std::max(a.top(), b.top()),
             std::max(a.right(), b.right()), std::max(a.bottom(), b.bottom())};

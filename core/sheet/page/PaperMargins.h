@@ -1,4 +1,5 @@
-// Computes what a printer's margins and its corrected scale leave of a sheet's paper.
+// Computes the corrections of a printer's profile, and what its margins and corrected scale leave
+// of a sheet's paper.
 #pragma once
 
 #include "settings/Profile.h"
@@ -8,6 +9,11 @@
 #include <optional>
 
 namespace dipwright {
+
+// Returns the profile's scales (true size without a profile) and ink limit, combined with `colour`,
+// which may be null.
+PrintCorrection printCorrection(const std::optional<PrinterProfile>& profile,
+                                const PrinterColour* colour);
 
 QMarginsF larger(const QMarginsF& a, const QMarginsF& b);
 double widest(const QMarginsF& margins);

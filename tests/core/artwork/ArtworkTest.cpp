@@ -96,6 +96,17 @@ QImage grid(int pixels) {
     return image;
 }
 
+// Returns lines around the Z axis, one for each 10 mm, or as near to this as a whole number allows.
+Artwork repeatedRoundZ() {
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {pictureLayer(grid(100), {0, 0, 0}, 60)};
+    artwork.layers.front().placement = LayerPlacement::Cylinder;
+    artwork.layers.front().axis = LayerAxis::Z;
+    artwork.layers.front().repeat = Millimetres(10);
+    return artwork;
+}
+
 } // namespace
 
 class ArtworkTest : public QObject {
@@ -350,13 +361,7 @@ void ArtworkTest::decal_gridOnCylinder_hasEvenStraightLines() {
 void ArtworkTest::cylinderLayer_repeatRoundTube_isAWholeNumber() {
     constexpr double radius = 25; // 157 mm round
     const TexturedMesh tube = bodyOf(cylinderMesh(radius, 60, 128));
-    Artwork artwork;
-    artwork.base = Qt::white;
-    artwork.layers = {pictureLayer(grid(100), {0, 0, 0}, 60)};
-    artwork.layers.front().placement = LayerPlacement::Cylinder;
-    artwork.layers.front().axis = LayerAxis::Z;
-    artwork.layers.front().repeat = Millimetres(10);
-    const TexturedMesh body = paintArtwork(tube, artwork, 0.15, Progress());
+    const TexturedMesh body = paintArtwork(tube, repeatedRoundZ(), 0.15, Progress());
     const std::vector<double> lines = linesAround(body, radius, 3, 0.01, 0.01 + 2 * pi);
     QCOMPARE(lines.size(), std::size_t(16));
     for (std::size_t k = 1; k < lines.size(); ++k) {
@@ -374,13 +379,7 @@ void ArtworkTest::cylinderLayer_onCup_hasItsLengthOutside() {
     for (const auto& corners : hole.triangles) { // look towards the axis
         cup.triangles.push_back({outside + corners[0], outside + corners[2], outside + corners[1]});
     }
-    Artwork artwork;
-    artwork.base = Qt::white;
-    artwork.layers = {pictureLayer(grid(100), {0, 0, 0}, 60)};
-    artwork.layers.front().placement = LayerPlacement::Cylinder;
-    artwork.layers.front().axis = LayerAxis::Z;
-    artwork.layers.front().repeat = Millimetres(10);
-    const TexturedMesh body = paintArtwork(bodyOf(cup), artwork, 0.15, Progress());
+    const TexturedMesh body = paintArtwork(bodyOf(cup), repeatedRoundZ(), 0.15, Progress());
     QCOMPARE(linesAround(body, radius, 3, 0.01, 0.01 + 2 * pi).size(), std::size_t(16));
 }
 
