@@ -11,6 +11,7 @@
 #include <QCoreApplication>
 #include <QFontDatabase>
 #include <QGlyphRun>
+#include <QRawFont>
 #include <QTextBoundaryFinder>
 #include <QTextLayout>
 
@@ -24,6 +25,13 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::Artwork)
 };
 
+// Tells whether a glyph run is drawn as boxes: no installed font has the glyph, or none can shape
+// the script. In the second case, Qt's own font of boxes has the same glyph for all characters.
+bool isOfBoxes(const QGlyphRun& run) {
+    const QList<quint32> two = run.rawFont().glyphIndexesForString(QStringLiteral("AB"));
+    return run.glyphIndexes().contains(0) || (two.value(0) != 0 && two.value(0) == two.value(1));
+}
+
 // Tells whether no installed font has a glyph for a character and its combining marks.
 bool isMissing(const QString& character, const QFont& font) {
     QTextLayout layout(character, font);
@@ -31,9 +39,7 @@ bool isMissing(const QString& character, const QFont& font) {
     layout.createLine();
     layout.endLayout();
     const QList<QGlyphRun> runs = layout.glyphRuns();
-    return std::any_of(runs.begin(), runs.end(), [](const QGlyphRun& run) {
-        return run.glyphIndexes().contains(0); // fonts draw a box for glyph 0
-    });
+    return std::any_of(runs.begin(), runs.end(), isOfBoxes);
 }
 
 // Returns the characters of a text that no installed font has, each once.

@@ -24,6 +24,7 @@ QPainterPath outlineOf(const ArtworkLayer& layer) {
     font.setPixelSize(int(lettersHeight));
     font.setHintingPreference(QFont::PreferNoHinting);
     QPainterPath path;
+    path.setFillRule(Qt::WindingFill); // overlapping letters, as in Arabic, have no gaps
     double line = 0;
     for (const QString& words : layer.text.split(QLatin1Char('\n'))) {
         path.addText(0, line, font, words);

@@ -9,6 +9,7 @@
 #include "geometry/Shapes.h"
 #include "texture/SurfaceColours.h"
 
+#include <QFontDatabase>
 #include <QtTest>
 
 #include <cmath>
@@ -133,8 +134,10 @@ private Q_SLOTS:
     void textLayer_readsCorrectlyFromOutside();
     void cylinderLayer_onCup_hasItsLengthOutside();
     void cutOffWarnings_longerThanATurn_nameIt();
+    void paintArtwork_overlappingLetters_leaveNoGap();
     void fontWarnings_missingFont_nameIt();
     void fontWarnings_charactersThatNoFontHas_nameThem();
+    void fontWarnings_scriptThatNoFontShapes_nameIt();
     void paintArtwork_wideColour_staysWide();
     void paintArtwork_twice_givesTheSameBits();
 };
@@ -492,6 +495,30 @@ void ArtworkTest::textLayer_readsCorrectlyFromOutside() {
     QVERIFY(isNear(colourAt(body, {-left, 10, 30}), Qt::white));
 }
 
+void ArtworkTest::paintArtwork_overlappingLetters_leaveNoGap() {
+    ArtworkLayer layer = newLayer(LayerKind::Text, QStringLiteral("Struck"));
+    layer.text = QStringLiteral("O\u0336"); // a letter with a long stroke through it
+    layer.place = {Millimetres(0), Millimetres(0), Millimetres(30)};
+    layer.size = {Millimetres(40), Millimetres(40)};
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {layer};
+    const TexturedMesh body = paintedBox(artwork);
+    const auto isBlack = [&](double x, double y) {
+        return isNear(colourAt(body, {x, y, 30}), Qt::black);
+    };
+    double height = -10; // of the stroke
+    while (height < 10 && !isBlack(0, height)) {
+        height += 0.25;
+    }
+    height += 0.5;
+    int changes = 0; // of colour, from left to right
+    for (double x = -25; x < 25; x += 0.25) {
+        changes += isBlack(x, height) != isBlack(x + 0.25, height);
+    }
+    QCOMPARE(changes, 2);
+}
+
 void ArtworkTest::fontWarnings_missingFont_nameIt() {
     Artwork artwork;
     artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("Title"))};
@@ -513,6 +540,16 @@ void ArtworkTest::fontWarnings_charactersThatNoFontHas_nameThem() {
     QVERIFY(fontWarnings(artwork).front().contains(u' ' + unassigned + u' ')); // named once
     layer.visible = false;
     QVERIFY(fontWarnings(artwork).isEmpty());
+}
+
+void ArtworkTest::fontWarnings_scriptThatNoFontShapes_nameIt() {
+    Artwork artwork;
+    artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("Title"))};
+    artwork.layers.front().text = QStringLiteral("A\u0928"); // Devanagari
+    const bool isDrawn = !QFontDatabase::families(QFontDatabase::Devanagari).isEmpty();
+    const QStringList warnings = fontWarnings(artwork);
+    QCOMPARE(warnings.size(), isDrawn ? 0 : 1);
+    QVERIFY(isDrawn || warnings.front().contains(QStringLiteral(" \u0928 ")));
 }
 
 void ArtworkTest::paintArtwork_wideColour_staysWide() {
