@@ -18,10 +18,9 @@ Project newProject(const QString& path);
 // Million points × steps; some 15 to 35 s on two cores. A file that does not have the field keeps
 // defaultFilmWork, so the sheets of older projects stay the same.
 inline constexpr double newProjectFilmWork = 128;
-// With half the cell, a sheet with this numerical error is expected to move by half of it, which is
-// less than mostHalfSpacingChange (SheetChange.h). The difference allows for the estimate's scatter
-// (docs/film-validation.md, "The wanted error").
-inline constexpr Millimetres newProjectWantedError{0.25};
+// With half the cell, a sheet with this numerical error is expected to move by at most half of it,
+// mostHalfSpacingChange (SheetChange.h); see docs/film-validation.md, "The wanted error".
+inline constexpr Millimetres newProjectWantedError{0.3};
 // ProcessSettings::contactTravel. For equal work, the sheet is more exact with these steps and
 // smaller cells than with the steps of older projects (docs/film-validation.md, "Balance of step
 // and cell").

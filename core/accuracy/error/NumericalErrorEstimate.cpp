@@ -19,7 +19,7 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(Certainty)
 };
 
-constexpr double fitSafety = 1.25; // for the slope of a line that is fitted to three films or more
+constexpr double fitSafety = 1.5; // for the slope of a line that is fitted to three films or more
 constexpr std::size_t leastFilms = 3, mostFilms = 4; // for a fit
 // Films whose cells differ by a smaller share count as one film. If the refinement halved the
 // cells, these are the film before it and the film with double cells.

@@ -59,7 +59,7 @@ inline constexpr double halfStepShare = 0.25;
 
 // Least numerical error of a place that both films paint, in the film's smallest cells. Films that
 // agree more closely do so by chance (docs/film-validation.md, "The least error").
-inline constexpr double leastErrorCells = 0.15;
+inline constexpr double leastErrorCells = 0.2;
 
 // The estimated numerical error of one sheet.
 struct NumericalErrorEstimate {
@@ -96,7 +96,7 @@ struct FilmsBefore {
 // - With the films before the refinement (`before`), each place x on the flat film is assumed to
 //   depend on the film's cell h as x(h) = x(0) + a h. The line is fitted to the films that paint
 //   the place, by least squares with the weights 1 / h². Let h₀ be the cell of `own`. The error is
-//   1.25 |a| h₀ plus the noise: the standard deviation from the line, at this cell and in one
+//   1.5 |a| h₀ plus the noise: the standard deviation from the line, at this cell and in one
 //   direction of the sheet. It is at least half the move between the coarser films. If fewer than
 //   three films with different cells paint the place, the error is as without films before.
 //
