@@ -56,14 +56,10 @@ QString jobHash(const Project& project, const Immersion& immersion, const Printe
     anonymous.baseColour.clear(); // this colour is not printed
     anonymous.profiles = withoutCosts(project.profiles);
     anonymous.profiles.printer.reset(); // numberedFor() in PrintFile.h adds its digits
-    anonymous.asBuilt.times.clear();
     QJsonObject settings = countedSettings(anonymous);
     for (const char* key : {"model", "immersions", "name", "cradle", "tolerance", "verdict",
-                            "inspection", "pose_search", "order"}) {
+                            "inspection", "pose_search", "order", "as_built"}) {
         settings.remove(QLatin1String(key));
-    }
-    if (!project.asBuilt.corrects) {
-        settings.remove(QStringLiteral("as_built"));
     }
     if (!isShared(project)) {
         settings.remove(QStringLiteral("share"));

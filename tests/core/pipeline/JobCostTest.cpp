@@ -22,7 +22,6 @@ Project plainProject() {
     project.profiles.printer->name = QStringLiteral("Printer");
     project.profiles.film->name = QStringLiteral("Film");
     project.profiles.tank->name = QStringLiteral("Tank");
-    project.asBuilt.corrects = true;
     return project;
 }
 
@@ -33,6 +32,8 @@ Project pricedProject() {
     project.profiles.tank->costs.labourRate = 40;
     project.profiles.tank->costs.currency = QStringLiteral("EUR");
     project.partsToMake = 25;
+    project.asBuilt.corrects = true; // what it corrects is in the image
+    project.asBuilt.strength = 0.5;
     project.asBuilt = withTankRun(
         project.asBuilt,
         {{1, 1, TankStep::Soak, QStringLiteral("2026-11-26T12:00:00"), Seconds(60), Seconds(63.5)},
@@ -52,7 +53,7 @@ class JobCostTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void jobNumber_pricesOrderAndTimes_doNotMatter() {
+    void jobNumber_pricesOrderTimesAndParts_doNotMatter() {
         QCOMPARE(jobNumber(pricedProject()), jobNumber(plainProject()));
     }
 
