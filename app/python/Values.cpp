@@ -8,7 +8,8 @@ namespace {
 
 bool isSequence(const py::handle& value) {
     return PySequence_Check(value.ptr()) != 0 && !py::isinstance<py::str>(value) &&
-           !py::isinstance<py::dict>(value);
+           !py::isinstance<py::dict>(value) && !py::isinstance<py::bytes>(value) &&
+           !py::isinstance<py::bytearray>(value);
 }
 
 QString partText(const py::handle& value) {
@@ -19,6 +20,9 @@ QString partText(const py::handle& value) {
         return *flag ? QStringLiteral("true") : QStringLiteral("false");
     }
     if (py::isinstance<py::str>(value)) {
+        if (PyUnicode_AsUTF8(value.ptr()) == nullptr) { // as for a lone surrogate
+            throw py::error_already_set();
+        }
         return value.cast<QString>();
     }
     if (PyLong_Check(value.ptr())) {

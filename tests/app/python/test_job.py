@@ -77,9 +77,15 @@ def test_value_refused_isAnErrorAndChangesNothing(ball, path, value, says):
     assert {known: ball[known] for known in ball} == before
 
 
-def test_value_ofAnotherType_isATypeError(ball):
+@pytest.mark.parametrize("value", [object(), b"AB", bytearray(b"A")])
+def test_value_ofAnotherType_isATypeError(ball, value):
     with pytest.raises(TypeError):
-        ball["film.swell"] = object()
+        ball["film.points"] = value
+
+
+def test_value_notUnicode_isAUnicodeError(ball):
+    with pytest.raises(UnicodeError):
+        ball["name"] = "a\ud800b"
 
 
 def test_update_oneRefused_setsNone(ball):
