@@ -3,7 +3,9 @@
 #include <QCoreApplication>
 #include <QHash>
 #include <QXmlStreamReader>
+
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace dipwright {
@@ -47,6 +49,32 @@ const QStringList indexLists{QStringLiteral("p"), QStringLiteral("h"), QStringLi
 // The element among them (vertex weights) in which −1 is a valid value.
 const QString signedIndexList = QStringLiteral("v");
 
+// Refuses what assimp 5.2.5 misreads silently, or what ends it.
+void checkTransforms(QXmlStreamReader& xml, const ModelSource& source) {
+    const QStringView name = xml.name();
+    const auto refuse = [&](const QString& reason) {
+        source.throwDamaged(reason.arg(xml.lineNumber()));
+    };
+    if (name == u"trifans") {
+        refuse(Text::tr("line %1 has fans of triangles, which are not supported (export the model "
+                        "as triangles)"));
+    } else if (name == u"skew") {
+        refuse(Text::tr("line %1 skews a node, which is not supported (apply the transforms in a "
+                        "modelling program)"));
+    } else if (name == u"rotate") {
+        const QStringList numbers = xml.readElementText().simplified().split(u' ');
+        const bool turns = numbers.value(3).toDouble() != 0;
+        double square = 0; // of the axis' length
+        for (const QString& part : numbers.first(std::min<qsizetype>(3, numbers.size()))) {
+            square += part.toDouble() * part.toDouble();
+        }
+        if (turns && !(std::abs(square - 1) <= mostScaling)) {
+            refuse(Text::tr("line %1 turns a node about an axis whose length is not 1, so it would "
+                            "change the shape (apply the transforms in a modelling program)"));
+        }
+    }
+}
+
 } // namespace
 
 bool isCollada(const QByteArray& begin) {
@@ -61,6 +89,7 @@ void checkCollada(const ModelSource& source) {
         if (xml.readNext() != QXmlStreamReader::StartElement) {
             continue;
         }
+        checkTransforms(xml, source);
         const QXmlStreamAttributes attributes = xml.attributes();
         // assimp allocates memory for this number of values at once.
         if (number(attributes, "count", 0) > double(source.bytes.size())) {

@@ -59,19 +59,6 @@ void forEachObject(const FbxNodes& objects, const QByteArray& kind, const Use& u
     });
 }
 
-// Objects with the same fault.
-struct Faulty {
-    int count = 0;
-    QString first;
-
-    void add(const QString& name) { first = count++ == 0 ? name : first; }
-    void warn(QStringList& warnings, const QString& sentence) const {
-        if (count > 0) {
-            warnings.push_back(sentence.arg(count).arg(first));
-        }
-    }
-};
-
 class FbxCheck {
 public:
     explicit FbxCheck(const QByteArray& bytes) : nodes_(bytes) {
@@ -84,7 +71,7 @@ public:
             warnings.push_back(Text::tr("The model has a texture of several layers, which is not "
                                         "shown correctly; merge the layers into one picture"));
         }
-        Faulty sharing, inheriting, hidden;
+        FaultyObjects sharing, inheriting, hidden;
         for (const QByteArray& geometry : geometries_) {
             const QList<QByteArray> users = parentsOf_.value(geometry);
             for (const QByteArray& user : users) {
@@ -110,10 +97,7 @@ public:
                                  "(InheritType): %1, first %2. This is not followed, so they may "
                                  "have another size or shape; apply their transforms in a "
                                  "modelling program"));
-        hidden.warn(warnings,
-                    Text::tr("Hidden objects: %1, first %2. They are imported, too, and dipped "
-                             "with the others; delete them in a modelling program if they do not "
-                             "belong to the part"));
+        hidden.warn(warnings, hiddenObjectsWarning());
     }
 
 private:

@@ -19,6 +19,7 @@ struct Text {
 };
 
 const QString draco = QStringLiteral("KHR_draco_mesh_compression");
+const QString instancing = QStringLiteral("EXT_mesh_gpu_instancing");
 const QString textureTransform = QStringLiteral("KHR_texture_transform");
 
 // A binary file (glTF 2.0, "Binary glTF Layout") begins with three numbers. Then comes the JSON
@@ -188,11 +189,21 @@ void checkSkin(const QJsonObject& skin, const QJsonObject& model, const ModelSou
     }
 }
 
-// Refuses a skin that assimp 5.2.5 would read from elsewhere in memory.
+// Refuses a skin that assimp 5.2.5 would read from elsewhere in memory, and a rotation that would
+// scale the node.
 void checkNode(const QJsonObject& node, const QJsonObject& model, const ModelSource& source) {
     const QJsonValue skin = model[u"skins"].toArray().at(node[u"skin"].toInt(-1));
     if (node.contains(u"skin") && !skin.isObject()) {
         source.throwDamaged(Text::tr("a node uses a skin that does not exist"));
+    }
+    double square = 0; // of the quaternion's length
+    for (const QJsonValue& part : node[u"rotation"].toArray()) {
+        square += part.toDouble() * part.toDouble();
+    }
+    if (node.contains(u"rotation") && !(std::abs(square - 1) <= mostScaling)) {
+        source.throwDamaged(
+            Text::tr("the rotation of a node is not a quaternion of length 1, so it "
+                     "would change the size (export the model again)"));
     }
 }
 
@@ -205,6 +216,9 @@ QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings) {
             throwNotRead(source, extension.toString());
         }
     }
+    if (model[u"extensionsUsed"].toArray().contains(instancing)) { // without it, parts are missing
+        throwNotRead(source, instancing);
+    }
     for (const QJsonValue& mesh : model[u"meshes"].toArray()) {
         for (const QJsonValue& primitive : mesh.toObject()[u"primitives"].toArray()) {
             checkPrimitive(primitive.toObject(), model, source);
@@ -213,9 +227,16 @@ QByteArray gltfForAssimp(const ModelSource& source, QStringList& warnings) {
     for (const QJsonValue& skin : model[u"skins"].toArray()) {
         checkSkin(skin.toObject(), model, source);
     }
-    for (const QJsonValue& node : model[u"nodes"].toArray()) {
+    FaultyObjects hidden;
+    const QJsonArray nodes = model[u"nodes"].toArray();
+    for (qsizetype index = 0; index < nodes.size(); ++index) {
+        const QJsonValue node = nodes[index];
         checkNode(node.toObject(), model, source);
+        if (!node[u"extensions"][u"KHR_node_visibility"][u"visible"].toBool(true)) {
+            hidden.add(node[u"name"].toString(QString::number(index)));
+        }
     }
+    hidden.warn(warnings, hiddenObjectsWarning());
     if (source.withTextures) {
         checkTextures(model, source, warnings);
     }

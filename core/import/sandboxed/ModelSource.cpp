@@ -64,6 +64,17 @@ QString notRepeatedWarning() {
         "places are wrong. Apply this to the picture in a modelling program");
 }
 
+void FaultyObjects::warn(QStringList& warnings, const QString& sentence) const {
+    if (count > 0) {
+        warnings.push_back(sentence.arg(count).arg(first));
+    }
+}
+
+QString hiddenObjectsWarning() {
+    return Text::tr("Hidden objects: %1, first %2. They are imported, too, and dipped with the "
+                    "others; delete them in a modelling program if they do not belong to the part");
+}
+
 QString unclearTextureSetWarning() {
     return Text::tr(
         "The model has several sets of texture coordinates, and its file does not say clearly "

@@ -42,6 +42,22 @@ QString notRepeatedWarning();
 // The warning for a texture whose set of texture coordinates is not clear.
 QString unclearTextureSetWarning();
 
+// A rotation whose axis or quaternion does not have length 1 may also scale. So much may the square
+// of this length differ from 1: rounding does not count.
+inline constexpr double mostScaling = 0.001;
+
+// Objects with the same fault, reported together.
+struct FaultyObjects {
+    int count = 0;
+    QString first; // name of the first
+
+    void add(const QString& name) { first = count++ == 0 ? name : first; }
+    // Adds a sentence whose %1 is the number and %2 the first, unless there are none.
+    void warn(QStringList& warnings, const QString& sentence) const;
+};
+// The sentence for hidden objects: they are read like all others.
+QString hiddenObjectsWarning();
+
 // Texture coordinates of a triangle that has none.
 inline std::array<Eigen::Vector2f, 3> noCoordinates() {
     std::array<Eigen::Vector2f, 3> corners;

@@ -19,6 +19,7 @@ enum Chunk : quint16 {
     Editor = 0x3d3d,
     MasterScale = 0x0100,
     Object = 0x4000,
+    Hidden = 0x4010,
     Mesh = 0x4100,
     Matrix = 0x4160,
 };
@@ -38,19 +39,17 @@ public:
                          "ways, so it is not applied; check the size of the model")
                     .arg(double(masterScale_)));
         }
+        hidden_.warn(warnings, hiddenObjectsWarning());
         if (isMisfit_) {
             warnings.push_back(
                 Text::tr("The sizes of the file's parts do not fit together, so its scale and its "
                          "mirrored objects are not known; export the model again"));
         }
-        if (mirrored_ > 0) {
-            warnings.push_back(
-                Text::tr("Objects that their matrix mirrors: %1, first %2. Programs read these in "
-                         "different ways, so they may be mirrored wrongly; apply their transforms "
-                         "in a modelling program")
-                    .arg(mirrored_)
-                    .arg(firstMirrored_));
-        }
+        mirrored_.warn(
+            warnings,
+            Text::tr("Objects that their matrix mirrors: %1, first %2. Programs read these in "
+                     "different ways, so they may be mirrored wrongly; apply their transforms in a "
+                     "modelling program"));
     }
 
 private:
@@ -72,6 +71,8 @@ private:
             } else if (depth == 2 && kind == MasterScale && size >= head + 4) {
                 masterScale_ = numberAt(content);
                 qToLittleEndian(1.0F, bytes_.data() + content);
+            } else if (depth == 3 && kind == Hidden) {
+                hidden_.add(name_);
             } else if (depth == path.size() && kind == Matrix && size >= head + 48) {
                 noteMatrix(content);
             }
@@ -96,16 +97,16 @@ private:
         for (int entry = 0; entry < 9; ++entry) {
             axes(entry / 3, entry % 3) = numberAt(place + 4 * entry);
         }
-        if (axes.determinant() < 0 && mirrored_++ == 0) {
-            firstMirrored_ = name_;
+        if (axes.determinant() < 0) {
+            mirrored_.add(name_);
         }
     }
 
     QByteArray bytes_;
     float masterScale_ = 1;
-    int mirrored_ = 0;      // objects
     bool isMisfit_ = false; // a chunk does not fit into the one round it
-    QString name_, firstMirrored_;
+    QString name_;
+    FaultyObjects mirrored_, hidden_;
 };
 
 } // namespace

@@ -88,6 +88,7 @@ struct ObjectTriangle {
 struct Placement {
     QString part;
     int object = -1;
+    bool isHidden = false;
     Eigen::Affine3d transform = Eigen::Affine3d::Identity();
 };
 
@@ -305,6 +306,7 @@ private:
     Placement placement() {
         Placement result;
         result.object = integer("objectid");
+        result.isHidden = text("printable") == u"0" || text("printable") == u"false";
         result.part = text("path").isEmpty() ? name_ : text("path");
         const QString transform = text("transform");
         if (!transform.isNull()) {
@@ -414,9 +416,14 @@ public:
             total += triangleCount(item, 0);
             source_.checkTriangleCount(total);
         }
+        FaultyObjects hidden;
         for (const Placement& item : root.build) {
             place(item, toMillimetres);
+            if (item.isHidden) {
+                hidden.add(QString::number(item.object));
+            }
         }
+        hidden.warn(warnings_, hiddenObjectsWarning());
         if (isPastPicture_) {
             warnings_.push_back(notRepeatedWarning());
         }

@@ -508,7 +508,7 @@ QByteArray textured3ds(const Chunks3ds& further) {
     const QByteArray mesh =
         chunk3ds(0x4110, list(4, points)) + chunk3ds(0x4140, list(4, coordinates)) +
         chunk3ds(0x4120, list(4, faces) + chunk3ds(0x4130, usedBy)) + further.mesh;
-    const QByteArray object = QByteArray("part\0", 5) + chunk3ds(0x4100, mesh);
+    const QByteArray object = QByteArray("part\0", 5) + further.object + chunk3ds(0x4100, mesh);
     return chunk3ds(0x4d4d, chunk3ds(0x3d3d, chunk3ds(0xafff, material) + chunk3ds(0x4000, object) +
                                                  further.scene));
 }

@@ -63,7 +63,7 @@ QByteArray convertedGltf(const QByteArray& gltf, const char* format);
 QByteArray tetrahedron(const char* format);
 // Further chunks of a 3DS file; see chunk3ds().
 struct Chunks3ds {
-    QByteArray texture{}, mesh{}, scene{};
+    QByteArray texture{}, mesh{}, scene{}, object{};
 };
 // Returns the same tetrahedron as 3DS with the picture skin.png.
 QByteArray textured3ds(const Chunks3ds& further);

@@ -160,6 +160,10 @@ private Q_SLOTS:
     void fbx_textureSet_isFoundByNameInEachMesh_data();
     void fbx_textureSet_isFoundByNameInEachMesh();
     void fbx_hiddenObject_isALoss();
+    void hiddenObject_otherFormats_isALoss();
+    void gltf_rotation_mustNotScale();
+    void collada_misreadElement_isRefused_data();
+    void collada_misreadElement_isRefused();
     void fbx_otherMaterialsOfOneMesh_areALoss();
     void fbx_layersOfATexture_areALoss();
     void fbx_unusualInheritanceOfScale_isALossIfItMatters_data();
@@ -823,6 +827,56 @@ void OddModelsTest::fbx_textureSet_isFoundByNameInEachMesh() {
         }
         QCOMPARE(largest, expected);
     }
+}
+
+void OddModelsTest::hiddenObject_otherFormats_isALoss() {
+    const auto losses = [&](const QString& file, const QByteArray& bytes) {
+        return importModel(write(file, bytes), {}, {}).report.losses.join(u' ');
+    };
+    const QString gltfLoss = losses(
+        QStringLiteral("hidden.gltf"),
+        gltf(R"({"mesh":0})",
+             R"({"mesh":0,"name":"n","extensions":{"KHR_node_visibility":{"visible":false}}})"));
+    QVERIFY2(gltfLoss.startsWith(QStringLiteral("Hidden objects: 1, first n.")),
+             qPrintable(gltfLoss));
+    const QByteArray model = textured3ds({.object = chunk3ds(0x4010, QByteArray())});
+    const QString loss = losses(QStringLiteral("hidden.3ds"), model);
+    QVERIFY2(loss.startsWith(QStringLiteral("Hidden objects: 1, first part.")), qPrintable(loss));
+}
+
+void OddModelsTest::gltf_rotation_mustNotScale() {
+    const auto refused = [&](const QByteArray& rotation) {
+        return refusal(write(QStringLiteral("turned.gltf"),
+                             gltf(R"({"mesh":0})", R"({"mesh":0,"rotation":)" + rotation + "}")));
+    };
+    QCOMPARE(refused("[0, 0, 0.7071, 0.7071]"), QString()); // rounded
+    QVERIFY(refused("[0, 0, 0.7, 0.7]").contains(QStringLiteral("quaternion of length 1")));
+    QVERIFY(refused("[0, 0, 0, 0]").contains(QStringLiteral("quaternion of length 1")));
+}
+
+void OddModelsTest::collada_misreadElement_isRefused_data() {
+    QTest::addColumn<QByteArray>("before");
+    QTest::addColumn<QByteArray>("after");
+    QTest::addColumn<QString>("says"); // empty if it is read
+    const QByteArray node = R"(<node id="n">)";
+    const auto turned = [&](const char* turn) { return node + "<rotate>" + turn + "</rotate>"; };
+    QTest::newRow("axis") << node << turned("0 0 1 90") << QString();
+    QTest::newRow("longer axis") << node << turned("0 0 2 90") << QStringLiteral("length is not 1");
+    QTest::newRow("no axis") << node << turned("0 0 0 90") << QStringLiteral("length is not 1");
+    QTest::newRow("no turn") << node << turned("0 0 0 0") << QString();
+    QTest::newRow("skew") << node << node + "<skew>30 1 0 0 0 1 0</skew>"
+                          << QStringLiteral("skews a node");
+    QTest::newRow("fans") << QByteArray("triangles") << QByteArray("trifans")
+                          << QStringLiteral("fans of triangles");
+}
+
+void OddModelsTest::collada_misreadElement_isRefused() {
+    QFETCH(QByteArray, before);
+    QFETCH(QByteArray, after);
+    QFETCH(QString, says);
+    const QString sentence =
+        refusal(write(QStringLiteral("odd.dae"), squareCollada().replace(before, after)));
+    QVERIFY2(says.isEmpty() ? sentence.isEmpty() : sentence.contains(says), qPrintable(sentence));
 }
 
 void OddModelsTest::fbx_hiddenObject_isALoss() {
