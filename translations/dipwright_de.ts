@@ -8149,12 +8149,28 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Flächen, deren Kanten sich kreuzen: %1. Ihr Inneres ist nicht eindeutig, daher können sie falsch gefüllt sein; zerlegen Sie sie in einem Modellierprogramm in Dreiecke</translation>
     </message>
     <message>
-        <source>Some triangles (%1) have no place on the model&apos;s texture; they show the colour of its corner</source>
-        <translation>Einige Dreiecke (%1) haben keinen Platz auf der Textur des Modells; sie zeigen die Farbe ihrer Ecke</translation>
-    </message>
-    <message>
         <source>Some points of the model (%1) lie more than %2 times as far from its middle as most points; delete them in a modelling program and save the model again</source>
         <translation>Einige Punkte des Modells (%1) liegen mehr als %2-mal so weit von seiner Mitte entfernt wie die meisten; löschen Sie sie in einem Modellierprogramm, und speichern Sie das Modell neu</translation>
+    </message>
+    <message>
+        <source>line %1 has fans of triangles, which are not supported (export the model as triangles)</source>
+        <translation>Zeile %1 enthält Dreiecksfächer, die nicht unterstützt werden (exportieren Sie das Modell als Dreiecke)</translation>
+    </message>
+    <message>
+        <source>line %1 skews a node, which is not supported (apply the transforms in a modelling program)</source>
+        <translation>Zeile %1 schert einen Knoten, was nicht unterstützt wird (wenden Sie die Transformationen in einem Modellierprogramm an)</translation>
+    </message>
+    <message>
+        <source>line %1 turns a node about an axis whose length is not 1, so it would change the shape (apply the transforms in a modelling program)</source>
+        <translation>Zeile %1 dreht einen Knoten um eine Achse, deren Länge nicht 1 ist, und würde so die Form ändern (wenden Sie die Transformationen in einem Modellierprogramm an)</translation>
+    </message>
+    <message>
+        <source>the rotation of a node is not a quaternion of length 1, so it would change the size (export the model again)</source>
+        <translation>die Drehung eines Knotens ist kein Quaternion der Länge 1 und würde so die Größe ändern (exportieren Sie das Modell noch einmal)</translation>
+    </message>
+    <message>
+        <source>Some triangles (%1) have no place on the model&apos;s texture; they show one colour, which is mixed from its corners</source>
+        <translation>Einige Dreiecke (%1) haben keine Stelle auf der Textur des Modells; sie zeigen eine einzige Farbe, gemischt aus deren Ecken</translation>
     </message>
 </context>
 <context>
@@ -11995,10 +12011,6 @@ mm je mm</translation>
         <translation>Film %1 · Maßstab %2 · %3</translation>
     </message>
     <message>
-        <source>Job %1 · row %2 of %3, column %4 of %5 · %6 · %7 · cut along the dashed lines</source>
-        <translation>Auftrag %1 · Zeile %2 von %3, Spalte %4 von %5 · %6 · %7 · an den gestrichelten Linien schneiden</translation>
-    </message>
-    <message>
         <source>A film of %1 mm is longer than the limit of %2 mm; choose a shorter film</source>
         <translation>Ein Film von %1 mm ist länger als die Grenze von %2 mm; wählen Sie einen kürzeren Film</translation>
     </message>
@@ -12009,6 +12021,10 @@ mm je mm</translation>
     <message>
         <source>This job&apos;s sheet is printed in %1 passes, but the sheet of %2 in %3; give both the same number of passes</source>
         <translation>Das Blatt dieses Auftrags wird in %1 Durchgängen gedruckt, das Blatt von %2 aber in %3; geben Sie beiden dieselbe Zahl von Durchgängen</translation>
+    </message>
+    <message>
+        <source>Row %2 of %3, column %4 of %5 · job %1 · %6 · %7 · cut along the dashed lines</source>
+        <translation>Zeile %2 von %3, Spalte %4 von %5 · Auftrag %1 · %6 · %7 · an den gestrichelten Linien schneiden</translation>
     </message>
 </context>
 <context>

@@ -8149,12 +8149,28 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>Faces cujas arestas se cruzam: %1. Seu interior não é claro, portanto podem estar preenchidas de forma errada; divida-as em triângulos em um programa de modelagem</translation>
     </message>
     <message>
-        <source>Some triangles (%1) have no place on the model&apos;s texture; they show the colour of its corner</source>
-        <translation>Alguns triângulos (%1) não têm lugar na textura do modelo; mostram a cor do canto dela</translation>
-    </message>
-    <message>
         <source>Some points of the model (%1) lie more than %2 times as far from its middle as most points; delete them in a modelling program and save the model again</source>
         <translation>Alguns pontos do modelo (%1) estão mais de %2 vezes mais longe do centro do que a maioria; apague-os em um programa de modelagem e salve o modelo de novo</translation>
+    </message>
+    <message>
+        <source>line %1 has fans of triangles, which are not supported (export the model as triangles)</source>
+        <translation>a linha %1 tem leques de triângulos, que não são aceitos (exporte o modelo como triângulos)</translation>
+    </message>
+    <message>
+        <source>line %1 skews a node, which is not supported (apply the transforms in a modelling program)</source>
+        <translation>a linha %1 inclina um nó, o que não é aceito (aplique as transformações em um programa de modelagem)</translation>
+    </message>
+    <message>
+        <source>line %1 turns a node about an axis whose length is not 1, so it would change the shape (apply the transforms in a modelling program)</source>
+        <translation>a linha %1 gira um nó em torno de um eixo cujo comprimento não é 1, e assim mudaria a forma (aplique as transformações em um programa de modelagem)</translation>
+    </message>
+    <message>
+        <source>the rotation of a node is not a quaternion of length 1, so it would change the size (export the model again)</source>
+        <translation>a rotação de um nó não é um quatérnio de comprimento 1, e assim mudaria o tamanho (exporte o modelo de novo)</translation>
+    </message>
+    <message>
+        <source>Some triangles (%1) have no place on the model&apos;s texture; they show one colour, which is mixed from its corners</source>
+        <translation>Alguns triângulos (%1) não têm lugar na textura do modelo; eles mostram uma única cor, misturada dos cantos dela</translation>
     </message>
 </context>
 <context>
@@ -11995,10 +12011,6 @@ mm por mm</translation>
         <translation>Película %1 · Escala %2 · %3</translation>
     </message>
     <message>
-        <source>Job %1 · row %2 of %3, column %4 of %5 · %6 · %7 · cut along the dashed lines</source>
-        <translation>Trabalho %1 · linha %2 de %3, coluna %4 de %5 · %6 · %7 · corte ao longo das linhas tracejadas</translation>
-    </message>
-    <message>
         <source>A film of %1 mm is longer than the limit of %2 mm; choose a shorter film</source>
         <translation>Uma película de %1 mm é mais longa que o limite de %2 mm; escolha uma película mais curta</translation>
     </message>
@@ -12009,6 +12021,10 @@ mm por mm</translation>
     <message>
         <source>This job&apos;s sheet is printed in %1 passes, but the sheet of %2 in %3; give both the same number of passes</source>
         <translation>A folha deste trabalho é impressa em %1 passadas, mas a folha de %2 em %3; dê a ambas o mesmo número de passadas</translation>
+    </message>
+    <message>
+        <source>Row %2 of %3, column %4 of %5 · job %1 · %6 · %7 · cut along the dashed lines</source>
+        <translation>Linha %2 de %3, coluna %4 de %5 · trabalho %1 · %6 · %7 · corte ao longo das linhas tracejadas</translation>
     </message>
 </context>
 <context>

@@ -293,8 +293,8 @@ public:
         }
         if (bare_ > 0 && bare_ < model_.mesh.triangles.size()) {
             warnings_.push_back(
-                Text::tr("Some triangles (%1) have no place on the model's texture; they show the "
-                         "colour of its corner")
+                Text::tr("Some triangles (%1) have no place on the model's texture; they show one "
+                         "colour, which is mixed from its corners")
                     .arg(bare_));
         }
     }

@@ -116,7 +116,7 @@ void paintFoot(QPainter& painter, const Sheet& sheet, const QRectF& inner, const
                    {{left, inner.bottom() + footGap}, 0, {length + 2 * rulerEndRoom, rulerDepth}});
     }
     const QString label =
-        Text::tr("Job %1 · row %2 of %3, column %4 of %5 · %6 · %7 · cut along the dashed lines")
+        Text::tr("Row %2 of %3, column %4 of %5 · job %1 · %6 · %7 · cut along the dashed lines")
             .arg(sheet.job.hash.simplified())
             .arg(tile.row + 1)
             .arg(grid.rows)

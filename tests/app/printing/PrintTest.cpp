@@ -407,7 +407,7 @@ void PrintTest::print_largeSheet_arrivesInTiles() {
     const QString paper = cups_->received("office").last();
     // Two of the nine tiles are blank.
     QVERIFY(output("pdfinfo", {paper}).contains("Pages:           7"));
-    QVERIFY(pdfWords(paper, 4).contains("row 2 of 3, column 1 of 3"));
+    QVERIFY(pdfWords(paper, 4).contains("Row 2 of 3, column 1 of 3"));
     // A sheet that fits a paper of the printer is not tiled.
     QCOMPARE(planPrint(*system_, chessSheet("Top"), request).task.pages, 1);
 }

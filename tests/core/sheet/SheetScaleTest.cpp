@@ -263,7 +263,7 @@ void SheetScaleTest::writeTiledPdf_labels_areOnBarePaper() {
     const TileSettings settings;
     const QString path =
         saved("labels.pdf", [&](QIODevice& device) { writeTiledPdf(sheet, settings, device); });
-    QVERIFY(pdfWords(path).contains("row 1 of 2, column 1 of 2"));
+    QVERIFY(pdfWords(path).contains("Row 1 of 2, column 1 of 2"));
     const double foot = settings.paper.height() - settings.margins.bottom();
     const QImage strip = rendered(path, QRectF(11, foot - 3.8, 100, 3.6));
     int bare = 0;
