@@ -6189,7 +6189,7 @@
     </message>
     <message>
         <source>Dips as now</source>
-        <translation>Imersões como agora</translation>
+        <translation>Como agora</translation>
     </message>
     <message>
         <source>Whether the part was dipped with the present pose, film, process and model. The next sheets are corrected without dips of which this is not so.</source>

@@ -63,6 +63,7 @@ BuiltPage::BuiltPage(QWidget* parent)
     parts_->horizontalHeaderItem(4)->setToolTip(
         tr("Whether the part was dipped with the present pose, film, process and model. The next "
            "sheets are corrected without dips of which this is not so."));
+    parts_->verticalHeader()->hide();
     parts_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     parts_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     parts_->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -27,6 +27,7 @@
 #include <QComboBox>
 #include <QCommandLineParser>
 #include <QDir>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QMenu>
@@ -79,14 +80,21 @@ void photographParts(WindowDriver& driver, MainWindow& window, const Photographe
     }
 }
 
-void photographTabs(WindowDriver& driver, MainWindow& window, const Photographer& camera,
+void photographTabs(QTabWidget& tabs, MainWindow& window, const Photographer& camera,
                     const QString& name) {
-    auto* results = driver.find<QTabWidget>("results");
-    for (int tab = 0; tab < results->count(); ++tab) {
-        results->setCurrentIndex(tab);
+    for (int tab = 0; tab < tabs.count(); ++tab) {
+        tabs.setCurrentIndex(tab);
         camera.take(window, QStringLiteral("%1-%2").arg(name).arg(tab));
     }
-    results->setCurrentIndex(0);
+    tabs.setCurrentIndex(0);
+}
+
+void photographInspection(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
+    auto* dock = driver.find<QDockWidget>("inspectionDock");
+    dock->show();
+    dock->raise();
+    photographTabs(*dock->findChild<QTabWidget*>(), window, camera, QStringLiteral("inspection"));
+    dock->hide();
 }
 
 // Takes the pictures that exist only if two dips share the body.
@@ -133,7 +141,8 @@ void photographInside(const WindowDriver& driver, MainWindow& window, const Phot
 }
 
 void photographResults(WindowDriver& driver, MainWindow& window, const Photographer& camera) {
-    photographTabs(driver, window, camera, QStringLiteral("result"));
+    photographTabs(*driver.find<QTabWidget>("results"), window, camera, QStringLiteral("result"));
+    photographInspection(driver, window, camera);
     window.view().look(ViewDirection::Oblique);
     auto* timeline = window.findChild<Timeline*>();
     timeline->setPosition(timeline->frames() / 2);
@@ -495,7 +504,8 @@ int main(int argc, char* argv[]) {
     }
     if (all) {
         photographParts(driver, window, camera);
-        photographTabs(driver, window, camera, QStringLiteral("empty"));
+        photographTabs(*driver.find<QTabWidget>("results"), window, camera,
+                       QStringLiteral("empty"));
     }
     if (!driver.run()) {
         qWarning("The dip did not end");

@@ -168,7 +168,7 @@ private slots:
         const auto laid = filmWith({});
         const auto same = test::laid(laid->body().mesh, laid->film());
         const NumericalErrorEstimate estimate = estimateNumericalError(*laid, {same, same, {}}, {});
-        const double least = 0.15 * laid->film().grid.leastSpacing();
+        const double least = 0.2 * laid->film().grid.leastSpacing();
         QVERIFY(std::abs(estimate.offBy.percentile95 - least) < 1e-6);
         for (std::size_t point = 0; point < estimate.pointErrors.size(); ++point) {
             const bool isOnBody = laid->contact().surface[point].isValid();
@@ -183,7 +183,7 @@ private slots:
 
     // Films of these cells lie `side` mm to the side per cell: the dip's own, with double the cell,
     // before the refinement, and with double the cell of that. A line has only the error of its
-    // slope, times 1.25. The other errors are computed by hand.
+    // slope, times 1.5. The other errors are computed by hand.
     void estimate_filmsBefore_countWithSlopeAndDeviation_data() {
         QTest::addColumn<std::vector<int>>("cells"); // that fill the width of 60 mm
         QTest::addColumn<std::vector<double>>("sides");
@@ -191,10 +191,10 @@ private slots:
         using Cells = std::vector<int>;
         using Sides = std::vector<double>;
         const Cells all{60, 30, 40, 20}, halved{60, 30, 30, 15};
-        QTest::newRow("line") << all << Sides{0.2, 0.2, 0.2, 0.2} << 1.25 * 0.2;
-        QTest::newRow("noise") << all << Sides{0.3, -0.3, -0.3, 0.3} << 1.25 * 0.129 + 0.296;
-        QTest::newRow("three films") << Cells{60, 30, 40} << Sides{0.2, 0.2, 0.2} << 1.25 * 0.2;
-        QTest::newRow("halved cells: three films") << halved << Sides{0.2, 0.2, 0.2, 0.2} << 0.25;
+        QTest::newRow("line") << all << Sides{0.2, 0.2, 0.2, 0.2} << 1.5 * 0.2;
+        QTest::newRow("noise") << all << Sides{0.3, -0.3, -0.3, 0.3} << 1.5 * 0.129 + 0.296;
+        QTest::newRow("three films") << Cells{60, 30, 40} << Sides{0.2, 0.2, 0.2} << 1.5 * 0.2;
+        QTest::newRow("halved cells: three films") << halved << Sides{0.2, 0.2, 0.2, 0.2} << 0.3;
         QTest::newRow("two films: their distance")
             << Cells{60, 30, 30} << Sides{0, 0.2, 0.2} << 0.4;
     }
