@@ -54,7 +54,6 @@ BuiltPage::BuiltPage(QWidget* parent)
       picture_(new PicturePanel(tr("Repeating error and correction"),
                                 tr("The repeating error of the parts is shown here."))) {
     parts_->setObjectName(QStringLiteral("builtParts"));
-    parts_->setCornerButtonEnabled(false);
     parts_->setAccessibleName(tr("Measured parts of the job"));
     parts_->setHorizontalHeaderLabels(
         {tr("Date"), tr("Accepted by"), tr("Photos"), tr("Error"), tr("Dips as now")});

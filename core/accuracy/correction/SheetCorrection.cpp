@@ -236,7 +236,7 @@ QImage correctionPicture(const RepeatingError& error, Millimetres width, Millime
     for (int i = 0; i < across * across * 2; ++i) {
         const Eigen::Vector2d place(width.value() * ((i % across + 0.5) / across - 0.5),
                                     height.value() * ((i / across + 0.5) / (2 * across) - 0.5));
-        const Eigen::Vector2d by = times * (printedAt(place, error, strength) - place);
+        const Eigen::Vector2d by = -times * strength * error.at(place);
         arrow(painter, placed(place), scale * QPointF(by.x(), by.y()), QColor(150, 175, 205),
               unit / 7);
     }

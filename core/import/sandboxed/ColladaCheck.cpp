@@ -5,7 +5,6 @@
 #include <QXmlStreamReader>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace dipwright {
@@ -49,8 +48,8 @@ const QStringList indexLists{QStringLiteral("p"), QStringLiteral("h"), QStringLi
 // The element among them (vertex weights) in which −1 is a valid value.
 const QString signedIndexList = QStringLiteral("v");
 
-// Refuses what assimp 5.2.5 misreads silently, or what ends it.
-void checkTransforms(QXmlStreamReader& xml, const ModelSource& source) {
+// Refuses an element that assimp 5.2.5 reads in another shape, or that ends it.
+void checkShape(QXmlStreamReader& xml, const ModelSource& source) {
     const QStringView name = xml.name();
     const auto refuse = [&](const QString& reason) {
         source.throwDamaged(reason.arg(xml.lineNumber()));
@@ -63,12 +62,8 @@ void checkTransforms(QXmlStreamReader& xml, const ModelSource& source) {
                         "modelling program)"));
     } else if (name == u"rotate") {
         const QStringList numbers = xml.readElementText().simplified().split(u' ');
-        const bool turns = numbers.value(3).toDouble() != 0;
-        double square = 0; // of the axis' length
-        for (const QString& part : numbers.first(std::min<qsizetype>(3, numbers.size()))) {
-            square += part.toDouble() * part.toDouble();
-        }
-        if (turns && !(std::abs(square - 1) <= mostScaling)) {
+        const auto number = [&](int index) { return numbers.value(index).toDouble(); };
+        if (number(3) != 0 && !isUnit({number(0), number(1), number(2)})) {
             refuse(Text::tr("line %1 turns a node about an axis whose length is not 1, so it would "
                             "change the shape (apply the transforms in a modelling program)"));
         }
@@ -89,7 +84,6 @@ void checkCollada(const ModelSource& source) {
         if (xml.readNext() != QXmlStreamReader::StartElement) {
             continue;
         }
-        checkTransforms(xml, source);
         const QXmlStreamAttributes attributes = xml.attributes();
         // assimp allocates memory for this number of values at once.
         if (number(attributes, "count", 0) > double(source.bytes.size())) {
@@ -113,6 +107,8 @@ void checkCollada(const ModelSource& source) {
                 {attributes.value(QLatin1String("source")).mid(1).toString(),
                  number(attributes, "offset", 0) +
                      number(attributes, "count", 0) * number(attributes, "stride", 1)});
+        } else {
+            checkShape(xml, source);
         }
     }
     if (xml.hasError()) {

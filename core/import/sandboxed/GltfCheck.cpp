@@ -196,11 +196,11 @@ void checkNode(const QJsonObject& node, const QJsonObject& model, const ModelSou
     if (node.contains(u"skin") && !skin.isObject()) {
         source.throwDamaged(Text::tr("a node uses a skin that does not exist"));
     }
-    double square = 0; // of the quaternion's length
-    for (const QJsonValue& part : node[u"rotation"].toArray()) {
-        square += part.toDouble() * part.toDouble();
+    std::vector<double> quaternion;
+    for (const QJsonValue& number : node[u"rotation"].toArray()) {
+        quaternion.push_back(number.toDouble());
     }
-    if (node.contains(u"rotation") && !(std::abs(square - 1) <= mostScaling)) {
+    if (node.contains(u"rotation") && !isUnit(quaternion)) {
         source.throwDamaged(
             Text::tr("the rotation of a node is not a quaternion of length 1, so it "
                      "would change the size (export the model again)"));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace dipwright {
 
@@ -62,6 +63,12 @@ QString notRepeatedWarning() {
     return Text::tr(
         "The model mirrors a texture past its edge, or ends it there; here it repeats, so these "
         "places are wrong. Apply this to the picture in a modelling program");
+}
+
+bool isUnit(const std::vector<double>& numbers) {
+    constexpr double rounding = 0.001; // of the square
+    const double square = std::inner_product(numbers.begin(), numbers.end(), numbers.begin(), 0.0);
+    return std::abs(square - 1) <= rounding;
 }
 
 void FaultyObjects::warn(QStringList& warnings, const QString& sentence) const {

@@ -8,6 +8,8 @@
 #include <QByteArrayView>
 #include <QStringList>
 
+#include <vector>
+
 namespace dipwright {
 
 // A reader fills a TexturedMesh with all triangles in the file's units, or in mm if the format
@@ -42,9 +44,9 @@ QString notRepeatedWarning();
 // The warning for a texture whose set of texture coordinates is not clear.
 QString unclearTextureSetWarning();
 
-// A rotation whose axis or quaternion does not have length 1 may also scale. So much may the square
-// of this length differ from 1: rounding does not count.
-inline constexpr double mostScaling = 0.001;
+// Whether a vector, such as a rotation's axis or quaternion, has length 1, but for rounding. With
+// another length, assimp's rotations also change the shape.
+bool isUnit(const std::vector<double>& numbers);
 
 // Objects with the same fault, reported together.
 struct FaultyObjects {

@@ -108,6 +108,18 @@ Artwork repeatedRoundZ() {
     return artwork;
 }
 
+// Returns a text of at most 40 mm × 40 mm in the middle of the top of paintedBox().
+Artwork textOnTop(const QString& text) {
+    Artwork artwork;
+    artwork.base = Qt::white;
+    artwork.layers = {newLayer(LayerKind::Text, QStringLiteral("text"))};
+    ArtworkLayer& layer = artwork.layers.front();
+    layer.text = text;
+    layer.place = {Millimetres(0), Millimetres(0), Millimetres(30)};
+    layer.size = {Millimetres(40), Millimetres(40)};
+    return artwork;
+}
+
 } // namespace
 
 class ArtworkTest : public QObject {
@@ -479,15 +491,9 @@ void ArtworkTest::planeLayer_paintsOnlyFacesTowardsIt() {
 }
 
 void ArtworkTest::textLayer_readsCorrectlyFromOutside() {
-    ArtworkLayer layer = newLayer(LayerKind::Text, QStringLiteral("text"));
-    layer.text = QStringLiteral("L");
-    layer.place = {Millimetres(0), Millimetres(0), Millimetres(30)};
-    layer.size = {Millimetres(40), Millimetres(40)};
-    Artwork artwork;
-    artwork.base = Qt::white;
-    artwork.layers = {layer};
+    const Artwork artwork = textOnTop(QStringLiteral("L"));
     const TexturedMesh body = paintedBox(artwork);
-    const double width = 40 * proportionsOf(layer);
+    const double width = 40 * proportionsOf(artwork.layers.front());
     QVERIFY(width > 15 && width < 40);
     const double left = -width / 2 + 1;
     QVERIFY(isNear(colourAt(body, {left, 15, 30}), Qt::black));   // the stem
@@ -496,14 +502,8 @@ void ArtworkTest::textLayer_readsCorrectlyFromOutside() {
 }
 
 void ArtworkTest::paintArtwork_overlappingLetters_leaveNoGap() {
-    ArtworkLayer layer = newLayer(LayerKind::Text, QStringLiteral("Struck"));
-    layer.text = QStringLiteral("O\u0336"); // a letter with a long stroke through it
-    layer.place = {Millimetres(0), Millimetres(0), Millimetres(30)};
-    layer.size = {Millimetres(40), Millimetres(40)};
-    Artwork artwork;
-    artwork.base = Qt::white;
-    artwork.layers = {layer};
-    const TexturedMesh body = paintedBox(artwork);
+    // A letter with a long stroke through it.
+    const TexturedMesh body = paintedBox(textOnTop(QStringLiteral("O\u0336")));
     const auto isBlack = [&](double x, double y) {
         return isNear(colourAt(body, {x, y, 30}), Qt::black);
     };

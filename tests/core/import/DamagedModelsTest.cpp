@@ -143,6 +143,7 @@ private Q_SLOTS:
     void threeMf_textureAfterItsUse_isRead();
     void threeMf_mixedColours_areALoss_data();
     void threeMf_mixedColours_areALoss();
+    void threeMf_hiddenItem_isALoss();
     void threeMf_damaged_isRefused_data();
     void threeMf_damaged_isRefused();
     void collada_negativeIndex_isRefused_data();
@@ -366,6 +367,13 @@ void DamagedModelsTest::threeMf_mixedColours_areALoss() {
     const QStringList losses = importModel(path, ImportOptions(), Progress()).report.losses;
     QCOMPARE(losses.size(), isLoss ? 1 : 0);
     QVERIFY(!isLoss || losses[0].contains(QStringLiteral("mixes colours")));
+}
+
+void DamagedModelsTest::threeMf_hiddenItem_isALoss() {
+    const QString path = writePackage(model(object(), "printable=\"0\""));
+    const QStringList losses = importModel(path, ImportOptions(), Progress()).report.losses;
+    QCOMPARE(losses.size(), 1);
+    QVERIFY(losses[0].startsWith(QStringLiteral("Hidden objects: 1, first 1.")));
 }
 
 void DamagedModelsTest::threeMf_damaged_isRefused_data() {
