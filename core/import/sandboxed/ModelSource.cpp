@@ -77,6 +77,12 @@ void FaultyObjects::warn(QStringList& warnings, const QString& sentence) const {
     }
 }
 
+QString transparentMaterialWarning() {
+    return Text::tr(
+        "The model has a transparent material without a texture, which is shown opaque; "
+        "give the material a texture with transparency");
+}
+
 QString hiddenObjectsWarning() {
     return Text::tr("Hidden objects: %1, first %2. They are imported, too, and dipped with the "
                     "others; delete them in a modelling program if they do not belong to the part");

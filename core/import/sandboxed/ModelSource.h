@@ -57,6 +57,8 @@ struct FaultyObjects {
     // Adds a sentence whose %1 is the number and %2 the first, unless there are none.
     void warn(QStringList& warnings, const QString& sentence) const;
 };
+// The warning for transparent materials without a picture.
+QString transparentMaterialWarning();
 // The sentence for hidden objects: they are read like all others.
 QString hiddenObjectsWarning();
 

@@ -148,9 +148,15 @@ private:
         }
         if (alphaRule(source).of(1) < 1 && !isTransparencyNoted_) {
             isTransparencyNoted_ = true;
+            warnings_.push_back(transparentMaterialWarning());
+        }
+        if (source_.withTextures && source.GetTextureCount(aiTextureType_EMISSIVE) > 0 &&
+            !isLightNoted_) {
+            isLightNoted_ = true;
             warnings_.push_back(Text::tr(
-                "The model has a transparent material without a texture, which is shown opaque; "
-                "give the material a texture with transparency"));
+                "The model has a material with a picture of its light (emission), but none of its "
+                "colour, and the picture is not shown; use it for the colour in a modelling "
+                "program"));
         }
     }
 
@@ -226,7 +232,7 @@ private:
     QStringList& warnings_;
     std::map<unsigned, Found> found_;
     std::map<std::pair<std::string, AlphaRule>, int> textures_;
-    bool isTintNoted_ = false, isTransparencyNoted_ = false;
+    bool isTintNoted_ = false, isTransparencyNoted_ = false, isLightNoted_ = false;
 };
 
 // Whether vertex colours would change a picture that they multiply.

@@ -73,6 +73,7 @@ constexpr int noGroup = -1, noTexture = -1;
 // A list of properties that triangles choose from: materials, colours or texture coordinates.
 struct PropertyGroup {
     std::vector<Material> materials;          // base materials and colours
+    std::set<std::size_t> transparent;        // indices of materials
     std::vector<Eigen::Vector2f> coordinates; // texture coordinates
     int texture = noTexture;                  // index of the texture that the coordinates are for
     QString picture;                          // file of that texture
@@ -93,7 +94,7 @@ struct Placement {
 };
 
 struct Object {
-    bool isSupport = false;
+    bool isSupport = false, isOther = false, isPainted = false;
     std::vector<Eigen::Vector3f> positions;
     std::vector<ObjectTriangle> triangles;
     std::vector<Placement> components;
@@ -135,10 +136,14 @@ QList<QStringView> wordsOf(QStringView text) {
     return text.split(space, Qt::SkipEmptyParts);
 }
 
-// Parses "#RRGGBB" or "#RRGGBBAA".
+// Parses "#RRGGBB" or "#RRGGBBAA". The alpha is left out; isTransparent() reports it.
 QColor colourNamed(QStringView name) {
     const QColor colour(name.first(std::min<qsizetype>(name.size(), 7)));
     return colour.isValid() ? colour : Material().colour;
+}
+
+bool isTransparent(const QString& name) {
+    return name.size() == 9 && name.last(2).compare(u"ff", Qt::CaseInsensitive) != 0;
 }
 
 class PartReader {
@@ -176,9 +181,9 @@ private:
         } else if (name == u"tex2coord") {
             group().coordinates.push_back(statedCoordinates(float(real("u")), float(real("v"))));
         } else if (name == u"base") {
-            group().materials.push_back({text("name"), colourNamed(text("displaycolor")), -1});
+            addMaterial(text("name"), text("displaycolor"));
         } else if (name == u"color") {
-            group().materials.push_back({text("color"), colourNamed(text("color")), -1});
+            addMaterial(text("color"), text("color"));
         } else if (name == u"basematerials" || name == u"colorgroup") {
             openGroup_ = &added(part_.groups);
         } else if (name == u"texture2d") {
@@ -200,6 +205,13 @@ private:
         } else {
             noteOtherResource();
         }
+    }
+
+    void addMaterial(const QString& name, const QString& colour) {
+        if (isTransparent(colour)) {
+            group().transparent.insert(group().materials.size());
+        }
+        group().materials.push_back({name, colourNamed(colour), -1});
     }
 
     void noteOtherResource() {
@@ -274,6 +286,7 @@ private:
         cancelToken_.throwIfCancelled();
         openObject_ = &added(part_.objects);
         openObject_->isSupport = text("type").endsWith(QStringLiteral("support"));
+        openObject_->isOther = text("type") == u"other";
         objectGroup_ = usedGroup(noGroup);
         objectProperty_ = integer("pindex", 0);
     }
@@ -292,6 +305,7 @@ private:
             triangle.corners[i] = std::uint32_t(corner);
             triangle.properties[i] = first < 0 ? objectProperty_ : integer(properties[i], first);
         }
+        object().isPainted |= !text("paint_color").isEmpty() || !text("mmu_segmentation").isEmpty();
         object().triangles.push_back(triangle);
     }
 
@@ -419,7 +433,7 @@ public:
         FaultyObjects hidden;
         for (const Placement& item : root.build) {
             place(item, toMillimetres);
-            if (item.isHidden) {
+            if (item.isHidden || object(item).isOther) { // both are not to be printed
                 hidden.add(QString::number(item.object));
             }
         }
@@ -432,6 +446,14 @@ public:
                 "The model mixes colours within its triangles, or mixes materials (3MF "
                 "compositematerials or multiproperties), which is not shown; bake its colours "
                 "into a texture to print them"));
+        }
+        if (isTransparent_) {
+            warnings_.push_back(transparentMaterialWarning());
+        }
+        if (isPainted_) {
+            warnings_.push_back(Text::tr("The model has triangles that were painted in a slicer, "
+                                         "whose paint is not shown; paint the model in a modelling "
+                                         "program, with a texture"));
         }
         return std::move(model_);
     }
@@ -506,6 +528,7 @@ private:
 
     void addMesh(const Object& mesh, const Part& inPart, const QString& partName,
                  const Eigen::Affine3d& transform) {
+        isPainted_ |= source_.withTextures && mesh.isPainted;
         const auto first = std::uint32_t(model_.mesh.positions.size());
         for (const auto& position : mesh.positions) {
             model_.mesh.positions.push_back((transform * position.cast<double>()).cast<float>());
@@ -570,6 +593,8 @@ private:
             return known->second;
         }
         requireWithin(Budget::Materials, qint64(model_.materials.size()) + 1, source_.path);
+        isTransparent_ |=
+            isPlain && group->transparent.count(std::size_t(triangle.properties[0])) > 0;
         Material material =
             isPlain ? group->materials[std::size_t(triangle.properties[0])] : Material();
         if (group && !group->picture.isEmpty() && source_.withTextures) {
@@ -604,7 +629,7 @@ private:
     Package package_;
     std::map<QString, Part> parts_;
     TexturedMesh model_;
-    bool isPastPicture_ = false, mixesColours_ = false;
+    bool isPastPicture_ = false, mixesColours_ = false, isTransparent_ = false, isPainted_ = false;
     std::map<std::tuple<QString, int, int>, std::uint16_t> materials_;
     std::map<QString, int> textures_;
     std::map<std::pair<QString, int>, std::size_t> triangleCounts_;

@@ -90,6 +90,19 @@ QByteArray glbOf(QByteArray json) {
     return file;
 }
 
+// Returns the model file of a 3MF package: a tetrahedron, with attributes of its object and its
+// item.
+QByteArray threeMf(const QByteArray& ofObject, const QByteArray& ofItem) {
+    return R"(<model><resources><basematerials id="1"><base name="a" displaycolor="#FF0000"/>
+</basematerials><object id="3" pid="1" pindex="0" )" +
+           ofObject + R"(><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/>
+<vertex x="0" y="1" z="0"/><vertex x="0" y="0" z="1"/></vertices><triangles>
+<triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/><triangle v1="1" v2="2" v3="3"/>
+<triangle v1="2" v2="0" v3="3"/></triangles></mesh></object></resources>
+<build><item objectid="3" )" +
+           ofItem + "/></build></model>";
+}
+
 // Returns a row of red pixels with different alpha.
 QImage fourAlphas() {
     QImage row(4, 1, QImage::Format_RGBA8888);
@@ -164,6 +177,8 @@ private Q_SLOTS:
     void gltf_rotation_mustNotScale();
     void collada_misreadElement_isRefused_data();
     void collada_misreadElement_isRefused();
+    void threeMf_paintAndTransparency_areALoss();
+    void pictureOfLightOnly_isALoss();
     void fbx_otherMaterialsOfOneMesh_areALoss();
     void fbx_layersOfATexture_areALoss();
     void fbx_unusualInheritanceOfScale_isALossIfItMatters_data();
@@ -214,8 +229,12 @@ private:
         return whole.contains(before) ? QByteArray(whole).replace(before, after) : QByteArray();
     }
     // Returns what is lost if this file is imported.
-    QString lossesOf(const QByteArray& fbx) {
-        const QString path = write(QStringLiteral("losses.fbx"), fbx);
+    QString lossesOf(const QByteArray& bytes, const QString& name = QStringLiteral("losses.fbx")) {
+        return importModel(write(name, bytes), {}, {}).report.losses.join(u'|');
+    }
+    QString lossesOf3mf(const QByteArray& model) {
+        const QString path = folder_.filePath(QStringLiteral("losses.3mf"));
+        write3mf(path, {{QStringLiteral("3D/3dmodel.model"), model}});
         return importModel(path, {}, {}).report.losses.join(u'|');
     }
     // Imports a cube with this material file, which must have the material "skin".
@@ -842,6 +861,10 @@ void OddModelsTest::hiddenObject_otherFormats_isALoss() {
     const QByteArray model = textured3ds({.object = chunk3ds(0x4010, QByteArray())});
     const QString loss = losses(QStringLiteral("hidden.3ds"), model);
     QVERIFY2(loss.startsWith(QStringLiteral("Hidden objects: 1, first part.")), qPrintable(loss));
+    QCOMPARE(lossesOf3mf(threeMf(R"(type="model")", R"(printable="1")")), QString());
+    const QString hidden = QStringLiteral("Hidden objects: 1, first 3.");
+    QVERIFY(lossesOf3mf(threeMf({}, R"(printable="0")")).startsWith(hidden));
+    QVERIFY(lossesOf3mf(threeMf(R"(type="other")", {})).startsWith(hidden));
 }
 
 void OddModelsTest::gltf_rotation_mustNotScale() {
@@ -894,6 +917,35 @@ void OddModelsTest::fbx_hiddenObject_isALoss() {
     QVERIFY(lossesOf(text("0")).startsWith(QStringLiteral("Hidden objects: 1, first m.")));
     QVERIFY(lossesOf(tetrahedronBinaryFbx({}, 1, 0, 0))
                 .startsWith(QStringLiteral("Hidden objects: 1, first part.")));
+}
+
+void OddModelsTest::threeMf_paintAndTransparency_areALoss() {
+    const auto losses = [&](const QByteArray& before, const QByteArray& after) {
+        return lossesOf3mf(threeMf({}, {}).replace(before, after));
+    };
+    QCOMPARE(losses("#FF0000", "#FF0000ff"), QString());
+    QVERIFY(losses("#FF0000", "#FF000080").contains(QStringLiteral("transparent material")));
+    const QString painted = QStringLiteral("painted in a slicer");
+    QVERIFY(losses("<triangle ", "<triangle paint_color=\"4\" ").contains(painted));
+    QVERIFY(losses("<triangle ", "<triangle s:mmu_segmentation=\"4\" xmlns:s=\"s\" ")
+                .contains(painted));
+    // Of two materials, only the one in use counts.
+    QCOMPARE(losses("</base", "<base name=\"b\" displaycolor=\"#00FF0080\"/></base"), QString());
+}
+
+void OddModelsTest::pictureOfLightOnly_isALoss() {
+    const QString expected = QStringLiteral("picture of its light (emission)");
+    const QByteArray collada = squareCollada().replace("diffuse>", "emission>");
+    QVERIFY(lossesOf(collada, QStringLiteral("light.dae")).contains(expected));
+    QByteArray both = squareCollada();
+    const qsizetype begin = both.indexOf("<diffuse>");
+    QByteArray light = both.mid(begin, both.indexOf("</lambert>") - begin);
+    both.insert(begin, light.replace("diffuse>", "emission>"));
+    QCOMPARE(lossesOf(both, QStringLiteral("light.dae")), QString());
+    const QByteArray texture = R"("baseColorTexture":{"index":0}})";
+    QVERIFY(lossesOf(gltf(texture, R"("roughnessFactor":1},"emissiveTexture":{"index":0})"),
+                     QStringLiteral("light.gltf"))
+                .contains(expected));
 }
 
 void OddModelsTest::fbx_otherMaterialsOfOneMesh_areALoss() {
