@@ -45,6 +45,15 @@ bool beginsAsNumber(QByteArrayView word) {
     return digit != word.end() && std::isdigit(uchar(*digit)) != 0;
 }
 
+// Whether assimp would read a number as 0, because its whole part has too many digits.
+bool isTooLong(QByteArrayView word) {
+    constexpr std::ptrdiff_t mostDigits = 19;
+    const auto digits = std::find_if_not(word.begin(), word.end(), [](char byte) {
+        return byte == '+' || byte == '-' || std::isdigit(uchar(byte)) != 0;
+    });
+    return digits - word.begin() > mostDigits;
+}
+
 class ObjText {
 public:
     explicit ObjText(const ModelSource& source)
@@ -122,7 +131,11 @@ private:
                 continue;
             }
             addWord(word.startsWith('.') ? "0" : "");
-            text_ += word;
+            if (isTooLong(word)) {
+                text_ += QByteArray::number(word.toDouble(), 'g', 9);
+            } else {
+                text_ += word;
+            }
             count += beginsAsNumber(word) ? 1 : 0;
             fourth = count == 4 && isPoint ? word.toDouble() : fourth;
         }

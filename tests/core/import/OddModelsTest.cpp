@@ -1089,6 +1089,8 @@ void OddModelsTest::textureCoordinates_notUsable_areALoss_data() {
     QTest::newRow("half of one is NaN") << QByteArray("nan 0.5") << QByteArray("0.2 0.3");
     QTest::newRow("one is infinite") << QByteArray("inf 0") << QByteArray("0.2 0.3");
     QTest::newRow("one is too large") << QByteArray("1e30 0") << QByteArray("0.2 0.3");
+    QTest::newRow("one has too many digits")
+        << QByteArray(QByteArray("-1") + QByteArray(30, '0') + ".0 0") << QByteArray("0.2 0.3");
     QTest::newRow("all are NaN") << QByteArray("nan nan") << QByteArray("nan nan");
 }
 
