@@ -48,6 +48,29 @@ const QStringList indexLists{QStringLiteral("p"), QStringLiteral("h"), QStringLi
 // The element among them (vertex weights) in which −1 is a valid value.
 const QString signedIndexList = QStringLiteral("v");
 
+// Refuses images without a file name, on which assimp 5.2.5 ends. Collada 1.5 names files
+// otherwise.
+class ImageCheck {
+public:
+    void check(QXmlStreamReader& xml, const ModelSource& source) {
+        const qint64 line = xml.lineNumber();
+        if (xml.name() == u"COLLADA") {
+            isNewer_ = xml.attributes().value(QLatin1String("version")).startsWith(u"1.5");
+        } else if (xml.name() == u"image" || xml.name() == u"surface") {
+            isInImage_ = xml.name() == u"image";
+        } else if (xml.name() == u"init_from" && isInImage_ && !isNewer_ &&
+                   xml.readElementText(QXmlStreamReader::SkipChildElements).trimmed().isEmpty()) {
+            source.throwDamaged(
+                Text::tr("the image in line %1 has no file name (Collada 1.4 has it directly in "
+                         "init_from)")
+                    .arg(line));
+        }
+    }
+
+private:
+    bool isNewer_ = false, isInImage_ = false;
+};
+
 // Refuses an element that assimp 5.2.5 reads in another shape, or that ends it.
 void checkShape(QXmlStreamReader& xml, const ModelSource& source) {
     const QStringView name = xml.name();
@@ -79,6 +102,7 @@ bool isCollada(const QByteArray& begin) {
 void checkCollada(const ModelSource& source) {
     QHash<QString, double> lengths; // array lengths by name
     std::vector<Accessor> accessors;
+    ImageCheck images;
     QXmlStreamReader xml(source.bytes);
     while (!xml.atEnd()) {
         if (xml.readNext() != QXmlStreamReader::StartElement) {
@@ -108,6 +132,7 @@ void checkCollada(const ModelSource& source) {
                  number(attributes, "offset", 0) +
                      number(attributes, "count", 0) * number(attributes, "stride", 1)});
         } else {
+            images.check(xml, source);
             checkShape(xml, source);
         }
     }

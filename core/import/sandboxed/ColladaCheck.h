@@ -10,8 +10,8 @@ namespace dipwright {
 bool isCollada(const QByteArray& begin);
 // Throws Error if the file is not well-formed XML or declares more values than it can hold. Throws
 // for indices that are not numbers or are negative; −1 is allowed where the format gives it a
-// meaning. Throws for an accessor that reads past the end of its array, for fans of triangles, and
-// for transforms that would change the shape.
+// meaning. Throws for an accessor that reads past the end of its array, for fans of triangles,
+// for images without a file name, and for transforms that would change the shape.
 void checkCollada(const ModelSource& source);
 
 } // namespace dipwright

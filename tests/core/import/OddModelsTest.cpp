@@ -891,6 +891,10 @@ void OddModelsTest::collada_misreadElement_isRefused_data() {
                           << QStringLiteral("skews a node");
     QTest::newRow("fans") << QByteArray("triangles") << QByteArray("trifans")
                           << QStringLiteral("fans of triangles");
+    for (const char* name : {"<ref>skin.png</ref>", "", "\n"}) {
+        QTest::addRow("image: %s", name) << QByteArray("skin.png") << QByteArray(name)
+                                         << QStringLiteral("the image in line 4 has no file name");
+    }
 }
 
 void OddModelsTest::collada_misreadElement_isRefused() {
