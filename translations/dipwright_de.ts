@@ -8172,6 +8172,18 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <source>Some triangles (%1) have no place on the model&apos;s texture; they show one colour, which is mixed from its corners</source>
         <translation>Einige Dreiecke (%1) haben keine Stelle auf der Textur des Modells; sie zeigen eine einzige Farbe, gemischt aus deren Ecken</translation>
     </message>
+    <message>
+        <source>the image in line %1 has no file name (Collada 1.4 has it directly in init_from)</source>
+        <translation>das Bild in Zeile %1 hat keinen Dateinamen (in Collada 1.4 steht er direkt in init_from)</translation>
+    </message>
+    <message>
+        <source>The model has a material with a picture of its light (emission), but none of its colour, and the picture is not shown; use it for the colour in a modelling program</source>
+        <translation>Das Modell hat ein Material mit einem Bild seines Leuchtens (Emission), aber keinem seiner Farbe; das Bild wird nicht gezeigt. Verwenden Sie es in einem Modellierprogramm für die Farbe</translation>
+    </message>
+    <message>
+        <source>The model has triangles that were painted in a slicer, whose paint is not shown; paint the model in a modelling program, with a texture</source>
+        <translation>Das Modell hat Dreiecke, die in einem Slicer bemalt wurden; die Bemalung wird nicht gezeigt. Bemalen Sie das Modell in einem Modellierprogramm mit einer Textur</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>

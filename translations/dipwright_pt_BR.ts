@@ -8172,6 +8172,18 @@ impresso em papel-cartão rígido e impermeável</translation>
         <source>Some triangles (%1) have no place on the model&apos;s texture; they show one colour, which is mixed from its corners</source>
         <translation>Alguns triângulos (%1) não têm lugar na textura do modelo; eles mostram uma única cor, misturada dos cantos dela</translation>
     </message>
+    <message>
+        <source>the image in line %1 has no file name (Collada 1.4 has it directly in init_from)</source>
+        <translation>a imagem na linha %1 não tem nome de arquivo (no Collada 1.4 ele fica diretamente em init_from)</translation>
+    </message>
+    <message>
+        <source>The model has a material with a picture of its light (emission), but none of its colour, and the picture is not shown; use it for the colour in a modelling program</source>
+        <translation>O modelo tem um material com uma imagem da sua luz (emissão), mas nenhuma da sua cor, e a imagem não é mostrada; use-a para a cor em um programa de modelagem</translation>
+    </message>
+    <message>
+        <source>The model has triangles that were painted in a slicer, whose paint is not shown; paint the model in a modelling program, with a texture</source>
+        <translation>O modelo tem triângulos pintados em um fatiador, cuja pintura não é mostrada; pinte o modelo em um programa de modelagem, com uma textura</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::InkLaw</name>
