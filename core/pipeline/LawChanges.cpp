@@ -28,7 +28,12 @@ const Field<Project>& fieldOf(const QString& setting) {
                          [&](const Field<Project>& field) { return field.path == setting; });
 }
 
-double varied(const Field<Project>& field, double value) {
+// Returns the variation to either side: a share of the value, or of the default if the value is 0.
+double variation(const Field<Project>& law, double value) {
+    return lawVariation * (value != 0 ? value : law.get(Project{}).toDouble());
+}
+
+double withinRange(const Field<Project>& field, double value) {
     return std::clamp(value, field.rule.minimum, field.rule.maximum);
 }
 
@@ -54,8 +59,8 @@ std::vector<LawChange> lawChanges(const Project& project, const Immersion& immer
         LawChange change;
         change.setting = setting;
         change.value = value;
-        change.less = varied(law, (1 - lawVariation) * value);
-        change.more = varied(law, (1 + lawVariation) * value);
+        change.less = withinRange(law, value - variation(law, value));
+        change.more = withinRange(law, value + variation(law, value));
         for (const double other : {change.less, change.more}) {
             jobs.push_back(withValue(project, law, other));
             const Project& job = jobs.back();

@@ -65,6 +65,16 @@ private slots:
         QVERIFY(std::abs(gathering.more - 0.96) < 1e-9);
     }
 
+    void lawChanges_overhangOf0_variesByAShareOfTheDefault() {
+        Project project = ball();
+        project.process.overhang = Degrees(0);
+        const ImmersionResult result = run(project);
+        const LawChange& overhang = law(result, "process.overhang_deg");
+        QCOMPARE(overhang.less, 0.0);
+        QCOMPARE(overhang.more, 4.0); // 20 % of 20
+        QVERIFY(overhang.distance.maximum > 0);
+    }
+
     void lawChanges_filmWithoutTears_doesNotDependOnTearing() {
         for (const ImmersionResult* result : {&whole_, &shallow_}) {
             const LawChange& tearing = law(*result, "process.tear_stretch");
