@@ -235,9 +235,10 @@ struct JobServer::Data {
                 ? QByteArray::fromStdString(request.get_header_value("Content-Length"))
                       .toULongLong(&isNumber)
                 : 0;
-        if (!isNumber) {
+        if (!isNumber || request.get_header_value_count("Content-Length") > 1) {
             refuse(response, BadRequest,
-                   QStringLiteral("The header Content-Length must be a number of bytes"));
+                   QStringLiteral("The request must have one header Content-Length, with a number "
+                                  "of bytes"));
             return;
         }
         const qint64 most = spool.limits().mostBytes;
