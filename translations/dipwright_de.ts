@@ -8766,10 +8766,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
 <context>
     <name>dipwright::NoticeBar</name>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Close this notice</source>
         <translation>Diesen Hinweis schließen</translation>
     </message>

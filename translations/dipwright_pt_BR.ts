@@ -8766,10 +8766,6 @@ impresso em papel-cartão rígido e impermeável</translation>
 <context>
     <name>dipwright::NoticeBar</name>
     <message>
-        <source>Close</source>
-        <translation>Fechar</translation>
-    </message>
-    <message>
         <source>Close this notice</source>
         <translation>Fechar este aviso</translation>
     </message>

@@ -31,15 +31,16 @@ NoticeBar::NoticeBar(QWidget* parent)
     scroll_->viewport()->setAutoFillBackground(false);
     text_->setAutoFillBackground(false);
     auto* close = new QToolButton;
-    close->setText(tr("Close"));
+    close->setIcon(icon(QStringLiteral("close")));
     close->setToolTip(tr("Close this notice"));
+    close->setAccessibleName(close->toolTip());
     close->setAutoRaise(true);
     connect(close, &QToolButton::clicked, this, &NoticeBar::dismiss);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
-    layout->addWidget(sign_);
+    layout->addWidget(sign_, 0, Qt::AlignTop);
     layout->addWidget(scroll_, 1);
-    layout->addWidget(close);
+    layout->addWidget(close, 0, Qt::AlignTop);
     hide();
 }
 
