@@ -11016,7 +11016,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>Best available</source>
-        <translation>Bester verfügbarer</translation>
+        <translation>Automatisch</translation>
     </message>
     <message>
         <source>%1 (not available)</source>
@@ -11092,7 +11092,7 @@ Dehnung</translation>
     </message>
     <message>
         <source>The program that simulates the dip. “Best available” uses a GPU if there is one.</source>
-        <translation>Das Programm, das den Tauchvorgang simuliert. „Bester verfügbarer“ verwendet eine GPU, wenn es eine gibt.</translation>
+        <translation>Das Programm, das den Tauchvorgang simuliert. „Automatisch“ verwendet eine GPU, wenn es eine gibt.</translation>
     </message>
     <message>
         <source>Choose solver</source>
@@ -12171,7 +12171,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>Choose the solver of a project under Dipping. “Best available” uses the best solver that can run on this computer.</source>
-        <translation>Den Solver eines Projekts wählen Sie unter „Tauchen“. „Bester verfügbarer“ verwendet den besten, der auf diesem Rechner laufen kann.</translation>
+        <translation>Den Solver eines Projekts wählen Sie unter „Tauchen“. „Automatisch“ verwendet den besten, der auf diesem Rechner laufen kann.</translation>
     </message>
     <message>
         <source>No solver found</source>
