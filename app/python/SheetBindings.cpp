@@ -71,6 +71,16 @@ PrintFileRequest printRequest(const PrintedSheet& sheet, const std::optional<QSt
     return request;
 }
 
+// Warns of a sheet that was computed for another printer than the one that prints it.
+QStringList computedForAnother(const Project& project, const PrinterProfile& printer) {
+    if (printer.inkLimit == project.ink.limit && printer.resolution == project.sheet.resolution) {
+        return {};
+    }
+    return {QStringLiteral("The sheet was computed with the ink limit and resolution of the "
+                           "project, not of this printer profile; call Job.use_profile before the "
+                           "run")};
+}
+
 std::vector<QString> printToFile(const PrintedSheet& sheet, const Path& path,
                                  const std::optional<QString>& profile,
                                  const std::optional<PaperSize>& tilePaper, bool acceptClipping) {
@@ -80,7 +90,10 @@ std::vector<QString> printToFile(const PrintedSheet& sheet, const Path& path,
     }
     const PrintFileRequest request = printRequest(sheet, profile, tilePaper, acceptClipping);
     return listOf(computed(py::none(), [&](const Progress&) {
-        return writePrintFile(sheet.sheet(), request, file, PrintHistory());
+        const QStringList warnings = writePrintFile(sheet.sheet(), request, file, PrintHistory());
+        return (profile ? computedForAnother(sheet.run->project, *request.profile)
+                        : QStringList()) +
+               warnings;
     }));
 }
 

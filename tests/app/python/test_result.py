@@ -140,6 +140,12 @@ def test_sheet_unknownFormat_isAnError(result, tmp_path):
         result.immersions[0].sheet.print_to_file(tmp_path / "a.pdf", profile="nobody's")
 
 
+def test_sheet_printedForAnotherPrinter_warns(result, tmp_path):
+    warnings = result.immersions[0].sheet.print_to_file(
+        tmp_path / "a.pdf", profile="Office printer, 5 mm margins", accept_clipping=True)
+    assert any("not of this printer profile" in warning for warning in warnings)
+
+
 def test_sheet_printedToFile_isTiled(result, tmp_path):
     sheet = result.immersions[0].sheet
     sheet.print_to_file(tmp_path / "one.pdf")
