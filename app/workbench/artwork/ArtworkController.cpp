@@ -6,6 +6,7 @@
 #include "pipeline/JobSheet.h"
 #include "workbench/jobs/StartJob.h"
 #include "workbench/project/NewProjectDialog.h"
+#include "workbench/widgets/DroppedFiles.h"
 
 #include <QDropEvent>
 #include <QFileDialog>
@@ -291,17 +292,14 @@ bool ArtworkController::eventFilter(QObject* watched, QEvent* event) {
     }
     if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
         auto* dragged = static_cast<QDragMoveEvent*>(event);
-        dragged->setAccepted(dragged->mimeData()->hasUrls());
+        dragged->setAccepted(!droppedFiles(*dragged->mimeData()).isEmpty());
         return true;
     }
     if (event->type() == QEvent::Drop) {
         auto* dropped = static_cast<QDropEvent*>(event);
-        QStringList files;
-        for (const QUrl& url : dropped->mimeData()->urls()) {
-            files.append(url.toLocalFile());
-        }
+        const QStringList files = droppedFiles(*dropped->mimeData());
         if (!dropOnBody(files, dropped->position())) {
-            emit filesDropped(dropped->mimeData()->urls());
+            emit filesDropped(files);
         }
         dropped->acceptProposedAction();
         return true;

@@ -8,7 +8,7 @@
 #include "workbench/jobs/Messages.h"
 
 #include <QPointer>
-#include <QUrl>
+#include <QStringList>
 
 namespace dipwright {
 
@@ -26,7 +26,7 @@ public:
 signals:
     void held(bool isHeld); // a drag begins or ends
     // The user dropped files on the view that do not become artwork.
-    void filesDropped(const QList<QUrl>& files);
+    void filesDropped(const QStringList& files);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

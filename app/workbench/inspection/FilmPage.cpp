@@ -3,6 +3,7 @@
 #include "base/NumberText.h"
 #include "import/trusted/ReadPhotos.h"
 #include "inspection/FilmWatchFiles.h"
+#include "workbench/widgets/DroppedFiles.h"
 #include "workbench/widgets/Icons.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
@@ -397,22 +398,14 @@ void FilmPage::enable() {
 }
 
 void FilmPage::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls()) {
+    if (!droppedFiles(*event->mimeData()).isEmpty()) {
         event->acceptProposedAction();
     }
 }
 
 void FilmPage::dropEvent(QDropEvent* event) {
-    QStringList files;
-    for (const QUrl& url : event->mimeData()->urls()) {
-        if (url.isLocalFile()) {
-            files << url.toLocalFile();
-        }
-    }
-    if (!files.isEmpty()) {
-        event->acceptProposedAction();
-        emit photosChosen(files);
-    }
+    event->acceptProposedAction();
+    emit photosChosen(droppedFiles(*event->mimeData()));
 }
 
 } // namespace dipwright

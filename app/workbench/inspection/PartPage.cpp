@@ -2,6 +2,7 @@
 
 #include "base/NumberText.h"
 #include "import/trusted/ReadPhotos.h"
+#include "workbench/widgets/DroppedFiles.h"
 #include "workbench/widgets/Icons.h"
 
 #include <QCheckBox>
@@ -337,22 +338,14 @@ void PartPage::say() {
 }
 
 void PartPage::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls()) {
+    if (!droppedFiles(*event->mimeData()).isEmpty()) {
         event->acceptProposedAction();
     }
 }
 
 void PartPage::dropEvent(QDropEvent* event) {
-    QStringList files;
-    for (const QUrl& url : event->mimeData()->urls()) {
-        if (url.isLocalFile()) {
-            files << url.toLocalFile();
-        }
-    }
-    if (!files.isEmpty()) {
-        event->acceptProposedAction();
-        emit photosChosen(files);
-    }
+    event->acceptProposedAction();
+    emit photosChosen(droppedFiles(*event->mimeData()));
 }
 
 } // namespace dipwright

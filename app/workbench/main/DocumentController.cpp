@@ -260,14 +260,14 @@ void DocumentController::packJobs() {
     dialog->show(); // modeless: the user can continue to work
 }
 
-void DocumentController::takeFiles(const QList<QUrl>& files) {
-    for (const QUrl& file : files) {
+void DocumentController::takeFiles(const QStringList& files) {
+    for (const QString& file : files) {
         takeFile(file);
     }
 }
 
-void DocumentController::takeFile(const QUrl& file) {
-    const QString path = file.toLocalFile();
+void DocumentController::takeFile(const QString& path) {
+    const QString name = QFileInfo(path).fileName();
     if (matches(path, {QStringLiteral("*.dipw")})) {
         session_.openProject(path);
     } else if (matches(path, pictureFilePatterns()) && session_.document()) {
@@ -275,11 +275,11 @@ void DocumentController::takeFile(const QUrl& file) {
     } else if (matches(path, pictureFilePatterns())) {
         messages_.say(tr("%1 is a picture. Open a project first, then drop the picture to use it "
                          "as the texture.")
-                          .arg(file.fileName()));
+                          .arg(name));
     } else if (matches(path, modelFilePatterns())) {
         askNew(path);
     } else {
-        messages_.say(tr("%1 is not a project, model or picture").arg(file.fileName()));
+        messages_.say(tr("%1 is not a project, model or picture").arg(name));
     }
 }
 

@@ -3,7 +3,7 @@
 
 #include "workbench/document/DocumentSession.h"
 
-#include <QUrl>
+#include <QStringList>
 
 class QMenu;
 class QWidget;
@@ -33,7 +33,7 @@ public:
     void showSnapshots();
     void packJobs();
     void showPrintHistory();                  // a project can be opened from it
-    void takeFiles(const QList<QUrl>& files); // dropped on the window
+    void takeFiles(const QStringList& files); // dropped on the window
 
 signals:
     void textureDropped(const QString& path); // on the open document
@@ -43,7 +43,7 @@ private:
     void waitBrieflyForSave();
     // Waits until no save runs. Returns false if the user no longer wants to close the window.
     bool waitForSave();
-    void takeFile(const QUrl& file);
+    void takeFile(const QString& path);
 
     DocumentSession& session_;
     Messages& messages_;

@@ -3,6 +3,7 @@
 #include "pipeline/JobTraveller.h"
 #include "workbench/document/RecentProjects.h"
 #include "workbench/preferences/PreferencesDialog.h"
+#include "workbench/widgets/DroppedFiles.h"
 #include "workbench/widgets/Theme.h"
 #ifdef DIPWRIGHT_INSPECTION
 #include "workbench/inspection/InspectionController.h"
@@ -339,13 +340,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls()) {
+    if (!droppedFiles(*event->mimeData()).isEmpty()) {
         event->acceptProposedAction();
     }
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    documentActions_.takeFiles(event->mimeData()->urls());
+    documentActions_.takeFiles(droppedFiles(*event->mimeData()));
     event->acceptProposedAction();
 }
 

@@ -9,6 +9,7 @@
 #include "workbench/jobs/Messages.h"
 #include "workbench/printing/PrintDialog.h"
 #include "workbench/project/NewProjectDialog.h"
+#include "workbench/widgets/DroppedFiles.h"
 #include "workbench/widgets/NumberBox.h"
 #include "workbench/widgets/PicturePanel.h"
 #include "workbench/widgets/ReplaceQuestion.h"
@@ -52,8 +53,7 @@ QDoubleSpinBox* lengthBox(const char* name, double least, double most, double va
 
 QStringList projectsIn(const QMimeData& data) {
     QStringList paths;
-    for (const QUrl& url : data.urls()) {
-        const QString path = url.toLocalFile();
+    for (const QString& path : droppedFiles(data)) {
         if (path.endsWith(QLatin1String(".dipw"), Qt::CaseInsensitive)) {
             paths << path;
         }

@@ -9,6 +9,7 @@
 #include "printing/PrintHistory.h"
 #include "project/ProjectStore.h"
 #include "project/Snapshots.h"
+#include "viewport/DipView.h"
 #include "workbench/accuracy/NumericalErrorDialog.h"
 #include "workbench/appearance/BodyAppearance.h"
 #include "workbench/document/ModelEdits.h"
@@ -29,6 +30,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QDragEnterEvent>
 #include <QInputDialog>
 #include <QKeySequenceEdit>
 #include <QLabel>
@@ -36,6 +38,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSlider>
@@ -394,6 +397,18 @@ private slots:
         QVERIFY(picture.save(path));
         driver.drop(path);
         QTRY_COMPARE(window_->document()->project().model->textures.at(0).size(), QSize(32, 32));
+    }
+
+    void draggedWebAddress_isNotAccepted() {
+        QMimeData data;
+        data.setUrls({QUrl(QStringLiteral("https://example.org/turtle.obj"))});
+        for (QWidget* target : {static_cast<QWidget*>(window_.get()),
+                                static_cast<QWidget*>(window_->findChild<DipView*>())}) {
+            QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+            enter.ignore();
+            QApplication::sendEvent(target, &enter);
+            QVERIFY(!enter.isAccepted());
+        }
     }
 
     void printHistory_openProject_opensProjectOfSheet() {
