@@ -99,7 +99,7 @@ void refuseOptions(const QCommandLineParser& parser, const QStringList& options,
 double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,
                     double maximum) {
     bool isNumber = false;
-    const double number = QLocale::c().toDouble(parser.value(option), &isNumber);
+    const double number = parser.value(option).toDouble(&isNumber);
     if (!isNumber || !(number >= minimum && number <= maximum)) {
         throw UsageError(QStringLiteral("“%1” is not valid; give a number from %2 to %3")
                              .arg(parser.value(option))

@@ -50,7 +50,7 @@ PrinterProfile profileOf(const std::optional<Profile>& found, const QString& nam
 
 Millimetres parsedLength(const QString& text) {
     bool isNumber = false;
-    const double length = QLocale::c().toDouble(text.trimmed(), &isNumber);
+    const double length = text.trimmed().toDouble(&isNumber);
     if (!isNumber || !(length > 0 && length < 10000)) {
         throw UsageError(
             QStringLiteral("“%1” is not a length in mm; give X and Y, for example 170.7x219.4")

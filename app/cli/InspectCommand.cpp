@@ -39,7 +39,7 @@ std::array<double, 2> pairOption(const QCommandLineParser& parser, const QString
     std::array<double, 2> numbers{};
     bool isGood = parts.size() == 2;
     for (std::size_t i = 0; isGood && i < 2; ++i) {
-        numbers[i] = QLocale::c().toDouble(parts[qsizetype(i)].trimmed(), &isGood);
+        numbers[i] = parts[qsizetype(i)].trimmed().toDouble(&isGood);
         isGood = isGood && numbers[i] >= minimum && numbers[i] <= maximum;
     }
     if (!isGood) {
@@ -99,7 +99,7 @@ public:
     Clock(const QCommandLineParser& parser, qsizetype photos) {
         for (const QString& text : parser.values(timeOption)) {
             bool isNumber = false;
-            times_.push_back(QLocale::c().toDouble(text, &isNumber));
+            times_.push_back(text.toDouble(&isNumber));
             if (!isNumber || !(times_.back() >= 0 && times_.back() <= longestWatch)) {
                 throw UsageError(
                     QStringLiteral(

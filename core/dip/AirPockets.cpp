@@ -250,10 +250,19 @@ std::vector<std::uint16_t> verticalsAtTheWater(const SpaceGrid& grid,
 
 } // namespace
 
+int airCellsAlong(const Eigen::Vector3f& sizes, int cells) {
+    const float longest = sizes.maxCoeff(), cell = mostAirCell * float(airCells) / float(cells);
+    const float cube = std::cbrt(sizes.cwiseMax(longest / float(cells)).prod());
+    const float most = float(cells) * longest / cube;
+    return std::max(cells, int(std::min(std::ceil(longest / cell), most)));
+}
+
 AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query, int cells) {
-    const float height = boundingBox(mesh).sizes().y() / float(airLayersPerCell * cells);
+    const Eigen::Vector3f sizes = boundingBox(mesh).sizes();
+    const float height = sizes.y() / float(airLayersPerCell * cells);
     const float least = airLayer * float(airCells) / float(cells);
-    auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells, std::max(height, least));
+    auto grid = std::make_shared<const SpaceGrid>(mesh, query, airCellsAlong(sizes, cells),
+                                                  std::max(height, least));
     cell_ = grid->width();
     const AirSweep sweep = sweepAir(*grid, Eigen::Vector3f::UnitY());
     // Pocket number of each chamber that is a pocket.
@@ -294,7 +303,8 @@ void AirPockets::keep(std::shared_ptr<const SpaceGrid> grid) {
 
 AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query,
                        const solver::BodyPath& path, int cells) {
-    auto grid = std::make_shared<const SpaceGrid>(mesh, query, cells);
+    auto grid = std::make_shared<const SpaceGrid>(
+        mesh, query, airCellsAlong(boundingBox(mesh).sizes(), cells));
     cell_ = grid->width();
     isOnPath_ = true;
     const std::vector<PathMoment> moments = momentsOf(path, 2 * double(cell_));

@@ -24,6 +24,9 @@ class SpaceGrid;
 
 // Default number of grid cells along the body's longest edge for the search for air.
 inline constexpr int airCells = 96;
+// Long bodies and jigs get more cells, so that a cell is at most this wide, mm (twice as wide with
+// half as many cells). But the grid never has more cells than that of a cube with `airCells`.
+inline constexpr float mostAirCell = 1.25f;
 // The grid has at most this many layers for each of these cells, so that shallow hollows are seen.
 // But with airCells, layers are at least `airLayer` mm high; with half as many cells, twice that.
 // On paths, cells are cubes.
@@ -42,6 +45,9 @@ struct AirPocket {
     double level = 0; // y of the water surface under the pocket, mm; on a path, of its lowest place
     BoundingBox box;  // bounding box of its grid points, one cell wider on every side
 };
+
+// Returns how many grid cells lie along the longest edge of a box.
+int airCellsAlong(const Eigen::Vector3f& sizes, int cells = airCells);
 
 // The air pockets of a body, in the frame of its mesh; +Y is up. Hollows and ways out that are
 // narrower than a cell are missed. The inside of an open mesh is not a pocket. Levels are accurate

@@ -72,6 +72,52 @@ Demand demandOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
     return demand;
 }
 
+// Returns the bounding box of the places that go under water, on the floating film.
+Eigen::AlignedBox2d shadowOnFilm(const TriangleMesh& posed, const Immersion& immersion,
+                                 const ProcessSettings& process, const solver::BodyPath& path) {
+    const Eigen::Vector2d offset(immersion.offset[0].value(), immersion.offset[1].value());
+    if (!path.isStraightDown()) {
+        return shadowOnPath(path, posed, ShadowOf::UnderWater).translated(offset);
+    }
+    const BoundingBox box = boundingBox(posed);
+    const double water = double(box.min().y()) + dipDepth(process, box.sizes().y());
+    Eigen::AlignedBox2d shadow;
+    for (const Eigen::Vector3f& place : posed.positions) {
+        if (double(place.y()) <= water) {
+            shadow.extend(Eigen::Vector2d(place.x(), place.z()) + offset);
+        }
+    }
+    return shadow;
+}
+
+// Returns a fault for each barrier at the film's edge that the part would push away.
+std::vector<TankFault> barrierFaults(const FilmSettings& film, const TriangleMesh& posed,
+                                     const Immersion& immersion, const ProcessSettings& process,
+                                     const solver::BodyPath& path) {
+    const FilmEdges& edges = film.edges;
+    if (edges == FilmEdges()) {
+        return {};
+    }
+    const Eigen::AlignedBox2d part = shadowOnFilm(posed, immersion, process, path);
+    const solver::FilmGrid floating = filmGrid(film);
+    const double halfWidth = floating.width / 2, halfDepth = floating.depth / 2;
+    std::vector<TankFault> faults;
+    const auto check = [&](bool isHeld, double reach, double half, const QString& side) {
+        if (isHeld && reach > half) {
+            faults.push_back(
+                {Text::tr("The part reaches past the barrier at the film's %1 edge; move or turn "
+                          "the part, change its path, or use a larger film")
+                     .arg(side),
+                 reach, half});
+        }
+    };
+    check(edges.leftPinned, -part.min().x(), halfWidth, Text::tr("left", "edge of the film"));
+    check(edges.rightPinned, part.max().x(), halfWidth, Text::tr("right", "edge of the film"));
+    check(edges.topPinned, -part.min().y(), halfDepth, Text::tr("top", "edge of the film"));
+    check(edges.bottomPinned, part.max().y(), halfDepth, Text::tr("bottom", "edge of the film"));
+    return faults;
+}
+
 QString number(double value) {
     return numberText(value, 1);
 }
@@ -96,13 +142,13 @@ std::vector<TankFault> tankFaults(const std::optional<TankProfile>& profile,
                                   const FilmSettings& film, const ProcessSettings& process,
                                   const Immersion& immersion, const TriangleMesh& posed,
                                   const solver::BodyPath& path) {
+    std::vector<TankFault> faults = barrierFaults(film, posed, immersion, process, path);
     if (!profile) {
-        return {};
+        return faults;
     }
     const TankProfile& tank = *profile;
     const Demand demand = path.isStraightDown() ? straightDemand(posed, immersion, process)
                                                 : demandOnPath(path, posed, immersion, process);
-    std::vector<TankFault> faults;
     constexpr double rounding = 1e-6; // relative
     const auto add = [&](double value, double limit, const QString& sentence) {
         faults.push_back({sentence, value, limit});

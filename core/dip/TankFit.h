@@ -20,11 +20,11 @@ struct TankFault {
     double value = 0, limit = 0; // what the dip needs and what the tank has, in mm, mm/s or °/s
 };
 
-// Returns each limit of the tank that film or part exceeds: its walls, its floor, and the reach and
-// the speeds of its machine. The middle of the film, as large as it is when the
-// dip begins, floats over the middle of the tank. Empty if there is no profile. `posed` is the body
-// in its pose frame (dip/Pose.h), `path` its path there. Not checked: how the machine turns the
-// part over the water before the dip.
+// Returns each limit of the tank that film or part exceeds: barriers that hold the film's edges,
+// and with a profile its walls, its floor, and the reach and the speeds of its machine. The middle
+// of the film, as large as it is when the dip begins, floats over the middle of the tank. `posed`
+// is the body in its pose frame (dip/Pose.h), `path` its path there. Not checked: how the machine
+// turns the part over the water before the dip.
 std::vector<TankFault> tankFaults(const std::optional<TankProfile>& profile,
                                   const FilmSettings& film, const ProcessSettings& process,
                                   const Immersion& immersion, const TriangleMesh& posed,

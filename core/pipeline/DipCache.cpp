@@ -28,7 +28,7 @@ struct Text {
 
 // Version of the cache. Raise it if the dips or their storage format change within one version of
 // the program.
-constexpr quint32 keptVersion = 11;
+constexpr quint32 keptVersion = 12;
 constexpr int mostDips = 1000;
 constexpr qint64 entryBytes = 256; // upper limit of the zip's overhead per entry
 

@@ -11,6 +11,7 @@
 #include "project/Profiles.h"
 #include "share/UnpaintedPlaces.h"
 #include "texture/ContrastKept.h"
+#include "texture/InkAppearance.h"
 #include "texture/ReverseTexture.h"
 
 #include <QCoreApplication>
@@ -159,6 +160,9 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
     const Project& project = result.project;
     if (result.immersions.front().inputs.texture.isReversed() && isPlain(project)) {
         found.add({Kind::NoPicture, project.verdict.noPicture});
+    }
+    if (!inkSpaceOf(*project.model).isEmpty() && !project.artwork.inColours().isEmpty()) {
+        found.add({Kind::HiddenInks, Advice::Print});
     }
     if (!project.modelOrigin.remarks.isEmpty()) {
         found.add(

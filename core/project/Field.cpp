@@ -140,7 +140,7 @@ QJsonValue parsePart(const FieldRule& rule, const QString& text) {
     }
     if (rule.kind == FieldKind::Number || rule.kind == FieldKind::WholeNumber) {
         bool isPlain = false;
-        const double plain = QLocale::c().toDouble(text, &isPlain);
+        const double plain = text.toDouble(&isPlain);
         return isPlain ? QJsonValue(plain) : parseCalculation(rule, text);
     }
     return text;

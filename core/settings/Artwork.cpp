@@ -29,7 +29,9 @@ ArtworkPicture artworkPicture(const QImage& image) {
 Artwork Artwork::inColours() const {
     Artwork coloured{base, {}};
     std::copy_if(layers.begin(), layers.end(), std::back_inserter(coloured.layers),
-                 [](const ArtworkLayer& layer) { return layer.spot.isEmpty(); });
+                 [](const ArtworkLayer& layer) {
+                     return layer.spot.isEmpty() && layer.visible && layer.opacity > 0;
+                 });
     return coloured;
 }
 

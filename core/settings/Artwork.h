@@ -91,7 +91,7 @@ struct Artwork {
     std::vector<ArtworkLayer> layers; // from bottom to top
 
     bool isEmpty() const { return !base && layers.empty(); }
-    // Returns the artwork without the layers that are printed with spot inks.
+    // Returns the layers that colour the part: neither hidden nor printed with spot inks.
     Artwork inColours() const;
     // Returns only the layers that are printed with this spot ink, on white.
     Artwork inSpot(const QString& spot) const;

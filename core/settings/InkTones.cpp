@@ -111,7 +111,7 @@ std::optional<std::vector<double>> finiteNumbers(const QStringList& words) {
     std::vector<double> values;
     for (const QString& word : words) {
         bool isNumber = false;
-        values.push_back(QLocale::c().toDouble(word.trimmed(), &isNumber));
+        values.push_back(word.trimmed().toDouble(&isNumber));
         if (!isNumber || !std::isfinite(values.back())) {
             return std::nullopt;
         }

@@ -53,6 +53,7 @@ struct VerdictReason {
         ZoneExceeded, // handling and numerical error together: 95 % of the zone's painted area is
                       // within `value` mm, which exceeds `limit`
         NoPicture,    // the model has one plain colour
+        HiddenInks,   // artwork hides the amounts of ink in the model's texture
         ChangedModel, // `text`: what the import repaired or found odd
         GuessedFilm,  // the film's swell was not measured
         ExpiredFilm,  // `text`: which film, and since when

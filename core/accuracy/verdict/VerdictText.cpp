@@ -179,6 +179,10 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
             .arg(length(reason.value), length(reason.limit));
     case Kind::NoPicture:
         return Text::tr("The model has no texture and no artwork: one plain colour is printed.");
+    case Kind::HiddenInks:
+        return Text::tr("Artwork hides the amounts of ink in the model's texture, so its colours "
+                        "are printed instead. To print the amounts, put the artwork into the "
+                        "texture.");
     case Kind::PaintedTwice:
         return Text::tr("Both dips print %1 % of the part at full strength, so these places become "
                         "too dark. Split the part between the dips (share.enabled).")

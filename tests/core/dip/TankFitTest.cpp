@@ -141,6 +141,24 @@ private slots:
                  qPrintable(faults(dip)));
     }
 
+    // The part travels 27 mm sideways before it is under water.
+    void tankFaults_partReachesPastABarrier_isTold() {
+        TankDip dip = boxInTank();
+        dip.tank.reset();
+        dip.film.width = Millimetres(80);
+        dip.film.edges.rightPinned = true;
+        QCOMPARE(faults(dip), QString());
+        dip.immersion.path.kind = PathKind::Slanted;
+        dip.immersion.path.angle = Degrees(36);
+        QVERIFY2(faults(dip).contains(QStringLiteral("past the barrier at the film's right edge")),
+                 qPrintable(faults(dip)));
+        dip.film.edges = {true, false, true, true};
+        QCOMPARE(faults(dip), QString());
+        dip.immersion.path = {};
+        dip.immersion.offset[0] = Millimetres(-21);
+        QVERIFY(faults(dip).contains(QStringLiteral("past the barrier at the film's left edge")));
+    }
+
     void tankFaults_valueJustAboveTheLimit_showsTheDifference() {
         TankDip dip = boxInTank();
         dip.process.dipSpeed = MillimetresPerSecond(5.03);

@@ -54,6 +54,7 @@ private Q_SLOTS:
     void trappedAir_bottleNeckDown_fillsItsWholeInside();
     void trappedAir_ring_isNone();
     void trappedAir_shallowHollow_isFoundDownToTwoLayers();
+    void trappedAir_boresOfAJig_areAllFound();
 };
 
 void TrappedAirTest::trappedAir_convexBodies_isNone() {
@@ -230,6 +231,21 @@ void TrappedAirTest::trappedAir_shallowHollow_isFoundDownToTwoLayers() {
                                     .arg(dry)));
         }
     }
+}
+
+// A row of five blocks, each with a blind bore of 6 × 15 mm from below.
+void TrappedAirTest::trappedAir_boresOfAJig_areAllFound() {
+    const TriangleMesh block = turned({{0, 15}, {3, 15}, {3, 0}, {13, 0}, {13, 30}, {0, 30}}, 48);
+    TriangleMesh row;
+    for (int number = 0; number < 5; ++number) {
+        append(row, block, {55.0f * float(number), 0, 0});
+    }
+    const double dry = 5 * (pi * 3 * 3 + 2 * pi * 3 * 15), area = trapped(row);
+    QVERIFY2(std::abs(area - dry) < 0.05 * dry,
+             qPrintable(QStringLiteral("%1, expected %2 mm²").arg(area).arg(dry)));
+    QCOMPARE(airCellsAlong({110, 30, 75}), airCells);
+    QCOMPARE(airCellsAlong({240, 30, 30}), 192);
+    QCOMPARE(airCellsAlong({300, 300, 300}), airCells);
 }
 
 QTEST_APPLESS_MAIN(TrappedAirTest)

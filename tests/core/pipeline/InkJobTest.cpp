@@ -90,6 +90,13 @@ JobResult run(const Project& project, JobOptions options = {}) {
     return runJob(project, SolverRegistry(), options, nullptr, {});
 }
 
+bool tellsOfHiddenInks(const JobResult& result) {
+    const auto& reasons = result.verdict.reasons;
+    return std::any_of(reasons.begin(), reasons.end(), [](const VerdictReason& reason) {
+        return reason.kind == VerdictReason::Kind::HiddenInks;
+    });
+}
+
 } // namespace
 
 class InkJobTest : public QObject {
@@ -100,6 +107,7 @@ private slots:
     void runJob_textureInThePrintersInks_printsItsNumbers();
     void runJob_savedProject_printsTheSame();
     void runJob_artworkOnTheModel_printsColours();
+    void runJob_artworkThatDoesNotShow_printsTheInks();
     void runJob_picturesForTheFilm_passAsTheyAre();
 };
 
@@ -147,7 +155,25 @@ void InkJobTest::runJob_artworkOnTheModel_printsColours() {
     const QTemporaryDir folder;
     Project project = ballWith(inkTiff(folder, {64, 64}, printer().iccProfile));
     project.artwork.base = QColor(10, 120, 200);
-    QVERIFY(!run(project).immersions[0].sheet.wanted);
+    const JobResult result = run(project);
+    QVERIFY(!result.immersions[0].sheet.wanted);
+    QVERIFY(tellsOfHiddenInks(result));
+}
+
+void InkJobTest::runJob_artworkThatDoesNotShow_printsTheInks() {
+    const QTemporaryDir folder;
+    Project project = ballWith(inkTiff(folder, {64, 64}, printer().iccProfile));
+    const Sheet without = run(project).immersions[0].sheet;
+    ArtworkLayer hidden, transparent;
+    hidden.kind = transparent.kind = LayerKind::Carbon;
+    hidden.visible = false;
+    transparent.opacity = 0;
+    project.artwork.layers = {hidden, transparent};
+    const JobResult result = run(project);
+    const Sheet& sheet = result.immersions[0].sheet;
+    QVERIFY(sheet.wanted && sheet.wanted->inks == without.wanted->inks);
+    QCOMPARE(sheet.image, without.image);
+    QVERIFY(!tellsOfHiddenInks(result));
 }
 
 void InkJobTest::runJob_picturesForTheFilm_passAsTheyAre() {

@@ -602,6 +602,8 @@ private slots:
                                   << "inf";
         QTest::newRow("decimal comma") << "film.contact_distance_mm"
                                        << "0,5";
+        QTest::newRow("decimal comma, three digits") << "film.contact_distance_mm"
+                                                     << "0,500";
         QTest::newRow("not nullable") << "film.contact_distance_mm"
                                       << "null";
         QTest::newRow("unknown dip") << "immersions[2].name"
