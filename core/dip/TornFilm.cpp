@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dipwright {
 namespace {
@@ -11,14 +12,15 @@ namespace {
 constexpr int mostSquares = 2000;   // along a side
 constexpr float offSurface = 1e-3F; // mm, where the ray to the next face below begins
 
-// Whether a triangle stays on the water because one of its corners tore.
-bool isTorn(const LaidFilm& laid, std::uint32_t triangle) {
-    const DippedFilm& film = laid.film();
-    const FilmTriangle& corners = laid.triangles()[triangle];
-    return !laid.contact().reaches(triangle) &&
-           std::any_of(corners.begin(), corners.end(), [&](std::uint32_t point) {
-               return has(film.marks[point], solver::PointMark::Torn) && !film.adhered(point);
-           });
+// Returns the height of the water. Film that floats under trapped air lies lower.
+float waterIn(const DippedFilm& film) {
+    float height = -std::numeric_limits<float>::infinity();
+    for (std::size_t point = 0; point < film.positions.size(); ++point) {
+        if (!film.adhered(point)) {
+            height = std::max(height, film.positions[point].y());
+        }
+    }
+    return height;
 }
 
 } // namespace
@@ -29,20 +31,23 @@ TornFilm::TornFilm(const LaidFilm& laid, Degrees overhang)
     std::vector<std::uint32_t> torn;
     for (std::uint32_t triangle = 0; !film.marks.empty() && triangle < laid.triangles().size();
          ++triangle) {
-        if (isTorn(laid, triangle)) {
+        const FilmTriangle& corners = laid.triangles()[triangle];
+        if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t point) {
+                return has(film.marks[point], solver::PointMark::Torn);
+            })) {
             torn.push_back(triangle);
         }
     }
     if (torn.empty()) {
         return;
     }
+    water_ = waterIn(film);
     const auto place = [&](std::uint32_t point) {
         return Eigen::Vector2f(film.positions[point].x(), film.positions[point].z());
     };
     for (const std::uint32_t triangle : torn) {
         for (const std::uint32_t point : laid.triangles()[triangle]) {
             area_.extend(place(point));
-            water_ = film.adhered(point) ? water_ : film.positions[point].y();
         }
     }
     square_ = std::max(float(film.grid.leastSpacing()), area_.sizes().maxCoeff() / mostSquares);

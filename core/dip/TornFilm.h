@@ -8,8 +8,8 @@
 
 namespace dipwright {
 
-// The film of a dip that tore and stayed on the water. Torn film does not adhere: the body passes
-// through it. Immutable; any thread may read. Refers to the film.
+// The film of a dip that tore. The body passes through it, or catches it later: the inside of a cup
+// stays bare above the tear, though the cup's bottom comes down on the torn film. Immutable; any thread may read. Refers to the film.
 class TornFilm {
 public:
     // Faces that turn up by more than `overhang` hold no film.
@@ -19,7 +19,7 @@ public:
     // Whether film could adhere to a place of the body: it does not turn up too far, is under water
     // and not dry, and if it turns down, nothing of the body lies below it.
     bool isInReach(const SurfacePoint& place) const;
-    // Whether torn film lies on the water vertically above or below the place, or at most a cell
+    // Whether torn film lies vertically above or below the place, or at most a cell
     // beside.
     bool isAt(const SurfacePoint& place) const;
 

@@ -1,4 +1,5 @@
 // Tests runJob(): what it computes again, what it reuses, and when the CPU takes over.
+#include "HollowBodies.h"
 #include "pipeline/Pipeline.h"
 #include "PluginFolder.h"
 #include "TestFiles.h"
@@ -133,6 +134,18 @@ private slots:
         };
         const double lost = painted(whole) - painted(torn);
         QVERIFY(std::abs(torn.immersions.front().coverage->tornBare / lost - 1) < 0.1);
+    }
+
+    // A cup, mouth down, with a vent: the film tears at its mouth, and its bottom catches it later.
+    void runJob_cupCatchesTornFilm_isToBeChecked() {
+        Project job = ballJob();
+        job.immersions.resize(1);
+        job.model = plain(
+            turned({{20, 0}, {20, 40}, {4, 40}, {4, 37}, {17, 37}, {17, 0}, {20, 0}}, 60));
+        const JobResult result = runJob(job, *registry_, {}, nullptr, {});
+        const Coverage& found = *result.immersions.front().coverage;
+        QVERIFY(found.tornBare > 0.5 * 2 * pi * 17 * 37); // half of the inner wall
+        QVERIFY(hasReason(result.immersions.front().verdict, VerdictReason::Kind::TornBare));
     }
 
     // Nothing in a run compares two prints at full strength, so the verdict must.
