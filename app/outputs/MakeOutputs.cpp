@@ -6,6 +6,7 @@
 #include "disk/AtomicFile.h"
 #include "disk/FolderTransaction.h"
 #include "disk/PlainFile.h"
+#include "model/ModelHash.h"
 #include "pipeline/WriteResults.h"
 #include "printing/PrintFile.h"
 #include "project/Project.h"
@@ -32,10 +33,14 @@ const QString projectKey = QStringLiteral("project");
 const QString filesKey = QStringLiteral("files");
 constexpr qint64 longestRecord = 1 << 20; // bytes
 
-// Identifies the state of the project that outputs are made from.
+// Identifies the state of the project that outputs are made from. Its own hash of the model is of
+// the saved mesh only.
 QString stateOf(const Project& project) {
-    return sha256Hex(QJsonDocument(countedSettings(project)).toJson(QJsonDocument::Compact) +
-                     project.modelOrigin.sha256);
+    QJsonObject settings = countedSettings(project);
+    QJsonObject model = settings[QLatin1String("model")].toObject();
+    model[QLatin1String("sha256")] = modelHash(project.model);
+    settings[QLatin1String("model")] = model;
+    return sha256Hex(QJsonDocument(settings).toJson(QJsonDocument::Compact));
 }
 
 // Returns the file's hash; empty if it cannot be read.

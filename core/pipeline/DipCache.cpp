@@ -7,9 +7,9 @@
 #include "dip/FilmUnderBody.h"
 #include "disk/AtomicFile.h"
 #include "disk/ZipWriter.h"
+#include "model/ModelHash.h"
 #include "pipeline/CachedDip.h"
 #include "pipeline/SolverChoice.h"
-#include "project/DipKeys.h"
 #include "project/ZipReader.h"
 
 #include <QCoreApplication>

@@ -1,14 +1,12 @@
 #include "project/DipKeys.h"
 
-#include "base/Bytes.h"
 #include "base/Sha256.h"
-#include "model/TexturedMesh.h"
+#include "model/ModelHash.h"
 #include "project/Project.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <cmath>
-#include <mutex>
 
 namespace dipwright {
 namespace {
@@ -83,21 +81,6 @@ QJsonObject filmAndProcess(const Project& project) {
 }
 
 } // namespace
-
-QString meshHash(const std::shared_ptr<const TexturedMesh>& model) {
-    static std::mutex mutex;
-    static std::weak_ptr<const TexturedMesh> last;
-    static QString lastHash;
-    const std::scoped_lock lock(mutex);
-    if (last.lock() != model) {
-        Sha256 hash;
-        hash.add(bytesOf(model->mesh.positions));
-        hash.add(bytesOf(model->mesh.triangles));
-        lastHash = QString::fromLatin1(hash.result().toHex());
-        last = model;
-    }
-    return lastHash;
-}
 
 QStringList dipKeys(const Project& project) {
     QJsonObject all = filmAndProcess(project);

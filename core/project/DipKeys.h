@@ -6,16 +6,10 @@
 
 #include <QString>
 #include <QStringList>
-#include <memory>
 
 namespace dipwright {
 
 struct Project;
-struct TexturedMesh;
-
-// Returns the SHA-256 of the model's triangles, hexadecimal. Remembers the hash of the last model.
-// Any thread may call it.
-QString meshHash(const std::shared_ptr<const TexturedMesh>& model);
 
 // Returns a key for each dip of the project: 16 hexadecimal digits of a SHA-256. It depends on the
 // model's triangles, the pose and path, and the settings of film and process, but not on

@@ -4,6 +4,8 @@
 #include "Patience.h"
 #include "SaveNow.h"
 #include "TestFolders.h"
+#include "base/InkPicture.h"
+#include "outputs/MakeOutputs.h"
 #include "pipeline/Pipeline.h"
 #include "project/ProjectStore.h"
 
@@ -180,6 +182,43 @@ private slots:
         });
         stateInNewDialog(QStringLiteral("Out of date"));
         document_->undoStack().undo();
+    }
+
+    // The project has no hash of its model until it is saved, and then only one of the mesh.
+    void changedTexture_outputsAreOutOfDate() {
+        OutputRequest request;
+        request.folder = target("texture");
+        request.outputs = {Output::Motion};
+        JobResult result = *result_;
+        const auto stateFor = [&](const Project& project) {
+            return outputStates(request.folder, request.outputs, project).front().state;
+        };
+        const auto withPictures = [&](QRgb colour, const QImage& inks) {
+            Project project = result_->project;
+            TexturedMesh model = *project.model;
+            for (QImage& texture : model.textures) {
+                texture = QImage(inks.size(), QImage::Format_RGBA8888);
+                texture.fill(colour);
+            }
+            model.inks.assign(model.textures.size(), inks);
+            project.model = std::make_shared<const TexturedMesh>(std::move(model));
+            project.modelOrigin.sha256.clear();
+            return project;
+        };
+        QImage inks = inkPicture(QSize(1, 1), QString(32, QLatin1Char('a')));
+        inks.fill(0);
+        result.project = withPictures(qRgb(255, 0, 0), inks);
+        QVERIFY(QDir().mkpath(request.folder));
+        QCOMPARE(makeOutputs(result, request, {}).front().state, OutputState::Done);
+        QCOMPARE(stateFor(result_->project), OutputState::OutOfDate);
+        QCOMPARE(stateFor(withPictures(qRgb(254, 0, 0), inks)), OutputState::OutOfDate);
+        QImage more = inks;
+        more.fill(1);
+        QCOMPARE(stateFor(withPictures(qRgb(255, 0, 0), more)), OutputState::OutOfDate);
+        QCOMPARE(stateFor(withPictures(qRgb(255, 0, 0), inks)), OutputState::Done);
+        const QString saved = folder_.filePath(QStringLiteral("texture.dipw"));
+        saveProject(result.project, saved);
+        QCOMPARE(stateFor(loadProject(saved)), OutputState::Done);
     }
 };
 
