@@ -4,6 +4,7 @@
 #include "base/Error.h"
 #include "base/Sha256.h"
 #include "marks/SurfaceMask.h"
+#include "model/ModelHash.h"
 #include "project/Project.h"
 #include "settings/SheetSettings.h"
 
@@ -20,23 +21,33 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(PoseSearch)
 };
 
-bool isWhitePrinted(const Project& project) {
-    return project.sheet.white != WhiteLayer::None;
+// Returns a project with only what a search depends on. It has no poses, because a search tries
+// others.
+Project searchedPart(const Project& project) {
+    Project part;
+    part.model = project.model;
+    part.artwork = project.artwork;
+    part.sheet.white =
+        project.sheet.white == WhiteLayer::None ? WhiteLayer::None : WhiteLayer::Last;
+    part.film = project.film;
+    part.process = project.process;
+    part.fieldResolution = project.fieldResolution;
+    part.tolerance = project.tolerance;
+    part.masks = project.masks;
+    part.verdict = project.verdict;
+    part.ink = project.ink;
+    part.share.registrationError = project.share.registrationError;
+    part.profiles.tank = withoutCosts(project.profiles).tank;
+    return part;
 }
 
-// Returns a hash of everything that the dips of a search depend on, except the poses.
-QByteArray identityOf(const Project& project, const QString& solver) {
-    const QJsonObject whole = toJson(project);
-    QJsonObject counting;
-    for (const QLatin1String key :
-         {QLatin1String("model"), QLatin1String("artwork"), QLatin1String("film"),
-          QLatin1String("process"), QLatin1String("body"), QLatin1String("tolerance"),
-          QLatin1String("masks"), QLatin1String("ink")}) {
-        if (whole.contains(key)) {
-            counting[key] = whole[key];
-        }
-    }
-    counting[QLatin1String("white")] = isWhitePrinted(project);
+// Returns a hash of everything that the first dips of a search depend on, except the poses.
+QByteArray identityOf(Project searched, const QString& solver) {
+    searched.verdict = {}; // these three only rank the dips
+    searched.share = {};
+    searched.profiles.tank.reset();
+    QJsonObject counting = toJson(searched);
+    counting[QLatin1String("model")] = modelHash(searched.model);
     counting[QLatin1String("solver")] = solver;
     return sha256(QJsonDocument(counting).toJson(QJsonDocument::Compact));
 }
@@ -51,22 +62,27 @@ SearchSubject searchSubject(const Project& project, const QString& solver) {
     if (!project.model) {
         throw Error(Text::tr("The project has no model; import one first"), project.name);
     }
+    const Project part = searchedPart(project); // so that haveSameSearchSubject() misses nothing
     SearchSubject subject;
     subject.name = project.name;
-    subject.identity = identityOf(project, solver);
-    subject.model = painted(project.model, project.artwork, texel, {});
-    subject.isWhitePrinted = isWhitePrinted(project);
-    subject.film = project.film;
-    subject.process = project.process;
-    subject.fieldResolution = project.fieldResolution;
-    subject.tolerance = project.tolerance;
-    subject.mask = surfaceMask(subject.model, project.masks);
-    subject.verdict = project.verdict;
-    subject.ink = project.ink;
-    subject.registrationError = project.share.registrationError;
-    subject.tank = project.profiles.tank;
+    subject.identity = identityOf(part, solver);
+    subject.model = painted(part.model, part.artwork, texel, {});
+    subject.isWhitePrinted = part.sheet.white != WhiteLayer::None;
+    subject.film = part.film;
+    subject.process = part.process;
+    subject.fieldResolution = part.fieldResolution;
+    subject.tolerance = part.tolerance;
+    subject.mask = surfaceMask(subject.model, part.masks);
+    subject.verdict = part.verdict;
+    subject.ink = part.ink;
+    subject.registrationError = part.share.registrationError;
+    subject.tank = part.profiles.tank;
     subject.immersions = project.immersions;
     return subject;
+}
+
+bool haveSameSearchSubject(const Project& first, const Project& second) {
+    return searchedPart(first) == searchedPart(second);
 }
 
 std::shared_ptr<const JobResult> foundDips(Project project, const RankedPoses& poses,

@@ -10,6 +10,10 @@ namespace dipwright {
 // project has no model.
 SearchSubject searchSubject(const Project& project, const QString& solver);
 
+// Tells whether searchSubject() has the same data of both projects, apart from their names and
+// poses. Models are equal only if they are the same object.
+bool haveSameSearchSubject(const Project& first, const Project& second);
+
 // Returns a result that can be passed to runJob() as `previous`: the dips of `poses`, as a search
 // of `project` with this solver simulated them. Contains only the films, laid on the body, and
 // their numerical errors. Null unless `poses` have the films of all their dips.

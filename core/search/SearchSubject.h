@@ -21,8 +21,9 @@ struct TexturedMesh;
 
 struct SearchSubject {
     QString name;
-    // Two subjects have the same identity if their model, artwork, film, process, zones, masks and
-    // solver are equal. The identity shows which shards belong to one search.
+    // Two subjects have the same identity if their model with its textures, artwork, white layer,
+    // film, process, zones, masks, ink and solver are equal. The identity shows which shards belong
+    // to one search.
     QByteArray identity;
     std::shared_ptr<const TexturedMesh> model; // with its artwork; never null
     bool isWhitePrinted = false;               // then white places need film, too

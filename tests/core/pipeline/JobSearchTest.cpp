@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 
 using namespace dipwright;
 
@@ -24,6 +25,13 @@ Project narrowJob() {
     project.film.resolution = FilmResolution::Automatic;
     project.tolerance.limits.fill(Millimetres(0.2));
     project.process.depth = Millimetres(12);
+    return project;
+}
+
+Project withColour(Project project, const QColor& colour) {
+    TexturedMesh model = *project.model;
+    model.textures.front().fill(colour);
+    project.model = std::make_shared<const TexturedMesh>(std::move(model));
     return project;
 }
 
@@ -92,6 +100,37 @@ private slots:
         }
         QVERIFY(std::any_of(result.ranking.begin(), result.ranking.end(),
                             [](const RankedPoses& poses) { return poses.areOwn; }));
+    }
+
+    void searchSubject_otherPictures_hasAnotherIdentity() {
+        const QByteArray identity = searchSubject(job_, solver_.id).identity;
+        QCOMPARE(searchSubject(withColour(job_, QColor(200, 80, 20)), solver_.id).identity,
+                 identity);
+        QVERIFY(searchSubject(withColour(job_, QColor(200, 80, 21)), solver_.id).identity !=
+                identity);
+        Project ranked = job_; // only the merge ranks the dips
+        ranked.verdict.pale = 0.5;
+        ranked.profiles.tank.emplace();
+        ranked.immersions.front().rotation[0] = Degrees(12.5);
+        QCOMPARE(searchSubject(ranked, solver_.id).identity, identity);
+    }
+
+    void haveSameSearchSubject_changedInput_isFalse() {
+        const auto isSame = [this](const std::function<void(Project&)>& change) {
+            Project changed = job_;
+            change(changed);
+            return haveSameSearchSubject(changed, job_);
+        };
+        QVERIFY(isSame([](Project& project) {
+            project.name = QStringLiteral("other");
+            project.immersions.front().rotation[0] = Degrees(12.5);
+            project.sheet.bleed = Millimetres(5);
+        }));
+        QVERIFY(!isSame([](Project& project) { project.masks.emplace_back(); }));
+        QVERIFY(!isSame([](Project& project) { project.sheet.white = WhiteLayer::First; }));
+        QVERIFY(!isSame([](Project& project) { project.artwork.base = Qt::white; }));
+        QVERIFY(!isSame([](Project& project) { project.profiles.tank.emplace(); }));
+        QVERIFY(!isSame([](Project& project) { project = withColour(project, Qt::black); }));
     }
 
     void foundDips_posesThatAreNotConfirmed_areNone() {
