@@ -303,12 +303,8 @@ void SearchController::showProject() {
 void SearchController::showFreshness() {
     if (const Document* document = session_.document(); document && searched_.model) {
         const Project& now = document->project();
-        page_->setOutdated(
-            now.model != searched_.model || now.film != searched_.film ||
-            now.process != searched_.process || now.fieldResolution != searched_.fieldResolution ||
-            now.poseAims != searched_.poseAims || now.tolerance != searched_.tolerance ||
-            now.verdict != searched_.verdict || now.ink != searched_.ink ||
-            now.share.registrationError != searched_.share.registrationError);
+        page_->setOutdated(!haveSameSearchSubject(now, searched_) ||
+                           now.poseAims != searched_.poseAims);
     }
 }
 
