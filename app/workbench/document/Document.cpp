@@ -76,6 +76,12 @@ void Document::edit(const QString& text, const QString& mergeKey,
     }
 }
 
+void Document::restore(const QString& text, const Project& project, const FileVersion& version) {
+    edit(text, {}, [&](Project& changed) { changed = project; });
+    version_ = version;
+    setRecovered();
+}
+
 void Document::drag(const QString& text, const std::function<void(Project&)>& change) {
     Project changed = project_;
     change(changed);

@@ -83,6 +83,9 @@ public:
         recovered_ = true;
         emit fileChanged();
     }
+    // Shows the project that was restored after a crash, as one undo step named `text`. `version`:
+    // of the file before the lost edits.
+    void restore(const QString& text, const Project& project, const FileVersion& version);
     // Takes the lock of the file if it is free. Returns the state in which it found the lock.
     LockState lock() { return lock_->acquire(path_); }
     // A save has three steps: beginSave() or beginSaveAs(), DocumentSnapshot::write(), and

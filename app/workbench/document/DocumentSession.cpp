@@ -105,6 +105,7 @@ void DocumentSession::openProject(const QString& path) {
 
 void DocumentSession::readProject(const QString& file, Messages& teller,
                                   const std::function<void()>& failed) {
+    opening_ = file;
     const auto take = [this, file, failed](const ReadProject& read) {
         if (window_.bringForward(file)) { // another window has opened it meanwhile
             failed();
@@ -162,6 +163,11 @@ void DocumentSession::importModel(const QString& path, const ImportOptions& opti
                 });
 }
 
+bool DocumentSession::has(const QString& path) const {
+    const QString own = document_ ? document_->path() : jobs_.isBusy() ? opening_ : QString();
+    return !own.isEmpty() && QFileInfo(own) == QFileInfo(path);
+}
+
 bool DocumentSession::lockOrAsk(Document& document) {
     const LockState state = document.lock();
     if (state.acquired) {
@@ -171,22 +177,35 @@ bool DocumentSession::lockOrAsk(Document& document) {
 }
 
 void DocumentSession::restore(const RecoveredDocument& recovered) {
+    if (has(recovered.original) && document_) {
+        jobs_.cancelAll(); // the results of the file's state are not wanted
+    }
     startJob(
         jobs_, messages_, tr("Restoring the project"), tr("Restore project"),
         [recovered](const Progress& progress) {
             return projectFrom(recovered.copy, recovered.original, recovered.version, progress);
         },
         [this, recovered](const ReadProject& read) {
-            auto document =
-                std::make_unique<Document>(read.project, recovered.original, read.version);
-            if (!lockOrAsk(*document)) {
-                return;
-            }
-            document->setRecovered();
-            take(std::move(document));
-            autoSaver_->continueCopy(recovered);
-            messages_.log(tr("Restored unsaved changes of %1").arg(recovered.name));
+            takeRestored(recovered, read.project, read.version);
         });
+}
+
+void DocumentSession::takeRestored(const RecoveredDocument& recovered, const Project& project,
+                                   const FileVersion& version) {
+    DocumentSession* shown = this;
+    if (document_ && has(recovered.original) && !document_->isModified()) {
+        document_->restore(tr("Restore project"), project, version);
+    } else {
+        auto document = std::make_unique<Document>(project, recovered.original, version);
+        if (!lockOrAsk(*document)) {
+            return;
+        }
+        document->setRecovered();
+        shown = &emptySession();
+        shown->take(std::move(document));
+    }
+    shown->autoSaver_->continueCopy(recovered);
+    messages_.log(tr("Restored unsaved changes of %1").arg(recovered.name));
 }
 
 void DocumentSession::save() {

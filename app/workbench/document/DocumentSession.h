@@ -34,6 +34,8 @@ public:
     ~DocumentSession() override;
 
     Document* document() const { return document_.get(); } // null: none
+    // Tells whether it shows this file or is opening it.
+    bool has(const QString& path) const;
     void setAutosaveInterval(int seconds);
 
     // Opens a project in this window if it has no document, else in another window. If the project
@@ -46,7 +48,10 @@ public:
     // session then emits runAsked().
     void importModel(const QString& path, const ImportOptions& options,
                      const std::function<void(Project&)>& complete = {}, bool runs = false);
-    void restore(const RecoveredDocument& recovered); // call it only without a document
+    // Restores a document. If this window shows or is opening its file, and the document has no
+    // unsaved changes, the restored state becomes an undo step there. Otherwise the document is
+    // opened in this window if it has none, else in another.
+    void restore(const RecoveredDocument& recovered);
 
     // Begin to save the current state of the document, which may be edited meanwhile. During a
     // save, the next one waits until the first has succeeded, and then saves the state of that
@@ -70,6 +75,8 @@ private:
     // On failure, reports to `teller` and calls `failed`.
     void readProject(const QString& file, Messages& teller, const std::function<void()>& failed);
     bool lockOrAsk(Document& document);
+    void takeRestored(const RecoveredDocument& recovered, const Project& project,
+                      const FileVersion& version);
     void startSave(const std::function<DocumentSnapshot()>& begin);
     void endSave(const DocumentSnapshot& snapshot, const std::optional<FileVersion>& written,
                  const std::exception_ptr& failure);
@@ -83,6 +90,7 @@ private:
     QString recovery_;
     Window window_;
     int autosaveSeconds_ = 20;
+    QString opening_; // the last file that was to be opened here
     std::unique_ptr<Document> document_;
     std::unique_ptr<AutoSaver> autoSaver_;
     std::function<void()> nextSave_; // waits for the end of a save; empty: none

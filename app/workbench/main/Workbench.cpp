@@ -14,6 +14,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <functional>
+
 namespace dipwright {
 
 namespace {
@@ -28,6 +30,17 @@ Theme themeOf(ThemeChoice choice) {
         break;
     }
     return Theme::System;
+}
+
+// Returns a visible window that `fits`; null if there is none.
+MainWindow* findWindow(const std::function<bool(MainWindow&)>& fits) {
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        auto* window = qobject_cast<MainWindow*>(widget);
+        if (window && window->isVisible() && fits(*window)) {
+            return window;
+        }
+    }
+    return nullptr;
 }
 
 } // namespace
@@ -66,24 +79,13 @@ MainWindow* Workbench::openWindow() {
 }
 
 MainWindow* Workbench::emptyWindow() {
-    for (QWidget* widget : QApplication::topLevelWidgets()) {
-        auto* window = qobject_cast<MainWindow*>(widget);
-        if (window && window->isVisible() && window->isEmpty()) {
-            return window;
-        }
-    }
-    return openWindow();
+    MainWindow* empty = findWindow([](MainWindow& window) { return window.isEmpty(); });
+    return empty ? empty : openWindow();
 }
 
 MainWindow* Workbench::windowOf(const QString& path) const {
-    for (QWidget* widget : QApplication::topLevelWidgets()) {
-        auto* window = qobject_cast<MainWindow*>(widget);
-        if (window && window->isVisible() && window->document() &&
-            QFileInfo(window->document()->path()) == QFileInfo(path)) {
-            return window;
-        }
-    }
-    return nullptr;
+    return findWindow(
+        [&](MainWindow& window) { return window.document() && window.documents().has(path); });
 }
 
 bool Workbench::bringForward(const QString& path) {
@@ -144,7 +146,9 @@ void Workbench::offerRecovery() {
         question.setDefaultButton(restore);
         question.exec();
         if (question.clickedButton() == restore) {
-            emptyWindow()->documents().restore(recovered);
+            MainWindow* window = findWindow(
+                [&](MainWindow& found) { return found.documents().has(recovered.original); });
+            (window ? window : emptyWindow())->documents().restore(recovered);
         } else if (question.clickedButton() == discard) {
             discardRecovered(recovered);
         }

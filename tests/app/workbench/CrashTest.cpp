@@ -2,6 +2,7 @@
 //
 // With --edit FOLDER MODEL, this program is the one that is killed. It edits an untitled project
 // and prints "kept" when its recovery copy is on the disk.
+#include "BoxProject.h"
 #include "Patience.h"
 #include "TestFolders.h"
 #include "WindowDriver.h"
@@ -25,6 +26,31 @@ bool isKept(const QString& folder) {
     const QDir copies(folder, QStringLiteral("*.dipw"));
     return copies.count() == 1 &&
            loadProject(copies.filePath(copies[0])).film.swellX == editedSwell;
+}
+
+QList<MainWindow*> windows() {
+    QList<MainWindow*> found;
+    for (QWidget* widget : QApplication::topLevelWidgets()) {
+        if (auto* window = qobject_cast<MainWindow*>(widget)) {
+            found << window;
+        }
+    }
+    return found;
+}
+
+// Answers every question with Restore.
+void restoreAll(Workbench& workbench) {
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, [] {
+        for (QWidget* widget : QApplication::topLevelWidgets()) {
+            auto* box = qobject_cast<QMessageBox*>(widget);
+            if (box && box->objectName() == QLatin1String("recoveryQuestion")) {
+                box->defaultButton()->click();
+            }
+        }
+    });
+    answer.start(20);
+    workbench.offerRecovery();
 }
 
 int editUntilKilled(const QString& folder, const QString& model) {
@@ -74,25 +100,9 @@ private slots:
         QCOMPARE(editor.exitStatus(), QProcess::CrashExit);
 
         Workbench workbench(folder.path());
-        QTimer answer;
-        connect(&answer, &QTimer::timeout, this, [] {
-            for (QWidget* widget : QApplication::topLevelWidgets()) {
-                auto* box = qobject_cast<QMessageBox*>(widget);
-                if (box && box->objectName() == QLatin1String("recoveryQuestion")) {
-                    box->defaultButton()->click();
-                }
-            }
-        });
-        answer.start(20);
-        workbench.offerRecovery();
-        answer.stop();
-        MainWindow* restored = nullptr;
-        for (QWidget* widget : QApplication::topLevelWidgets()) {
-            if (auto* window = qobject_cast<MainWindow*>(widget)) {
-                restored = window;
-            }
-        }
-        QVERIFY(restored != nullptr);
+        restoreAll(workbench);
+        QCOMPARE(windows().size(), 1);
+        MainWindow* restored = windows().front();
         QTRY_VERIFY(restored->document() != nullptr);
         QCOMPARE(restored->document()->project().film.swellX, editedSwell);
         QVERIFY(restored->document()->isModified());
@@ -101,6 +111,44 @@ private slots:
         QCOMPARE(QDir(folder.path()).entryList({QStringLiteral("*.dipw")}).size(), 1);
         QVERIFY(findRecoveredDocuments(folder.path()).empty());
         delete restored;
+    }
+
+    // As after a start with the project's file, while or after it is read.
+    void recovery_fileIsOpen_restoresIntoItsWindow_data() {
+        QTest::addColumn<bool>("waits");
+        QTest::newRow("opened") << true;
+        QTest::newRow("being opened") << false;
+    }
+    void recovery_fileIsOpen_restoresIntoItsWindow() {
+        QFETCH(const bool, waits);
+        const QTemporaryDir folder, recovery;
+        const QString file = folder.filePath(QStringLiteral("box.dipw"));
+        saveProject(boxProject(), file);
+        {
+            Document document(loadProject(file), file);
+            AutoSaver saver(document, recovery.path());
+            document.edit(QStringLiteral("Swell"), {},
+                          [](Project& project) { project.film.swellX = editedSwell; });
+            saver.keepNow();
+        }
+        Workbench workbench(recovery.path());
+        const std::unique_ptr<MainWindow> window(workbench.openWindow());
+        window->documents().openProject(file);
+        if (waits) {
+            QTRY_VERIFY_WITH_TIMEOUT(window->document(), patience());
+        }
+        restoreAll(workbench);
+        QTRY_VERIFY_WITH_TIMEOUT(window->document() &&
+                                     window->document()->project().film.swellX == editedSwell,
+                                 patience());
+        QCOMPARE(windows().size(), 1);
+        Document& document = *window->document();
+        QCOMPARE(document.path(), file);
+        QVERIFY(document.isModified());
+        QVERIFY(!FileLock().acquire(file).acquired); // it holds the lock
+        QVERIFY(findRecoveredDocuments(recovery.path()).empty()); // the document keeps the copy
+        document.undoStack().undo();
+        QCOMPARE(document.project().film.swellX, loadProject(file).film.swellX);
     }
 };
 
