@@ -13,7 +13,8 @@ BuiltController::BuiltController(const DipSession& session, JobRunner& jobs, Mes
     : session_(session), jobs_(jobs), messages_(messages), page_(new BuiltPage) {
     connect(&jobs, &JobRunner::busy, page_, [this] { page_->setBusy(true); });
     connect(&jobs, &JobRunner::idle, page_, [this] { page_->setBusy(false); });
-    connect(page_, &BuiltPage::keepAsked, this, &BuiltController::keep);
+    connect(page_, &BuiltPage::keepAsked, this,
+            [this](const QString& acceptedBy) { keep(measured_, acceptedBy); });
     connect(page_, &BuiltPage::correctsChosen, this,
             [this](bool corrects) { setCorrects(*session_.document(), corrects); });
     connect(page_, &BuiltPage::strengthChosen, this,
@@ -72,11 +73,12 @@ void BuiltController::computeRepeatingError(const AsBuilt& built, int dips) {
         });
 }
 
-void BuiltController::keep(const QString& acceptedBy) {
+void BuiltController::keep(const std::shared_ptr<const MeasuredPart>& measured,
+                           const QString& acceptedBy) {
     const AsBuilt built = session_.document()->project().asBuilt;
     startJob(
         jobs_, messages_, tr("Measuring the error on the sheet"), tr("Keep part"),
-        [measured = measured_, built, acceptedBy](const Progress&) {
+        [measured, built, acceptedBy](const Progress&) {
             requireOnBody(clickedPairs(measured->project.inspection),
                           SurfaceQuery(measured->project.model->mesh), measured->project.name);
             QStringList hashes;
@@ -93,10 +95,12 @@ void BuiltController::keep(const QString& acceptedBy) {
                                   hashes.join(u' '), 0, dipKeys(measured->project).join(u' ')},
                                  sheet, measured->project.name);
         },
-        [this, built](const AsBuilt& more) {
-            Document* document = session_.document();
-            if (document && document->project().asBuilt == built) { // else the document has changed
-                keepBuilt(*document, more);
+        [this, built, measured, acceptedBy](const AsBuilt& more) {
+            Document& document = *session_.document();
+            if (document.project().asBuilt == built) {
+                keepBuilt(document, more);
+            } else {
+                keep(measured, acceptedBy); // adds the part to what as_built is now
             }
         });
 }

@@ -23,7 +23,7 @@ public:
 private:
     void showProject();
     void computeRepeatingError(const AsBuilt& built, int dips);
-    void keep(const QString& acceptedBy);
+    void keep(const std::shared_ptr<const MeasuredPart>& measured, const QString& acceptedBy);
 
     const DipSession& session_;
     JobRunner& jobs_;

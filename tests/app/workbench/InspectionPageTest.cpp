@@ -147,7 +147,9 @@ private slots:
         driver.find<QLineEdit>("acceptedBy")->setText(QStringLiteral("Ada"));
         QTRY_VERIFY_WITH_TIMEOUT(keep->isEnabled(), patience());
         keep->click();
+        driver.find<NumberBox>("correctionStrength")->setValue(90); // while the part is measured
         QTRY_COMPARE_WITH_TIMEOUT(built().parts.size(), std::size_t(1), patience());
+        QCOMPARE(built().strength, 0.9);
         QCOMPARE(built().parts[0].acceptedBy, QStringLiteral("Ada"));
         QCOMPARE(built().parts[0].photos, part().photos[0].sha256);
         QVERIFY(built().parts[0].residual < 0.5); // the photo shows the computed result
@@ -163,8 +165,8 @@ private slots:
         driver.find<NumberBox>("correctionStrength")->setValue(50);
         QCOMPARE(built().strength, 0.5);
         driver.trigger("undo");
-        QCOMPARE(built().strength, 1.0);
-        QCOMPARE(driver.find<NumberBox>("correctionStrength")->value(), 100.0);
+        QCOMPARE(built().strength, 0.9);
+        QCOMPARE(driver.find<NumberBox>("correctionStrength")->value(), 90.0);
         // The same photos must not count as a second part.
         QTRY_VERIFY_WITH_TIMEOUT(keep->isEnabled(), patience());
         keep->click();
