@@ -145,7 +145,7 @@ private slots:
         Document& document = *window->document();
         QCOMPARE(document.path(), file);
         QVERIFY(document.isModified());
-        QVERIFY(!FileLock().acquire(file).acquired); // it holds the lock
+        QVERIFY(!FileLock().acquire(file).acquired);              // it holds the lock
         QVERIFY(findRecoveredDocuments(recovery.path()).empty()); // the document keeps the copy
         document.undoStack().undo();
         QCOMPARE(document.project().film.swellX, loadProject(file).film.swellX);
