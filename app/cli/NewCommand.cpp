@@ -16,6 +16,7 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <iterator>
 
 namespace dipwright::cli {
 namespace {
@@ -171,22 +172,26 @@ int jigFieldResolution(int resolution, const std::vector<JigPart>& parts, const 
 void importJig(Project& project, const std::vector<JigSpec>& specs,
                const QCommandLineParser& parser, Console& console) {
     std::vector<JigPart> parts;
+    std::transform(specs.begin(), specs.end(), std::back_inserter(parts),
+                   [](const JigSpec& spec) { return spec.part; });
+    numberEqualNames(parts);
     QStringList remarks, losses;
-    for (const JigSpec& spec : specs) {
+    for (std::size_t i = 0; i < specs.size(); ++i) {
+        const JigSpec& spec = specs[i];
+        const QString whose = parts[i].placed.name + QStringLiteral(": ");
         ImportOptions options = spec.options;
         options.allowOutside = parser.isSet(outsideOption);
         options.tessellation = project.modelOrigin.tessellation;
         const ImportedModel imported = importModel(spec.path, options, console.progress());
-        print(imported.report, spec.part.placed.name + QStringLiteral(": "), console);
+        print(imported.report, whose, console);
         const auto keep = [&](const QString& sentences, QStringList& all) {
             if (!sentences.isEmpty()) {
-                all.push_back(spec.part.placed.name + QStringLiteral(": ") + sentences);
+                all.push_back(whose + sentences);
             }
         };
         keep(imported.report.remarks(), remarks);
         keep(imported.report.losses.join(QStringLiteral("; ")), losses);
-        parts.push_back(spec.part);
-        parts.back().model = std::make_shared<const TexturedMesh>(imported.model);
+        parts[i].model = std::make_shared<const TexturedMesh>(imported.model);
     }
     project.modelOrigin.tessellation = Millimetres(0); // the jig is no CAD model
     project.modelOrigin.remarks = remarks.join(QStringLiteral("; "));

@@ -4,7 +4,9 @@
 #include "dip/Pose.h"
 
 #include <QCoreApplication>
+#include <QSet>
 #include <algorithm>
+#include <utility>
 
 namespace dipwright {
 namespace {
@@ -77,7 +79,23 @@ void refuseOverlap(const std::vector<JigPart>& parts, const std::vector<Bounding
 
 } // namespace
 
-TexturedMesh jigModel(const std::vector<JigPart>& parts) {
+void numberEqualNames(std::vector<JigPart>& parts) {
+    QSet<QString> taken, seen;
+    for (const JigPart& part : parts) {
+        taken.insert(part.placed.name);
+    }
+    for (JigPart& part : parts) {
+        QString name = part.placed.name;
+        for (int number = 2; seen.contains(part.placed.name) && taken.contains(name); ++number) {
+            name = QStringLiteral("%1 %2").arg(part.placed.name).arg(number);
+        }
+        taken.insert(name);
+        seen.insert(std::exchange(part.placed.name, name));
+    }
+}
+
+TexturedMesh jigModel(std::vector<JigPart> parts) {
+    numberEqualNames(parts);
     std::size_t materials = 0;
     for (const JigPart& part : parts) {
         materials += part.model->materials.size();

@@ -18,9 +18,12 @@ struct JigPart {
     Millimetres height{0}; // height of its lowest point above the lowest point of all parts
 };
 
-// Returns all parts as one model, with materials named "PART: MATERIAL". Throws Error if there is
-// no part, if there are more materials than a model may have, or if the bounding boxes of parts
-// overlap.
-TexturedMesh jigModel(const std::vector<JigPart>& parts);
+// Numbers parts that have the same name: "Knob", "Knob 2". No part gets the name of another part.
+void numberEqualNames(std::vector<JigPart>& parts);
+
+// Returns all parts as one model, with materials named "PART: MATERIAL"; numbers equal names of
+// parts. Throws Error if there is no part, if there are more materials than a model may have, or if
+// the bounding boxes of parts overlap.
+TexturedMesh jigModel(std::vector<JigPart> parts);
 
 } // namespace dipwright

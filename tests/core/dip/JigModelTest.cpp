@@ -51,6 +51,18 @@ private slots:
         QCOMPARE(jig.textures.size(), 2 * parts[0].model->textures.size());
     }
 
+    // A mask names a material. It must not cover another part that has the same name.
+    void jigModel_equalNames_areNumbered() {
+        const TexturedMesh jig =
+            jigModel({ball("K", Qt::red, -80), ball("K 2", Qt::red, -40), ball("K", Qt::red, 0),
+                      ball("L", Qt::red, 40), ball("K", Qt::red, 80)});
+        QStringList parts;
+        for (const Material& material : jig.materials) {
+            parts << material.name.section(QLatin1Char(':'), 0, 0);
+        }
+        QCOMPARE(parts, (QStringList{"K", "K 2", "K 3", "L", "K 4"}));
+    }
+
     void jigModel_turnedPart_turnsAboutItsOwnCentre() {
         JigPart part;
         part.model = charted(test::plainModel(boxMesh({10, 20, 40}), Qt::white));
