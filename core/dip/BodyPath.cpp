@@ -214,7 +214,7 @@ QString pathText(const DipPath& path) {
                      .arg(withMinusSign(locale.toString(path.waterSpeed.value(), 'g', 4)),
                           degrees(path.heading));
     }
-    if (path.kind != PathKind::Poses && path.slowSpeed) {
+    if (path.isSlowed()) {
         words << Text::tr("slow at the beginning and the end");
     }
     if (path.acceleration) {

@@ -208,7 +208,7 @@ private:
     // Speed of the dip at a depth of the lowest point.
     double speedAt(double deep) const {
         const double slow = path_.slowWay.value();
-        const bool isSlow = path_.slowSpeed && slow > 0 && (deep < slow || deep > depth_ - slow);
+        const bool isSlow = path_.isSlowed() && (deep < slow || deep > depth_ - slow);
         return isSlow ? path_.slowSpeed->value() : process_.dipSpeed.value();
     }
 

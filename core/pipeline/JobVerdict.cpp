@@ -195,10 +195,17 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
 
 // Adds reasons for settings that do not occur in practice.
 void addUnusualReasons(ReasonList& found, const Project& project) {
-    const double speed = project.process.dipSpeed.value();
-    const double usual = std::clamp(speed, leastUsualSpeed, mostUsualSpeed);
-    if (speed != usual) {
-        found.add({Kind::UnusualSpeed, Advice::CheckFirst, speed, usual});
+    const auto addSpeed = [&](Kind kind, double speed, const QString& dip) {
+        const double usual = std::clamp(speed, leastUsualSpeed, mostUsualSpeed);
+        if (speed != usual) {
+            found.add({kind, Advice::CheckFirst, speed, usual, dip});
+        }
+    };
+    addSpeed(Kind::UnusualSpeed, project.process.dipSpeed.value(), {});
+    for (const Immersion& dip : project.immersions) {
+        if (dip.path.isSlowed()) {
+            addSpeed(Kind::UnusualSlowSpeed, dip.path.slowSpeed->value(), dip.name);
+        }
     }
     const FilmSettings& film = project.film;
     for (const double swell : {film.swellX, film.swellY}) {

@@ -74,6 +74,11 @@ struct DipPath {
 
     bool operator==(const DipPath&) const = default;
 
+    // Whether the first and the last part of the way down have the slow speed.
+    bool isSlowed() const {
+        return kind != PathKind::Poses && slowSpeed && slowWay > Millimetres(0);
+    }
+
     // Whether the part goes straight down at one speed, in its final rotation.
     bool isStraightDown() const {
         return kind == PathKind::Straight && turn == Degrees(0) &&

@@ -297,6 +297,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"faint_picture", ""},
                                KindWords{"thin_places", "body.sdf_resolution"},
                                KindWords{"unusual_speed", "process.dip_speed_mm_s"},
+                               KindWords{"unusual_slow_speed", ""}, // each dip has its own field
                                KindWords{"unusual_growth_rate", "film.growth_per_s"},
                                KindWords{"unusual_growth", "film.growth_limit"},
                                KindWords{"unusual_swell", "film.swell"}};

@@ -67,6 +67,7 @@ struct VerdictReason {
                          // contrast, less than `limit`
         ThinPlaces,      // `text`: places that are too thin for the distance field's cells
         UnusualSpeed,    // the dip speed of `value` mm/s is not usual
+        UnusualSlowSpeed,  // the slow speed of `value` mm/s in the dip named `text` is not usual
         UnusualGrowthRate, // the film grows by the share `value` per second, more than is usual
         UnusualGrowth,     // the film grows by the share `value` in all, more than is usual
         UnusualSwell,      // the film's swell of `value` is not usual
@@ -117,7 +118,7 @@ inline constexpr double spoiltPaintedOnce = 0.15;
 // (Coverage::tornBareShare()): above the first the verdict is *check first*, above the second *do
 // not print*. In ordinary dips up to 0.28 is counted where 0.06 is lost.
 inline constexpr double mostTornBare = 0.2, spoiltTornBare = 0.4;
-// The usual speed of a dip, in mm/s, and the usual growth and swell of floating film
+// The usual speeds of a dip, in mm/s, and the usual growth and swell of floating film
 // (FilmBehaviour). The verdict on other values is *check first* (docs/film-validation.md, "The
 // verdict").
 inline constexpr double leastUsualSpeed = 0.5, mostUsualSpeed = 100;

@@ -207,6 +207,11 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
                    "The dip speed is %1 mm/s; the usual range is %2 to %3 mm/s. Check this value.")
             .arg(QLocale().toString(reason.value), QLocale().toString(leastUsualSpeed),
                  QLocale().toString(mostUsualSpeed));
+    case Kind::UnusualSlowSpeed:
+        return Text::tr("%1: the slow speed is %2 mm/s; the usual range is %3 to %4 mm/s. Check "
+                        "this value.")
+            .arg(reason.text, QLocale().toString(reason.value), QLocale().toString(leastUsualSpeed),
+                 QLocale().toString(mostUsualSpeed));
     case Kind::UnusualGrowthRate:
         return Text::tr("The film grows by %1 % per second; more than %2 % is unusual. Check this "
                         "value.")

@@ -170,6 +170,30 @@ private slots:
                      "value."));
     }
 
+    void verdict_slowSpeedFarFromUsual_checkFirst() {
+        using Kind = VerdictReason::Kind;
+        JobResult result = unjudged(ball(17));
+        const auto isUnusual = [&](PathKind kind, double speed, double way) {
+            DipPath& path = result.project.immersions.front().path;
+            path.kind = kind;
+            path.slowSpeed = MillimetresPerSecond(speed);
+            path.slowWay = Millimetres(way);
+            result.verdict = allDipsVerdict(result, nullptr);
+            return has(result, Kind::UnusualSlowSpeed);
+        };
+        QVERIFY(isUnusual(PathKind::Straight, 0.1, 5));
+        QVERIFY(isUnusual(PathKind::Straight, 150, 5));
+        QVERIFY(!isUnusual(PathKind::Straight, 2, 5));
+        // Not used:
+        QVERIFY(!isUnusual(PathKind::Straight, 0.1, 0));
+        QVERIFY(!isUnusual(PathKind::Poses, 0.1, 5));
+        QCOMPARE(reasonText(
+                     {Kind::UnusualSlowSpeed, Advice::CheckFirst, 0.1, 0.5, QStringLiteral("Top")},
+                     millimetres),
+                 QStringLiteral("Top: the slow speed is 0.1 mm/s; the usual range is 0.5 to 100 "
+                                "mm/s. Check this value."));
+    }
+
     // The top of the ball lies above the overhang limit and stays bare.
     void verdict_bareMarkedZone_doNotPrint() {
         Project project = ball(33);
