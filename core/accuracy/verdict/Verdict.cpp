@@ -83,12 +83,7 @@ void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimat
     }
 }
 
-// Adds the reasons about the numerical error. Returns the places to check.
-PlacesToCheck addNumericalReasons(ReasonList& found, const LaidFilm& laid,
-                                  const NumericalErrorEstimate* estimate, const ZonedBody* zones,
-                                  const SurfaceMask* mask, const ToleranceSettings& tolerance) {
-    PlacesToCheck uncertain = placesToCheck(laid, estimate ? estimate->pointErrors : nothingKnown,
-                                            zones, mask, tolerance);
+void addBalanceReason(ReasonList& found, const LaidFilm& laid) {
     const solver::EquilibriumAccount& rest = laid.film().equilibrium;
     if (rest.stepsWithout > 0) {
         found.add({Kind::Unbalanced,
@@ -98,6 +93,14 @@ PlacesToCheck addNumericalReasons(ReasonList& found, const LaidFilm& laid,
                    {},
                    rest.worstForceLeft});
     }
+}
+
+// Adds the reasons about the numerical error. Returns the places to check.
+PlacesToCheck addNumericalReasons(ReasonList& found, const LaidFilm& laid,
+                                  const NumericalErrorEstimate* estimate, const ZonedBody* zones,
+                                  const SurfaceMask* mask, const ToleranceSettings& tolerance) {
+    PlacesToCheck uncertain = placesToCheck(laid, estimate ? estimate->pointErrors : nothingKnown,
+                                            zones, mask, tolerance);
     if (!estimate) {
         found.add({Kind::NotAsked, Advice::NotJudged});
     } else if (!estimate->failure.isEmpty()) {
@@ -120,7 +123,8 @@ double edgeDistance(const LaidFilm& laid) {
 void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSettings& limits) {
     const double painted = dip.coverage.paintedArea;
     if (painted <= 0) {
-        found.add({Kind::Unpainted, Advice::DoNotPrint});
+        const bool isMasked = dip.mask && coverage(dip.laid).paintedArea > 0;
+        found.add({isMasked ? Kind::AllMasked : Kind::Unpainted, Advice::DoNotPrint});
         return;
     }
     if (!dip.takesInk) {
@@ -207,8 +211,12 @@ Advice worst(Advice one, Advice other) {
 Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
                 const VerdictSettings& limits) {
     ReasonList found;
-    const PlacesToCheck uncertain =
-        addNumericalReasons(found, dip.laid, dip.numericalError, dip.zones, dip.mask, tolerance);
+    addBalanceReason(found, dip.laid);
+    PlacesToCheck uncertain;
+    if (dip.coverage.paintedArea > 0) {
+        uncertain = addNumericalReasons(found, dip.laid, dip.numericalError, dip.zones, dip.mask,
+                                        tolerance);
+    }
     addPaintReasons(found, dip, limits);
     addBuiltReasons(found, dip.built);
     for (const TankFault& fault : dip.tankFaults) {
@@ -231,6 +239,7 @@ Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* est
                          const ZonedBody* zones, const SurfaceMask* mask,
                          const ToleranceSettings& tolerance) {
     ReasonList found;
+    addBalanceReason(found, laid);
     addNumericalReasons(found, laid, estimate, zones, mask, tolerance);
     return std::move(found).verdict();
 }
@@ -260,6 +269,7 @@ struct KindWords {
 constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"not_compared", ""},
                                KindWords{"unpainted", ""},
+                               KindWords{"all_masked", ""},
                                KindWords{"nothing_alike", ""},
                                KindWords{"certain", "tolerance.limits_mm"},
                                KindWords{"off_by", "tolerance.limits_mm"},

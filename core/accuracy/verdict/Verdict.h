@@ -21,6 +21,7 @@ struct VerdictReason {
         NotAsked,     // the job did not request an estimate of the numerical error
         NotCompared,  // the numerical error could not be estimated: `text` says why
         Unpainted,    // the film paints nothing of the body
+        AllMasked,    // masks cover everything that the film would paint
         NothingAlike, // this dip and the coarser dips paint no place in common
         Certain,      // numerical error: 95 % of the painted area is within `value` mm
         OffBy, // as Certain, but `value` exceeds the limit; `most`: cell to try, mm; 0: film not

@@ -95,6 +95,9 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
     case Kind::Unpainted:
         return Text::tr("The film does not paint the part. Check the model's unit, its place over "
                         "the film, and the depth of the dip.");
+    case Kind::AllMasked:
+        return Text::tr("Masks cover everything that the film would paint. Remove a mask, or turn "
+                        "the part so that the film reaches other places.");
     case Kind::Air:
         return Text::tr("Trapped air keeps %1 % of the part dry; the limit is %2 %. Turn the part "
                         "so that the air escapes, or drill a vent hole. Vent holes narrower than "

@@ -4,6 +4,7 @@
 
 #include "DippedByHand.h"
 #include "geometry/Shapes.h"
+#include "marks/SurfaceMask.h"
 
 #include <QtTest>
 
@@ -278,6 +279,22 @@ private slots:
         const Verdict bare = changedBy([](Coverage& painted, double) { painted.paintedArea = 0; });
         QCOMPARE(bare.advice, Advice::DoNotPrint);
         QCOMPARE(bare.reasons.front().kind, VerdictReason::Kind::Unpainted);
+    }
+
+    void verdict_everythingMasked_blamesTheMask() {
+        const auto laid = filmWith({});
+        const NumericalErrorEstimate estimate = agreement(*laid);
+        const auto model =
+            std::make_shared<TexturedMesh>(test::plainModel(boxMesh(boxSize), Qt::white));
+        MaskMark whole;
+        whole.extent = MarkExtent::Material;
+        const auto mask = surfaceMask(model, {whole});
+        const Coverage covered = coverage(*laid, mask.get());
+        const Verdict bare =
+            verdict({*laid, covered, &estimate, 0, nullptr, {}, mask.get()}, {}, {});
+        QCOMPARE(bare.advice, Advice::DoNotPrint);
+        QCOMPARE(bare.reasons.size(), std::size_t(1)); // nothing on the numerical error
+        QCOMPARE(bare.reasons.front().kind, VerdictReason::Kind::AllMasked);
     }
 
     // The film is 60 mm wide and the box 40 mm, so 10 mm of film are left on each side.
