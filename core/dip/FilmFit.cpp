@@ -35,7 +35,7 @@ QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& fil
     return least ? Text::tr("choose a film of at least %1 × %2 mm")
                        .arg(std::max(least->width, film.width.value()))
                        .arg(std::max(least->height, film.height.value()))
-                 : Text::tr("no film is larger than %1 mm: check the model's size and unit")
+                 : Text::tr("check the model's size and unit, because no film is larger than %1 mm")
                        .arg(largestFilm);
 }
 

@@ -4,6 +4,7 @@
 
 #include "DippedByHand.h"
 #include "base/Error.h"
+#include "dip/FilmFit.h"
 #include "film/FilmLines.h"
 #include "geometry/Shapes.h"
 
@@ -59,7 +60,16 @@ private Q_SLOTS:
     void filmUnderBody_tooSmallCell_isRefused();
     void filmUnderBody_givenPoints_areKept();
     void filmUnderBody_papersFilm_staysEven();
+    void adviceOnFilm_partLargerThanAnyFilm_isAnAdvice();
 };
+
+// The advice ends sentences such as "move or turn the part, or …".
+void FilmUnderBodyTest::adviceOnFilm_partLargerThanAnyFilm_isAnAdvice() {
+    const Eigen::AlignedBox2d vast(Eigen::Vector2d(-4000, -10), Eigen::Vector2d(4000, 10));
+    QCOMPARE(
+        adviceOnFilm(vast, {}),
+        QStringLiteral("check the model's size and unit, because no film is larger than 3000 mm"));
+}
 
 void FilmUnderBodyTest::automaticCell_thinBody_isFiner() {
     const double thick = cellFor(undersideOf(boxMesh({60, 40, 60})));
