@@ -31,6 +31,18 @@ const QString presetOption = QStringLiteral("preset");
 const QString immersionOption = QStringLiteral("immersion");
 const QString jigOption = QStringLiteral("jig");
 
+// Throws UsageError if a SPEC gives a key twice.
+void requireOnce(const QStringList& parts, const QString& where) {
+    QStringList keys;
+    for (const QString& part : parts) {
+        const QString key = part.section(QLatin1Char('='), 0, 0).trimmed();
+        if (keys.contains(key)) {
+            throw UsageError(QStringLiteral("“%1” is given twice; give it once").arg(key), where);
+        }
+        keys << key;
+    }
+}
+
 // Applies one KEY=VALUE of a SPEC to the immersion with this index. `where` names the option.
 void applyPart(Project& project, std::size_t index, const QString& part, const QString& where) {
     static const QMap<QString, QString> fields{
@@ -69,7 +81,9 @@ void applyImmersions(Project& project, const QStringList& specs) {
     for (const QString& spec : specs) {
         const std::size_t index = project.immersions.size();
         project.immersions.emplace_back().name = QStringLiteral("Dip %1").arg(index + 1);
-        for (const QString& part : spec.split(QLatin1Char(','))) {
+        const QStringList parts = spec.split(QLatin1Char(','));
+        requireOnce(parts, QStringLiteral("--immersion %1").arg(spec));
+        for (const QString& part : parts) {
             applyPart(project, index, part, QStringLiteral("--immersion %1").arg(part));
         }
     }
@@ -124,6 +138,7 @@ JigSpec jigSpec(const QString& text) {
     QStringList words = text.split(next);
     JigSpec spec;
     spec.path = words.takeFirst();
+    requireOnce(words, where);
     Project place; // a project used only to parse and check the values of its immersion
     place.immersions.resize(1);
     place.immersions[0].name = QFileInfo(spec.path).completeBaseName();
@@ -255,7 +270,8 @@ public:
                  "Instead of --model, once for each model: dips several models together on one "
                  "jig. FILE,name=Knob,rotation=rx;ry;rz,offset=x;z,height=y,size=N. The offset "
                  "refers to the model's middle, the height to its lowest point and the size to its "
-                 "longest edge, all in mm."),
+                 "longest edge, all in mm. Offsets count relative to the other models: the jig's "
+                 "middle lies in the film's middle, unless --immersion moves it."),
              QStringLiteral("FILE")});
         declareSettings(syntax, true);
     }

@@ -124,6 +124,10 @@ private slots:
             << QStringList{"new", path("out"), "--jig", path("ball.obj") + ",height=-1"};
         QTest::newRow("jig part with an unknown key")
             << QStringList{"new", path("out"), "--jig", path("ball.obj") + ",offset=1;0,foo=1"};
+        QTest::newRow("jig part with a key twice") << QStringList{
+            "new", path("out"), "--jig", path("ball.obj") + ",offset=1;0,height=2,offset=2;0"};
+        QTest::newRow("immersion with a key twice")
+            << newWith({"--immersion", "name=A,offset=1;0,name=B"});
         QTest::newRow("--size-mm with a jig")
             << QStringList{"new", path("out"), "--size-mm", "9", "--jig", path("ball.obj")};
         QTest::newRow("preset") << newWith({"--preset", "paper-1999"});
