@@ -92,11 +92,45 @@ Eigen::Isometry3d toPrinter(const CradlePlate& plate) {
     return result;
 }
 
+// Returns how many parts of the body surely do not touch each other: the boxes round them do not
+// meet. Parts on a jig have separate boxes in the model's frame.
+std::size_t looseParts(const PosedBody& body) {
+    const TriangleMesh mesh = transformed(body.mesh, body.modelToPose.inverse());
+    const auto opposite = oppositeEdges(mesh);
+    std::vector<std::uint8_t> seen(mesh.triangles.size());
+    std::vector<BoundingBox> boxes;
+    for (std::uint32_t start = 0; start < seen.size(); ++start) {
+        BoundingBox box;
+        for (const std::uint32_t triangle : connectedTriangles(
+                 opposite, start, [](std::uint32_t) { return true; }, seen)) {
+            for (const Eigen::Vector3f& corner : cornersOf(mesh, triangle)) {
+                box.extend(corner);
+            }
+        }
+        const auto meets = [&](const BoundingBox& other) { return other.intersects(box); };
+        for (auto met = boxes.begin();
+             (met = std::find_if(boxes.begin(), boxes.end(), meets)) != boxes.end();) {
+            box.extend(*met);
+            boxes.erase(met);
+        }
+        if (!box.isEmpty()) {
+            boxes.push_back(box);
+        }
+    }
+    return boxes.size();
+}
+
 QStringList notesOn(const Cradle& cradle, const HeldDip& dip, const CradleSettings& settings,
                     const CradlePlate& plate) {
     QStringList notes;
     const CradleCheck& check = cradle.check;
     const QString& name = dip.immersion.name;
+    if (const std::size_t parts = looseParts(dip.film.body()); parts > 1) {
+        notes << Text::tr("%1: the model has %2 separate parts, but the cradle has one bore, which "
+                          "can fasten only one of them; give each part its own holder")
+                     .arg(name)
+                     .arg(parts);
+    }
     if (check.standing.tiltDegrees < steadyTilt) {
         notes << Text::tr("%1: the part tips out of its cradle unless it is fastened, because the "
                           "cradle cannot hold it on all sides of its centre of mass. Fasten the "

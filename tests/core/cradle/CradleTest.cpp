@@ -4,6 +4,7 @@
 #include "DippedByHand.h"
 #include "cradle/CradleFiles.h"
 #include "cradle/ReducedSurface.h"
+#include "dip/JigModel.h"
 #include "geometry/DistanceField.h"
 #include "geometry/Shapes.h"
 #include "geometry/SurfaceSamples.h"
@@ -104,6 +105,22 @@ class CradleTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void makeCradle_jig_notesThatEachPartNeedsAHolder() {
+        const auto ball = [](double ofRadius, double x, double height) {
+            JigPart part;
+            part.model = std::make_shared<const TexturedMesh>(
+                test::plainModel(sphereMesh(ofRadius, 90, 180), Qt::white));
+            part.placed.offset[0] = Millimetres(x);
+            part.height = Millimetres(height);
+            return part;
+        };
+        const TexturedMesh jig = jigModel({ball(radius, 0, 0), ball(5, -32, 38), ball(5, 32, 38)});
+        const Cradle cradle =
+            cradleOf(*test::laid(jig.mesh, test::viscousOnSphere(test::a4Grid(), radius, pi / 2)));
+        QVERIFY(!cradle.mesh.triangles.empty());
+        QCOMPARE(cradle.notes.filter("3 separate parts").size(), qsizetype(1));
+    }
+
     // In the pose frame, the ball's centre is at (0, radius, 0).
     void makeCradle_ball_hasAPocketOfItsForm() {
         const Cradle& cradle = ballsCradle();
