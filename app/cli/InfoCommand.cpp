@@ -1,7 +1,7 @@
 #include "cli/Arguments.h"
 #include "dip/BodyPath.h"
 #include "geometry/FieldGrid.h"
-#include "geometry/TriangleMesh.h"
+#include "geometry/Solid.h"
 #include "marks/SurfaceMask.h"
 #include "model/NamedMaterials.h"
 #include "model/TextureNotes.h"
@@ -37,7 +37,7 @@ QJsonObject modelJson(const TexturedMesh& model) {
             {"size_mm", QJsonArray{size.x(), size.y(), size.z()}},
             {"area_mm2", surfaceArea(model.mesh)},
             {"volume_mm3", volume(model.mesh)},
-            {"closed", isClosed(model.mesh)},
+            {"closed", boundsSolid(model.mesh)},
             {"materials", qint64(model.materials.size())},
             {"material_names", QJsonArray::fromStringList(materialNames(model))},
             {"textures", textures}};
@@ -49,7 +49,8 @@ void printModel(const TexturedMesh& model, const QString& notes, QTextStream& ou
                .arg(model.mesh.triangles.size())
                .arg(plain(size.x()), plain(size.y()), plain(size.z()),
                     plain(volume(model.mesh) / 1000),
-                    isClosed(model.mesh) ? QStringLiteral("closed") : QStringLiteral("not closed"));
+                    boundsSolid(model.mesh) ? QStringLiteral("closed")
+                                            : QStringLiteral("not closed"));
     if (!notes.isEmpty()) {
         out << QStringLiteral("Notes from the import: %1\n").arg(notes);
     }

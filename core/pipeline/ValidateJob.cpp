@@ -8,6 +8,7 @@
 #include "dip/FilmUnderBody.h"
 #include "dip/TankFit.h"
 #include "film/FilmGrid.h"
+#include "geometry/Solid.h"
 #include "model/TextureNotes.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/ModelNotes.h"
@@ -156,7 +157,7 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     if (isInsideOut(*project.model)) {
         warnings.append(insideOutNote());
     }
-    if (!isClosed(project.model->mesh)) {
+    if (!boundsSolid(project.model->mesh)) {
         warnings.append(Text::tr("The model is not closed; Dipwright guesses what is inside"));
     }
     if (project.model->textures.empty() && project.artwork.isEmpty()) {

@@ -1,6 +1,7 @@
 #include "workbench/project/PropertyPanel.h"
 
 #include "base/Error.h"
+#include "geometry/Solid.h"
 #include "import/trusted/CadFacts.h"
 #include "model/NamedMaterials.h"
 #include "pipeline/DeeperDip.h"
@@ -260,7 +261,7 @@ void PropertyPanel::addModelFacts(QFormLayout& form) {
                      shownLength(size.z(), lengthUnit_)),
             tr("Triangles: %1").arg(locale.toString(qulonglong(model.mesh.triangles.size()))),
             tr("Volume: %1 cm³").arg(locale.toString(volume(model.mesh) / 1000, 'f', 1)),
-            isClosed(model.mesh) ? tr("Closed surface") : tr("Surface with openings")};
+            boundsSolid(model.mesh) ? tr("Closed surface") : tr("Surface with openings")};
         for (const QImage& texture : model.textures) {
             lines.append(
                 tr("Texture of %1 × %2 pixels").arg(texture.width()).arg(texture.height()));

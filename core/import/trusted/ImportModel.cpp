@@ -2,6 +2,7 @@
 
 #include "base/Budgets.h"
 #include "base/ProcessorTime.h"
+#include "geometry/Solid.h"
 #include "import/trusted/ModelFolder.h"
 #include "import/trusted/ReadPictures.h"
 #include "import/trusted/ReaderProcess.h"
@@ -210,7 +211,7 @@ double scaleAsAsked(TriangleMesh& mesh, const ImportOptions& options, const QStr
 
 void describe(const TexturedMesh& model, ImportReport& report) {
     report.triangles = model.mesh.triangles.size();
-    report.closed = isClosed(model.mesh);
+    report.closed = boundsSolid(model.mesh);
     report.volume = volume(model.mesh);
     report.box = boundingBox(model.mesh);
     if (!report.closed) {

@@ -1,10 +1,12 @@
 // Meshes and shapes, compared with their closed forms.
 #include "base/Units.h"
 #include "geometry/Shapes.h"
+#include "geometry/Solid.h"
 #include "geometry/SurfaceSamples.h"
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace dipwright;
@@ -37,6 +39,7 @@ private Q_SLOTS:
     void volume_farFromTheOrigin_isTheSame();
     void isClosed_triangleRemoved_isFalse();
     void isClosed_triangleFlipped_isFalse();
+    void boundsSolid_boxesThatTouchAtAnEdge_isTrue();
     void oppositeEdges_sharedEdge_findsTheNeighbour();
     void evenSamples_bodyWithoutArea_isEmpty();
     void vertexNormals_sphere_areRadial();
@@ -126,6 +129,28 @@ void MeshTest::isClosed_triangleFlipped_isFalse() {
     TriangleMesh box = boxMesh({10, 10, 10});
     std::swap(box.triangles[3][0], box.triangles[3][1]);
     QVERIFY(!isClosed(box));
+}
+
+void MeshTest::boundsSolid_boxesThatTouchAtAnEdge_isTrue() {
+    TriangleMesh boxes = boxMesh({10, 10, 10});
+    const std::vector<Eigen::Vector3f> first = boxes.positions;
+    for (const Eigen::Vector3f& position : first) {
+        boxes.positions.push_back(position + Eigen::Vector3f(10, 10, 0));
+    }
+    const auto indexOf = [&](std::uint32_t corner) { // points at one place are one point
+        const auto place =
+            std::find(boxes.positions.begin(), boxes.positions.end(), boxes.positions[corner]);
+        return std::uint32_t(place - boxes.positions.begin());
+    };
+    const auto ofFirst = boxes.triangles;
+    const auto count = std::uint32_t(first.size());
+    for (const auto& [a, b, c] : ofFirst) {
+        boxes.triangles.push_back({indexOf(a + count), indexOf(b + count), indexOf(c + count)});
+    }
+    QVERIFY(!isClosed(boxes) && boundsSolid(boxes));
+    boxes.triangles.pop_back();
+    QVERIFY(!boundsSolid(boxes));
+    QVERIFY(!boundsSolid(TriangleMesh()));
 }
 
 void MeshTest::oppositeEdges_sharedEdge_findsTheNeighbour() {
