@@ -123,8 +123,9 @@ void Job::useProfile(const QString& kind, const QString& name) {
 void Job::save(const std::optional<Path>& wanted) {
     const QString asked = wanted ? pathText(*wanted) : path_;
     if (asked.isEmpty()) {
-        throw Error(QStringLiteral("The project has no file yet; name one, such as "
-                                   "save(\"part.dipw\")"),
+        throw Error((wanted ? QStringLiteral("The name of the file is empty; name one, such as %1")
+                            : QStringLiteral("The project has no file yet; name one, such as %1"))
+                        .arg(QStringLiteral("save(\"part.dipw\")")),
                     project_.name);
     }
     const QString path = wholePath(asked);

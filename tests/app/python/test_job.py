@@ -147,6 +147,14 @@ def test_save_changedByAnother_isRefused(ball, tmp_path):
     assert dipwright.open(ball.path)["immersions[0].name"] == "Other"
 
 
+def test_save_emptyName_isRefused(ball, tmp_path):
+    with pytest.raises(dipwright.Error, match="has no file yet"):
+        ball.save()
+    ball.save(tmp_path / "ball.dipw")
+    with pytest.raises(dipwright.Error, match="name of the file is empty"):
+        ball.save("")
+
+
 def test_save_afterAChangeOfFolder_writesTheSameFile(ball, tmp_path, monkeypatch):
     (tmp_path / "elsewhere").mkdir()
     monkeypatch.chdir(tmp_path)
