@@ -33,8 +33,12 @@ double variation(const Field<Project>& law, double value) {
     return lawVariation * (value != 0 ? value : law.get(Project{}).toDouble());
 }
 
+// Returns the value within the field's range, with as many digits as a person would write: 0.96
+// instead of 0.9600000000000001.
 double withinRange(const Field<Project>& field, double value) {
-    return std::clamp(value, field.rule.minimum, field.rule.maximum);
+    constexpr int digits = 10;
+    return std::clamp(QString::number(value, 'g', digits).toDouble(), field.rule.minimum,
+                      field.rule.maximum);
 }
 
 Project withValue(Project project, const Field<Project>& field, double value) {
