@@ -109,14 +109,16 @@ private slots:
         const auto ball = [](double ofRadius, double x, double height) {
             JigPart part;
             part.model = std::make_shared<const TexturedMesh>(
-                test::plainModel(sphereMesh(ofRadius, 90, 180), Qt::white));
+                test::plainModel(sphereMesh(ofRadius, 40, 80), Qt::white));
             part.placed.offset[0] = Millimetres(x);
             part.height = Millimetres(height);
             return part;
         };
         const TexturedMesh jig = jigModel({ball(radius, 0, 0), ball(5, -32, 38), ball(5, 32, 38)});
-        const Cradle cradle =
-            cradleOf(*test::laid(jig.mesh, test::viscousOnSphere(test::a4Grid(), radius, pi / 2)));
+        CradleSettings coarse = settings();
+        coarse.cell = Millimetres(1);
+        const Cradle cradle = cradleOf(
+            *test::laid(jig.mesh, test::viscousOnSphere(test::a4Grid(), radius, pi / 2)), coarse);
         QVERIFY(!cradle.mesh.triangles.empty());
         QCOMPARE(cradle.notes.filter("3 separate parts").size(), qsizetype(1));
     }
