@@ -475,6 +475,10 @@
         <source>%1: no cradle is possible, because the bore is wider than the place where the part rests; choose a smaller bore (cradle.bore_mm)</source>
         <translation>%1: Keine Halterung ist möglich, weil die Bohrung breiter ist als die Stelle, auf der das Teil ruht; wählen Sie eine kleinere Bohrung (cradle.bore_mm)</translation>
     </message>
+    <message>
+        <source>%1: the model has %2 separate parts, but the cradle has one bore, which can fasten only one of them; give each part its own holder</source>
+        <translation>%1: Das Modell hat %2 getrennte Teile, aber die Halterung hat nur eine Bohrung, die nur eines davon befestigen kann; geben Sie jedem Teil einen eigenen Halter</translation>
+    </message>
 </context>
 <context>
     <name>Dip</name>
@@ -501,10 +505,6 @@
     <message>
         <source>choose a film of at least %1 × %2 mm</source>
         <translation>wählen Sie einen Film von mindestens %1 × %2 mm</translation>
-    </message>
-    <message>
-        <source>no film is larger than %1 mm: check the model&apos;s size and unit</source>
-        <translation>kein Film ist größer als %1 mm: Prüfen Sie Größe und Einheit des Modells</translation>
     </message>
     <message>
         <source>Torn film</source>
@@ -553,6 +553,10 @@
     <message>
         <source>some places have several causes</source>
         <translation>einige Stellen haben mehrere Ursachen</translation>
+    </message>
+    <message>
+        <source>check the model&apos;s size and unit, because no film is larger than %1 mm</source>
+        <translation>prüfen Sie Größe und Einheit des Modells, weil kein Film größer als %1 mm ist</translation>
     </message>
 </context>
 <context>
@@ -4891,6 +4895,30 @@
         <source>The water carries the film %1 mm during the dip, past the edge of the tank “%2”; reduce the speed of the water, or use a smaller film</source>
         <translation>Das Wasser trägt den Film während des Tauchvorgangs %1 mm weit, über den Rand des Beckens „%2“ hinaus; verringern Sie die Geschwindigkeit des Wassers, oder verwenden Sie einen kleineren Film</translation>
     </message>
+    <message>
+        <source>The part reaches past the barrier at the film&apos;s %1 edge; move or turn the part, change its path, or use a larger film</source>
+        <translation>Das Teil reicht über die Barriere am %1 Rand des Films hinaus; verschieben oder drehen Sie das Teil, ändern Sie seinen Weg, oder verwenden Sie einen größeren Film</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <comment>edge of the film</comment>
+        <translation>linken</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <comment>edge of the film</comment>
+        <translation>rechten</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <comment>edge of the film</comment>
+        <translation>oberen</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <comment>edge of the film</comment>
+        <translation>unteren</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>
@@ -5498,6 +5526,18 @@
     <message>
         <source>%1: the film did not converge there</source>
         <translation>%1: der Film konvergierte dort nicht</translation>
+    </message>
+    <message>
+        <source>Masks cover everything that the film would paint. Remove a mask, or turn the part so that the film reaches other places.</source>
+        <translation>Masken bedecken alles, was der Film bemalen würde. Entfernen Sie eine Maske, oder drehen Sie das Teil so, dass der Film andere Stellen erreicht.</translation>
+    </message>
+    <message>
+        <source>Artwork hides the amounts of ink in the model&apos;s texture, so its colours are printed instead. To print the amounts, put the artwork into the texture.</source>
+        <translation>Die Gestaltung verdeckt die Tintenmengen in der Textur des Modells, deshalb werden ihre Farben gedruckt. Um die Tintenmengen zu drucken, übernehmen Sie die Gestaltung in die Textur.</translation>
+    </message>
+    <message>
+        <source>%1: the slow speed is %2 mm/s; the usual range is %3 to %4 mm/s. Check this value.</source>
+        <translation>%1: Die langsame Geschwindigkeit ist %2 mm/s; üblich sind %3 bis %4 mm/s. Prüfen Sie diesen Wert.</translation>
     </message>
 </context>
 <context>

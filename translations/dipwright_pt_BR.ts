@@ -475,6 +475,10 @@
         <source>%1: no cradle is possible, because the bore is wider than the place where the part rests; choose a smaller bore (cradle.bore_mm)</source>
         <translation>%1: nenhum berço é possível, porque o furo é mais largo do que o lugar onde a peça se apoia; escolha um furo menor (cradle.bore_mm)</translation>
     </message>
+    <message>
+        <source>%1: the model has %2 separate parts, but the cradle has one bore, which can fasten only one of them; give each part its own holder</source>
+        <translation>%1: o modelo tem %2 peças separadas, mas o berço tem só um furo, que só consegue fixar uma delas; dê a cada peça o seu próprio suporte</translation>
+    </message>
 </context>
 <context>
     <name>Dip</name>
@@ -501,10 +505,6 @@
     <message>
         <source>choose a film of at least %1 × %2 mm</source>
         <translation>escolha uma película de pelo menos %1 × %2 mm</translation>
-    </message>
-    <message>
-        <source>no film is larger than %1 mm: check the model&apos;s size and unit</source>
-        <translation>nenhuma película é maior que %1 mm: verifique o tamanho e a unidade do modelo</translation>
     </message>
     <message>
         <source>Torn film</source>
@@ -553,6 +553,10 @@
     <message>
         <source>some places have several causes</source>
         <translation>alguns lugares têm várias causas</translation>
+    </message>
+    <message>
+        <source>check the model&apos;s size and unit, because no film is larger than %1 mm</source>
+        <translation>verifique o tamanho e a unidade do modelo, porque nenhuma película é maior que %1 mm</translation>
     </message>
 </context>
 <context>
@@ -4891,6 +4895,30 @@
         <source>The water carries the film %1 mm during the dip, past the edge of the tank “%2”; reduce the speed of the water, or use a smaller film</source>
         <translation>A água leva a película %1 mm durante a imersão, além da borda do tanque “%2”; reduza a velocidade da água ou use uma película menor</translation>
     </message>
+    <message>
+        <source>The part reaches past the barrier at the film&apos;s %1 edge; move or turn the part, change its path, or use a larger film</source>
+        <translation>A peça ultrapassa a barreira na borda %1 da película; mova ou gire a peça, mude o percurso ou use uma película maior</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <comment>edge of the film</comment>
+        <translation>esquerda</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <comment>edge of the film</comment>
+        <translation>direita</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <comment>edge of the film</comment>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <comment>edge of the film</comment>
+        <translation>inferior</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>
@@ -5498,6 +5526,18 @@
     <message>
         <source>%1: the film did not converge there</source>
         <translation>%1: a película não convergiu ali</translation>
+    </message>
+    <message>
+        <source>Masks cover everything that the film would paint. Remove a mask, or turn the part so that the film reaches other places.</source>
+        <translation>As máscaras cobrem tudo o que a película pintaria. Remova uma máscara ou gire a peça para que a película alcance outros lugares.</translation>
+    </message>
+    <message>
+        <source>Artwork hides the amounts of ink in the model&apos;s texture, so its colours are printed instead. To print the amounts, put the artwork into the texture.</source>
+        <translation>A arte esconde as quantidades de tinta da textura do modelo, por isso são impressas as cores dela. Para imprimir as quantidades, coloque a arte na textura.</translation>
+    </message>
+    <message>
+        <source>%1: the slow speed is %2 mm/s; the usual range is %3 to %4 mm/s. Check this value.</source>
+        <translation>%1: a velocidade lenta é %2 mm/s; o usual é de %3 a %4 mm/s. Verifique este valor.</translation>
     </message>
 </context>
 <context>

@@ -303,8 +303,8 @@ void AirPockets::keep(std::shared_ptr<const SpaceGrid> grid) {
 
 AirPockets::AirPockets(const TriangleMesh& mesh, const SurfaceQuery& query,
                        const solver::BodyPath& path, int cells) {
-    auto grid = std::make_shared<const SpaceGrid>(
-        mesh, query, airCellsAlong(boundingBox(mesh).sizes(), cells));
+    auto grid = std::make_shared<const SpaceGrid>(mesh, query,
+                                                  airCellsAlong(boundingBox(mesh).sizes(), cells));
     cell_ = grid->width();
     isOnPath_ = true;
     const std::vector<PathMoment> moments = momentsOf(path, 2 * double(cell_));

@@ -9,7 +9,8 @@
 namespace dipwright {
 
 // The film of a dip that tore. The body passes through it, or catches it later: the inside of a cup
-// stays bare above the tear, though the cup's bottom comes down on the torn film. Immutable; any thread may read. Refers to the film.
+// stays bare above the tear, though the cup's bottom comes down on the torn film. Immutable; any
+// thread may read. Refers to the film.
 class TornFilm {
 public:
     // Faces that turn up by more than `overhang` hold no film.

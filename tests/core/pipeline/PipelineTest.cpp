@@ -1,6 +1,6 @@
 // Tests runJob(): what it computes again, what it reuses, and when the CPU takes over.
-#include "HollowBodies.h"
 #include "pipeline/Pipeline.h"
+#include "HollowBodies.h"
 #include "PluginFolder.h"
 #include "TestFiles.h"
 #include "TestFolders.h"
@@ -140,8 +140,8 @@ private slots:
     void runJob_cupCatchesTornFilm_isToBeChecked() {
         Project job = ballJob();
         job.immersions.resize(1);
-        job.model = plain(
-            turned({{20, 0}, {20, 40}, {4, 40}, {4, 37}, {17, 37}, {17, 0}, {20, 0}}, 60));
+        job.model =
+            plain(turned({{20, 0}, {20, 40}, {4, 40}, {4, 37}, {17, 37}, {17, 0}, {20, 0}}, 60));
         const JobResult result = runJob(job, *registry_, {}, nullptr, {});
         const Coverage& found = *result.immersions.front().coverage;
         QVERIFY(found.tornBare > 0.5 * 2 * pi * 17 * 37); // half of the inner wall
