@@ -126,7 +126,8 @@ double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query) {
 }
 
 MissedParts missedParts(const TriangleMesh& body, const SurfaceQuery& query, double spacing) {
-    constexpr double manySamples = 20'000, leastShare = 0.001, leastReach = 4; // reach in cells
+    constexpr double manySamples = 20'000, leastShare = 0.001;
+    constexpr double reachInCells = 4, reachInSamples = 2; // distances between neighbours
     const std::vector<Thickness> samples = thicknessSamples(body, query, manySamples);
     std::vector<std::uint8_t> areThick(samples.size());
     parallelFor(std::size_t(0), samples.size(),
@@ -135,7 +136,8 @@ MissedParts missedParts(const TriangleMesh& body, const SurfaceQuery& query, dou
     for (std::size_t i = 0; i < samples.size(); ++i) {
         (areThick[i] ? thick : thin).push_back(samples[i]);
     }
-    const auto reach = float(leastReach * spacing);
+    const double sampleDistance = std::sqrt(surfaceArea(body) / manySamples);
+    const auto reach = float(std::max(reachInCells * spacing, reachInSamples * sampleDistance));
     std::vector<std::uint8_t> stickOut(thin.size());
     parallelFor(std::size_t(0), thin.size(), [&](std::size_t i) {
         stickOut[i] = std::none_of(thick.begin(), thick.end(), [&](const Thickness& other) {

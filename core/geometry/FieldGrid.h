@@ -39,9 +39,10 @@ struct MissedParts {
     double thickness = 0; // mm, of the thickest of them
 };
 // Returns the plates and pins that are thinner than one cell of `spacing` mm and stick out: their
-// surface lies more than four cells from any thicker place. A field may have no sample inside them,
-// and then film passes through. Finds parts of at least 0.1 % of the surface. `query` must have
-// been built from `body`. Uses all cores; deterministic.
+// surface lies more than four cells from any thicker place, and more than two distances between the
+// places that are looked at. A field may have no sample inside them, and then film passes through.
+// Finds parts of at least 0.1 % of the surface. `query` must have been built from `body`. Uses all
+// cores; deterministic.
 MissedParts missedParts(const TriangleMesh& body, const SurfaceQuery& query, double spacing);
 
 // Returns cubeGrid() if it is fine enough for parts of this thickness. Otherwise returns a box with

@@ -348,6 +348,7 @@ void DistanceFieldTest::missedParts_finsCount_edgesDoNot() {
                                      coneMesh(0.5, 60, 90), sphereMesh(35, 40, 80)}) {
         QCOMPARE(missed(mesh, 0.5).area, 0.0);
     }
+    QCOMPARE(missed(boxMesh({200, 1.2, 140}), 0.3).area, 0.0); // its places are 1.7 mm apart
 }
 
 void DistanceFieldTest::cachedDistanceField_usualBodies_keepTheCube() {
