@@ -158,10 +158,12 @@ bool takesInk(const ImmersionResult& dip, const Project& project) {
 // measured. They either hold or not; the settings say which advice each gives.
 void addOriginReasons(ReasonList& found, const JobResult& result) {
     const Project& project = result.project;
-    if (result.immersions.front().inputs.texture.isReversed() && isPlain(project)) {
+    const bool isReversed = result.immersions.front().inputs.texture.isReversed();
+    if (isReversed && isPlain(project)) {
         found.add({Kind::NoPicture, project.verdict.noPicture});
     }
-    if (!inkSpaceOf(*project.model).isEmpty() && !project.artwork.inColours().isEmpty()) {
+    if (isReversed && !inkSpaceOf(*project.model).isEmpty() &&
+        !project.artwork.inColours().isEmpty()) {
         found.add({Kind::HiddenInks, Advice::Print});
     }
     if (!project.modelOrigin.remarks.isEmpty()) {

@@ -933,7 +933,7 @@ void OddModelsTest::threeMf_paintAndTransparency_areALoss() {
     QVERIFY(losses("<triangle ", "<triangle paint_color=\"4\" ").contains(painted));
     QVERIFY(losses("<triangle ", "<triangle s:mmu_segmentation=\"4\" xmlns:s=\"s\" ")
                 .contains(painted));
-    // Of two materials, only the one in use counts.
+    // A transparent material that no triangle uses is not reported.
     QCOMPARE(losses("</base", "<base name=\"b\" displaycolor=\"#00FF0080\"/></base"), QString());
 }
 
