@@ -108,7 +108,7 @@ void printProject(const Project& project, QTextStream& out) {
     printFilm(project.film, out);
     const TriangleMesh& mesh = project.model->mesh;
     const FieldGrid field =
-        fieldGrid(mesh, project.fieldResolution, thinnestPart(mesh, SurfaceQuery(mesh)));
+        fieldGrid(mesh, project.fieldResolution, thinParts(mesh, SurfaceQuery(mesh)).thickness);
     out << QStringLiteral("Process: %1 mm/s, solver %2, signed distance field of %3 × %4 × %5 "
                           "samples with a spacing of %6 mm\n")
                .arg(plain(project.process.dipSpeed.value()), project.process.solver)

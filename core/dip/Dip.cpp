@@ -40,7 +40,7 @@ Error missedFilm(const Immersion& immersion) {
 
 // Explains why no film point reached the body.
 Error missedFilm(const PosedBody& body, const DistanceField& field, const Immersion& immersion) {
-    const double thinnest = thinnestPart(body.mesh, body.query);
+    const double thinnest = thinParts(body.mesh, body.query).thickness;
     if (isFineEnough(field, thinnest)) {
         return missedFilm(immersion);
     }

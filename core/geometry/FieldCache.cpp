@@ -95,7 +95,7 @@ std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& bod
     const QString name = QString::fromLatin1(contentHash(body, resolution).toHex());
     const std::shared_ptr<DistanceField> field = fieldFromCache(name, [&] {
         const SurfaceQuery query(body);
-        const FieldGrid grid = fieldGrid(body, resolution, thinnestPart(body, query));
+        const FieldGrid grid = fieldGrid(body, resolution, thinParts(body, query).thickness);
         return buildDistanceField(body, query, grid, progress);
     });
     field->finer = std::make_shared<const FinerFields>(body, *field, name);

@@ -20,8 +20,10 @@ constexpr double leastCellsAcross = 2;
 // A plate with fewer cells gets this many, because plates may lie obliquely in the grid.
 constexpr double cellsAcross = 4;
 constexpr double thinShare = 0.01;
-constexpr double opposite = -0.8; // cosine between the normals of a plate's faces
+constexpr double opposite = -0.8;   // cosine between the normals of a plate's faces
+constexpr float leastTaper = 0.01F; // sine of half the angle of an edge; below, faces are parallel
 constexpr double wantedSamples = 4'000;
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::DistanceField)
@@ -58,8 +60,23 @@ FieldGrid boxGrid(const BoundingBox& box, double spacing) {
 // A place of the surface, and how thick the body is there.
 struct Thickness {
     Eigen::Vector3f place, outward;
-    float plate; // distance to the opposite face, mm; infinite if no face lies opposite
+    float plate;         // distance to the opposite face, mm; infinite if no face lies opposite
+    bool tapers = false; // the two faces meet in a sharp edge
 };
+
+// Tells whether two faces, `thickness` apart at `middle`, taper to a sharp edge: inside, halfway to
+// the line in which their planes meet, and outside, as far behind it.
+bool tapersToEdge(const Eigen::Vector3f& middle, float thickness, const Eigen::Vector3f& normal,
+                  const Eigen::Vector3f& otherNormal, const SurfaceQuery& query) {
+    const Eigen::Vector3f towardsEdge = normal + otherNormal; // 2·sin(half the angle) long
+    const float sine = towardsEdge.norm() / 2;
+    if (sine <= leastTaper) {
+        return false;
+    }
+    const float toEdge = thickness / 2 * std::sqrt(1 - sine * sine) / sine;
+    const Eigen::Vector3f half = toEdge / 2 * towardsEdge.normalized();
+    return query.isInside(middle + half) && !query.isInside(middle + 3 * half);
+}
 
 // Measures the thickness at `count` places that are spread evenly.
 std::vector<Thickness> thicknessSamples(const TriangleMesh& body, const SurfaceQuery& query,
@@ -72,12 +89,30 @@ std::vector<Thickness> thicknessSamples(const TriangleMesh& body, const SurfaceQ
         const Eigen::Vector3f outward = triangleNormal(body, samples[i].triangle);
         const Eigen::Vector3f place = position(body, samples[i]);
         const RayHit through = query.hit(place - clear * outward, -outward);
-        const bool isPlate = through.point.isValid() &&
-                             triangleNormal(body, through.point.triangle).dot(outward) < opposite;
-        found[i] = {place, outward,
-                    isPlate ? through.distance + clear : std::numeric_limits<float>::infinity()};
+        found[i] = {place, outward, infinity};
+        if (!through.point.isValid()) {
+            return;
+        }
+        const Eigen::Vector3f farNormal = triangleNormal(body, through.point.triangle);
+        const float distance = through.distance + clear;
+        if (farNormal.dot(outward) < opposite) {
+            found[i].plate = distance;
+            found[i].tapers =
+                tapersToEdge(place - distance / 2 * outward, distance, outward, farNormal, query);
+        }
     });
     return found;
+}
+
+// Returns the thickness that 1 % of the places do not reach.
+double lowPercentile(std::vector<float> thicknesses) {
+    const auto rank = std::size_t(thinShare * double(thicknesses.size()));
+    if (rank >= thicknesses.size()) {
+        return double(infinity);
+    }
+    const auto nth = thicknesses.begin() + std::ptrdiff_t(rank);
+    std::nth_element(thicknesses.begin(), nth, thicknesses.end());
+    return double(*nth);
 }
 
 // Tells whether a ball of this diameter, mm, fits into the body where it touches the surface at
@@ -111,18 +146,13 @@ FieldGrid boxGrid(const TriangleMesh& body, double spacing) {
     return boxGrid(extentOf(body), spacing);
 }
 
-double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query) {
-    std::vector<float> thicknesses;
+ThinParts thinParts(const TriangleMesh& body, const SurfaceQuery& query) {
+    std::vector<float> all, plates;
     for (const Thickness& sample : thicknessSamples(body, query, wantedSamples)) {
-        thicknesses.push_back(sample.plate);
+        all.push_back(sample.plate);
+        plates.push_back(sample.tapers ? infinity : sample.plate);
     }
-    const auto rank = std::size_t(thinShare * double(thicknesses.size()));
-    if (rank >= thicknesses.size()) {
-        return std::numeric_limits<double>::infinity();
-    }
-    const auto nth = thicknesses.begin() + std::ptrdiff_t(rank);
-    std::nth_element(thicknesses.begin(), nth, thicknesses.end());
-    return double(*nth);
+    return {lowPercentile(std::move(all)), lowPercentile(std::move(plates))};
 }
 
 MissedParts missedParts(const TriangleMesh& body, const SurfaceQuery& query, double spacing) {

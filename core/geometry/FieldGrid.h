@@ -24,11 +24,15 @@ FieldGrid cubeGrid(const TriangleMesh& body, int resolution);
 // around it. Throws Error on a body without extent.
 FieldGrid boxGrid(const TriangleMesh& body, double spacing);
 
-// Returns the thickness of the body's thinnest parts, mm: 1 % of the body's surface lies on plates
-// that are thinner. Infinite if less than 1 % of the surface lies on plates. A plate has faces on
-// both sides that are parallel to within 37°, so a part that tapers to an edge is not a plate.
-// `query` must have been built from `body`.
-double thinnestPart(const TriangleMesh& body, const SurfaceQuery& query);
+// The thickness of the body's thinnest parts, mm: 1 % of the body's surface lies on parts that are
+// thinner. A part has faces on both sides that are parallel to within 37°. Infinite if less than 1
+// % of the surface lies on such parts.
+struct ThinParts {
+    double thickness = 0;
+    double plate = 0; // the same, without parts that taper to a sharp edge
+};
+// Measures them. `query` must have been built from `body`. Uses all cores; deterministic.
+ThinParts thinParts(const TriangleMesh& body, const SurfaceQuery& query);
 
 // Whether a field on this grid resolves plates of this thickness.
 bool isFineEnough(const FieldGrid& grid, double thinnest);

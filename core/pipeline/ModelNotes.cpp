@@ -59,13 +59,13 @@ private:
 } // namespace
 
 QString thinPartNote(const Project& project, const TriangleMesh& mesh, const SurfaceQuery& query) {
-    const double thinnest = thinnestPart(mesh, query);
-    const FieldGrid field = fieldGrid(project.model->mesh, project.fieldResolution, thinnest);
-    if (!isFineEnough(field, thinnest)) {
+    const ThinParts thin = thinParts(mesh, query);
+    const FieldGrid field = fieldGrid(project.model->mesh, project.fieldResolution, thin.thickness);
+    if (!isFineEnough(field, thin.plate)) {
         return Text::tr("Some places of the model are only %1 mm thick. The film may miss them, "
                         "because the smallest possible cells of the distance field are %2 mm. Make "
                         "these places thicker, or dip a smaller section of the model.")
-            .arg(roundedText(thinnest, 2))
+            .arg(roundedText(thin.plate, 2))
             .arg(roundedText(field.spacing, 2));
     }
     const MissedParts missed = missedParts(mesh, query, field.spacing);

@@ -108,7 +108,7 @@ private Q_SLOTS:
     void buildDistanceField_progress_growsTo1();
     void buildDistanceField_invalidInput_isRefused();
 
-    void thinnestPart_platesCount_taperedEdgesDoNot();
+    void thinParts_platesCount_taperedEdgesDoNot();
     void missedParts_finsCount_edgesDoNot();
     void cachedDistanceField_usualBodies_keepTheCube();
     void cachedDistanceField_thinPlate_isResolvedInAnyDirection_data();
@@ -304,14 +304,19 @@ void DistanceFieldTest::buildDistanceField_invalidInput_isRefused() {
 }
 
 // Thin plates count if they have at least 1 % of the surface.
-void DistanceFieldTest::thinnestPart_platesCount_taperedEdgesDoNot() {
+void DistanceFieldTest::thinParts_platesCount_taperedEdgesDoNot() {
     const auto thickness = [](const TriangleMesh& mesh) {
-        return thinnestPart(mesh, SurfaceQuery(mesh));
+        return thinParts(mesh, SurfaceQuery(mesh)).plate;
     };
     QVERIFY(std::abs(thickness(boxMesh({100, 0.5, 60})) - 0.5) < 1e-3);
     QVERIFY(thickness(tetrahedronMesh(60)) > 10);
     QVERIFY(thickness(sphereMesh(35, 40, 80)) > 60);
     QVERIFY(std::isinf(thickness(coneMesh(0.5, 60, 90))) || thickness(coneMesh(0.5, 60, 90)) > 10);
+    // Rims of 30°, 20° and 10°.
+    for (const double degrees : {60.0, 70.0, 80.0}) {
+        const double found = thickness(coneMesh(degrees * pi / 180, 12, 90));
+        QVERIFY2(found > 1, qPrintable(QString::number(found)));
+    }
     const auto withFin = [&](double edge) {
         TriangleMesh fin = boxMesh({edge, edge, 0.5});
         for (auto& position : fin.positions) {
@@ -390,7 +395,7 @@ void DistanceFieldTest::fieldGrid_veryThinPlate_keepsTheSampleLimit() {
     const TriangleMesh foil = transformed(
         boxMesh({100, 0.05, 100}),
         Eigen::Isometry3d(Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 0, 1).normalized())));
-    const double thinnest = thinnestPart(foil, SurfaceQuery(foil));
+    const double thinnest = thinParts(foil, SurfaceQuery(foil)).thickness;
     const FieldGrid grid = fieldGrid(foil, 128, thinnest);
     QVERIFY(grid.sampleCount() <= mostFieldSamples);
     QVERIFY(grid.sampleCount() > mostFieldSamples / 2);
