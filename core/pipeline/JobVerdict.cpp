@@ -34,6 +34,10 @@ constexpr double bareSamples = 20'000; // number of points on the body
 // Largest share of the surface that two dips may paint twice if they do not share the body. Along
 // the ends of two films that meet, less is painted twice.
 constexpr double mostPaintedTwice = 0.02;
+// The seam's wishes count as unmet below this share of the wanted overlap, and above this share of
+// the area that marks give to a dip.
+constexpr double leastWantedOverlap = 0.9;
+constexpr double mostMisassigned = 0.1;
 // A sheet with less ink than this, in mm² of full tint, has none: less than a dot of 0.4 mm.
 constexpr double leastInk = 0.1;
 // The share of its contrast that a picture should keep on the part's own colour, compared with the
@@ -229,6 +233,18 @@ void addUnusualReasons(ReasonList& found, const Project& project) {
     }
 }
 
+// Adds reasons for a seam that does not turn out as wanted.
+void addSeamReasons(ReasonList& found, const BodyShare& share, const Project& project) {
+    found.addShare(Kind::Narrow, share.narrow, project.verdict.narrow);
+    const double wanted = project.share.overlap.value();
+    if (share.cost.length > 0 && share.overlap.middle < leastWantedOverlap * wanted) {
+        found.add({Kind::NarrowSeam, Advice::Print, share.overlap.middle, wanted});
+    }
+    if (share.misassigned > mostMisassigned) {
+        found.add({Kind::Misassigned, Advice::Print, share.misassigned});
+    }
+}
+
 // Adds reasons for how much of the body is painted: too little, or twice.
 void addAmountReasons(ReasonList& found, const JobResult& result) {
     const VerdictSettings& limits = result.project.verdict;
@@ -242,7 +258,7 @@ void addAmountReasons(ReasonList& found, const JobResult& result) {
     }
     found.addShare(Kind::Unreached, unreached(result), limits.unreached);
     if (result.share) {
-        found.addShare(Kind::Narrow, result.share->narrow, limits.narrow);
+        addSeamReasons(found, *result.share, result.project);
     } else if (const double twice = paintedTwice(result); twice > mostPaintedTwice) {
         found.add({Kind::PaintedTwice, Advice::CheckFirst, twice, mostPaintedTwice});
     }

@@ -184,6 +184,7 @@ QJsonObject shareJson(const JobResult& result) {
             {"overlap_least_mm", share.overlap.least},
             {"overlap_most_mm", share.overlap.most},
             {"overlap_too_narrow", share.narrow},
+            {"misassigned", share.misassigned},
             {"first_mm2", share.areas.first},
             {"second_mm2", share.areas.second},
             {"both_mm2", share.areas.both},

@@ -84,14 +84,21 @@ std::vector<std::array<double, 2>> costsOf(const TriangleMesh& mesh, const Suita
     return costs;
 }
 
-std::vector<std::uint8_t> cutBody(const RefinedMesh& body, std::vector<std::array<double, 2>> costs,
-                                  std::vector<float> weights, const ShareSettings& settings) {
-    applyShareMarks(body.mesh(), settings.marks, costs, weights);
+using AssignedDips = std::vector<std::optional<std::size_t>>; // per fine triangle, by marks
+
+struct Cut {
+    std::vector<std::uint8_t> labels; // per fine triangle
+    AssignedDips assigned;
+};
+
+Cut cutBody(const RefinedMesh& body, std::vector<std::array<double, 2>> costs,
+            std::vector<float> weights, const ShareSettings& settings) {
+    AssignedDips assigned = applyShareMarks(body.mesh(), settings.marks, costs, weights);
     std::vector<CutEdge> edges = seamCutEdges(body, weights);
     for (CutEdge& edge : edges) {
         edge.cost *= seamWeight;
     }
-    return minimumCut(costs, edges);
+    return {minimumCut(costs, edges), std::move(assigned)};
 }
 
 std::vector<std::uint32_t> trianglesOf(const std::vector<LinePiece>& line) {
@@ -171,6 +178,23 @@ void findPainters(BodyShare& share, const Suitabilities& dips) {
         share.painters.push_back(painter);
         (share.areas.*areaOf(painter)) += area;
     }
+}
+
+// Returns the share of the assigned and painted area that only the other dip paints.
+double misassignedShare(const TriangleMesh& mesh, const AssignedDips& assigned,
+                        const std::vector<Painter>& painters) {
+    double painted = 0, byOther = 0;
+    for (std::size_t triangle = 0; triangle < assigned.size(); ++triangle) {
+        if (assigned[triangle] && painters[triangle] != Painter::None) {
+            const double area = triangleArea(mesh, triangle);
+            painted += area;
+            byOther +=
+                painters[triangle] == (*assigned[triangle] == 0 ? Painter::Second : Painter::First)
+                    ? area
+                    : 0;
+        }
+    }
+    return painted > 0 ? byOther / painted : 0;
 }
 
 OverlapWidth overlapAlong(const std::vector<LinePiece>& line, const TriangleMesh& mesh,
@@ -269,22 +293,23 @@ BodyShare shareBody(const ShareStage& stage, const Films& films, const ShareSett
     inParallel([&] { reaches[0] = reachOf(mesh, dips[0].reached, band.measure()); },
                [&] { reaches[1] = reachOf(mesh, dips[1].reached, band.measure()); });
     reportProgress(0.6);
-    std::vector<std::uint8_t> labels;
+    Cut cut;
     std::vector<float> equator;
-    inParallel(
-        [&] { labels = cutBody(body, costsOf(mesh, dips, reaches), places.weights, settings); },
-        [&] {
-            equator = signedDistance(mesh, equatorField(mesh, films), farthest, band.measure());
-            keepInReach(equator, reaches);
-        });
+    inParallel([&] { cut = cutBody(body, costsOf(mesh, dips, reaches), places.weights, settings); },
+               [&] {
+                   equator =
+                       signedDistance(mesh, equatorField(mesh, films), farthest, band.measure());
+                   keepInReach(equator, reaches);
+               });
     reportProgress(0.8);
     BodyShare share;
     share.narrowest = band.narrowest();
     const double width = std::max(smoothing, 2 * double(stage.edge));
-    share.fade = {stage.body, signedDistance(mesh, smoothBorder(mesh, labels, width), farthest,
+    share.fade = {stage.body, signedDistance(mesh, smoothBorder(mesh, cut.labels, width), farthest,
                                              band.measure())};
     keepInReach(share.fade.values, reaches);
     findPainters(share, dips);
+    share.misassigned = misassignedShare(mesh, cut.assigned, share.painters);
     share.narrow = band.tooNarrow(share.fade.values, share.painters);
     const std::vector<LinePiece> line = seamPieces(zeroLine(mesh, share.fade.values), dips);
     for (std::size_t dip = 0; dip < 2; ++dip) {

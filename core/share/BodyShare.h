@@ -53,6 +53,8 @@ struct BodyShare {
     // displaced by that error, the reflectance there changes by more than 0.1.
     double narrow = 0;
     ShareAreas areas;
+    // Share of the painted area that marks assign to a dip, but that only the other dip paints.
+    double misassigned = 0;
     // Third quartile of the stretch of each dip's film along the seam. A displacement of the film
     // on the water is multiplied by this stretch on the body.
     std::array<double, 2> seamStretch{1, 1};

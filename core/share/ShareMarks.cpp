@@ -70,10 +70,13 @@ markOutline(const TriangleMesh& mesh, const SurfaceQuery& query, const ShareMark
     return circle;
 }
 
-void applyShareMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& marks,
-                     std::vector<std::array<double, 2>>& costs, std::vector<float>& weights) {
+std::vector<std::optional<std::size_t>> applyShareMarks(const TriangleMesh& mesh,
+                                                        const std::vector<ShareMark>& marks,
+                                                        std::vector<std::array<double, 2>>& costs,
+                                                        std::vector<float>& weights) {
+    std::vector<std::optional<std::size_t>> assigned(mesh.triangles.size());
     if (marks.empty()) {
-        return;
+        return assigned;
     }
     const SurfaceQuery query(mesh);
     const std::vector<std::array<double, 2>> unmarkedCosts = costs;
@@ -83,10 +86,12 @@ void applyShareMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& mar
             const double area = triangleArea(mesh, triangle);
             switch (mark.kind) {
             case ShareMarkKind::First:
+                assigned[triangle] = 0;
                 costs[triangle] = {unmarkedCosts[triangle][0],
                                    unmarkedCosts[triangle][1] + assignedCost * area};
                 break;
             case ShareMarkKind::Second:
+                assigned[triangle] = 1;
                 costs[triangle] = {unmarkedCosts[triangle][0] + assignedCost * area,
                                    unmarkedCosts[triangle][1]};
                 break;
@@ -97,12 +102,14 @@ void applyShareMarks(const TriangleMesh& mesh, const std::vector<ShareMark>& mar
                 weights[triangle] = allowFactor * unmarkedWeights[triangle];
                 break;
             case ShareMarkKind::None:
+                assigned[triangle].reset();
                 costs[triangle] = unmarkedCosts[triangle];
                 weights[triangle] = unmarkedWeights[triangle];
                 break;
             }
         }
     }
+    return assigned;
 }
 
 } // namespace dipwright

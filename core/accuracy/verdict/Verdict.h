@@ -50,6 +50,8 @@ struct VerdictReason {
         // Reasons about all dips together.
         Unreached,    // neither dip paints the share `value` of the body's surface
         Narrow,       // the share `value` of the overlap is too narrow
+        NarrowSeam,   // half of the overlap is at most `value` mm wide; the user wants `limit` mm
+        Misassigned,  // one dip paints the share `value` of the area that marks give to the other
         ZoneBare,     // the share `value` of the zone is not painted
         ZoneExceeded, // handling and numerical error together: 95 % of the zone's painted area is
                       // within `value` mm, which exceeds `limit`

@@ -170,6 +170,15 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
                         "error of the second film shows there. Widen the overlap (Seam > Overlap), "
                         "or turn the part in one of the dips.")
             .arg(shares[0], shares[1]);
+    case Kind::NarrowSeam:
+        return Text::tr("Half of the overlap is at most %1 wide instead of %2, because the two "
+                        "films do not overlap farther there.")
+            .arg(length(reason.value), length(reason.limit));
+    case Kind::Misassigned:
+        return Text::tr("%1 % of the area that seam marks give to one dip is painted by the other "
+                        "dip. Film does not reach it there, or the marks are too small. Turn the "
+                        "part, or change the marks.")
+            .arg(shares[0]);
     case Kind::ZoneBare:
         return Text::tr(
                    "%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film "

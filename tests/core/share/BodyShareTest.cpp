@@ -419,6 +419,12 @@ void BodyShareTest::shareBody_marks_areObeyed() {
     settings.marks.push_back(stroke);
     settings.marks.back().kind = ShareMarkKind::None;
     QCOMPARE(painterAt(shared(model, films, settings), above), Painter::Second);
+    // The first dip reaches the bottom, but not the top.
+    settings.marks = {mark};
+    settings.marks[0].place = {Millimetres(0), Millimetres(-radius), Millimetres(0)};
+    QCOMPARE(shared(model, films, settings).misassigned, 0.0);
+    settings.marks[0].place[1] = Millimetres(radius);
+    QCOMPARE(shared(model, films, settings).misassigned, 1.0);
     // The seam goes round a spot that it must avoid.
     settings.marks = {mark};
     settings.marks[0].kind = ShareMarkKind::Avoid;
