@@ -114,6 +114,17 @@ double travelledAfter(const solver::BodyPath& path, double seconds) {
     return from.travelled + share * (to.travelled - from.travelled);
 }
 
+PathSpeed speedOnPath(const solver::BodyPath& path) {
+    const auto between = [](const solver::PathPose& from, const solver::PathPose& to) {
+        return (to.travelled - from.travelled) / (to.seconds - from.seconds);
+    };
+    PathSpeed speed{between(path.poses.front(), path.poses.back())};
+    for (std::size_t i = 1; i < path.poses.size(); ++i) {
+        speed.most = std::max(speed.most, between(path.poses[i - 1], path.poses[i]));
+    }
+    return speed;
+}
+
 std::optional<double> firstUnderWater(const solver::BodyPath& path, const Eigen::Vector3d& at) {
     constexpr int halvings = 12;
     const auto heightAt = [&](double way) { return (placeOnPath(path, way) * at).y(); };

@@ -50,6 +50,14 @@ solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
 solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& modelToPose,
                              const Immersion& immersion);
 
+// The speed of the travel on a path, mm/s.
+struct PathSpeed {
+    double mean = 0; // over the whole path
+    double most = 0; // the highest mean between two poses
+};
+// Returns it. `path` must have poses.
+PathSpeed speedOnPath(const solver::BodyPath& path);
+
 // Returns how far the body comes up again on its path: how much its lowest point rises, as a share
 // of its greatest depth before. 0: it never rises; 1: it comes up to the water, more: above it.
 // `posed` is the body in its pose frame.

@@ -200,7 +200,8 @@ void addOriginReasons(ReasonList& found, const JobResult& result) {
 }
 
 // Adds reasons for settings that do not occur in practice.
-void addUnusualReasons(ReasonList& found, const Project& project) {
+void addUnusualReasons(ReasonList& found, const JobResult& result) {
+    const Project& project = result.project;
     const auto addSpeed = [&](Kind kind, double speed, const QString& dip) {
         const double usual = std::clamp(speed, leastUsualSpeed, mostUsualSpeed);
         if (speed != usual) {
@@ -211,6 +212,13 @@ void addUnusualReasons(ReasonList& found, const Project& project) {
     for (const Immersion& dip : project.immersions) {
         if (dip.path.isSlowed()) {
             addSpeed(Kind::UnusualSlowSpeed, dip.path.slowSpeed->value(), dip.name);
+        }
+    }
+    for (const ImmersionResult& dip : result.immersions) {
+        if (dip.immersion.path.kind == PathKind::Poses) {
+            const auto [mean, most] = speedOnPath(dip.body->path);
+            addSpeed(Kind::UnusualPathSpeed, most > mostUsualSpeed ? most : mean,
+                     dip.immersion.name);
         }
     }
     const FilmSettings& film = project.film;
@@ -288,7 +296,7 @@ Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
     }
     addContrastReason(found, result);
     addOriginReasons(found, result);
-    addUnusualReasons(found, result.project);
+    addUnusualReasons(found, result);
     return std::move(found).verdict();
 }
 

@@ -310,6 +310,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"thin_places", "body.sdf_resolution"},
                                KindWords{"unusual_speed", "process.dip_speed_mm_s"},
                                KindWords{"unusual_slow_speed", ""}, // each dip has its own field
+                               KindWords{"unusual_path_speed", ""},
                                KindWords{"unusual_growth_rate", "film.growth_per_s"},
                                KindWords{"unusual_growth", "film.growth_limit"},
                                KindWords{"unusual_swell", "film.swell"}};

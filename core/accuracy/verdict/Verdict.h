@@ -71,6 +71,7 @@ struct VerdictReason {
         ThinPlaces,      // `text`: places that are too thin for the distance field's cells
         UnusualSpeed,    // the dip speed of `value` mm/s is not usual
         UnusualSlowSpeed,  // the slow speed of `value` mm/s in the dip named `text` is not usual
+        UnusualPathSpeed,  // the part moves at `value` mm/s on the path of the dip named `text`
         UnusualGrowthRate, // the film grows by the share `value` per second, more than is usual
         UnusualGrowth,     // the film grows by the share `value` in all, more than is usual
         UnusualSwell,      // the film's swell of `value` is not usual

@@ -224,6 +224,11 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
                         "this value.")
             .arg(reason.text, QLocale().toString(reason.value), QLocale().toString(leastUsualSpeed),
                  QLocale().toString(mostUsualSpeed));
+    case Kind::UnusualPathSpeed:
+        return Text::tr("%1: the part moves at %2 mm/s on its path; the usual range is %3 to %4 "
+                        "mm/s. Check the times of the poses.")
+            .arg(reason.text, roundedText(reason.value, 2), QLocale().toString(leastUsualSpeed),
+                 QLocale().toString(mostUsualSpeed));
     case Kind::UnusualGrowthRate:
         return Text::tr("The film grows by %1 % per second; more than %2 % is unusual. Check this "
                         "value.")

@@ -194,6 +194,30 @@ private slots:
                                 "mm/s. Check this value."));
     }
 
+    void verdict_posesFarFromUsualSpeed_checkFirst() {
+        using Kind = VerdictReason::Kind;
+        JobResult result = unjudged(ball(17));
+        ImmersionResult& dip = result.immersions.front();
+        const auto body =
+            std::make_shared<PosedBody>(posedBody(result.project.model->mesh, dip.immersion));
+        dip.body = body;
+        const auto isUnusual = [&](double halfway, double end) {
+            body->path.poses = {{0, 0}, {15, halfway}, {30, end}};
+            dip.immersion.path.kind = PathKind::Poses;
+            result.verdict = allDipsVerdict(result, nullptr);
+            return has(result, Kind::UnusualPathSpeed);
+        };
+        QVERIFY(!isUnusual(3, 6));
+        QVERIFY(!isUnusual(45, 50)); // waits
+        QVERIFY(isUnusual(3, 100));
+        QVERIFY(isUnusual(0.1, 6));
+        QCOMPARE(reasonText(
+                     {Kind::UnusualPathSpeed, Advice::CheckFirst, 0.1, 0.5, QStringLiteral("Top")},
+                     millimetres),
+                 QStringLiteral("Top: the part moves at 0.1 mm/s on its path; the usual range is "
+                                "0.5 to 100 mm/s. Check the times of the poses."));
+    }
+
     // The top of the ball lies above the overhang limit and stays bare.
     void verdict_bareMarkedZone_doNotPrint() {
         Project project = ball(33);
