@@ -265,16 +265,33 @@ double riseOnPath(const solver::BodyPath& path, const TriangleMesh& posed) {
     return rise;
 }
 
+Eigen::AlignedBox2d shadowAt(const TriangleMesh& body, const Eigen::Isometry3d& toWorld,
+                             ShadowOf part) {
+    const auto shadowOf = [](const Eigen::Vector3d& at) { return Eigen::Vector2d(at.x(), at.z()); };
+    Eigen::AlignedBox2d shadow;
+    std::vector<Eigen::Vector3d> places;
+    for (const Eigen::Vector3f& place : body.positions) {
+        const Eigen::Vector3d& at = places.emplace_back(toWorld * place.cast<double>());
+        if (part == ShadowOf::Whole || at.y() <= 0) {
+            shadow.extend(shadowOf(at));
+        }
+    }
+    for (const auto& corners : body.triangles) {
+        for (std::size_t k = 0; k < 3 && part == ShadowOf::UnderWater; ++k) {
+            const Eigen::Vector3d &from = places[corners[k]], &to = places[corners[(k + 1) % 3]];
+            if (from.y() * to.y() < 0) {
+                shadow.extend(shadowOf(from + from.y() / (from.y() - to.y()) * (to - from)));
+            }
+        }
+    }
+    return shadow;
+}
+
 Eigen::AlignedBox2d shadowOnPath(const solver::BodyPath& path, const TriangleMesh& posed,
                                  ShadowOf part) {
     Eigen::AlignedBox2d shadow;
     for (const PathMoment& moment : momentsOf(path, shadowStep(posed))) {
-        for (const Eigen::Vector3f& place : posed.positions) {
-            const Eigen::Vector3d at = moment.poseToWorld * place.cast<double>();
-            if (part == ShadowOf::Whole || at.y() <= 0) {
-                shadow.extend(Eigen::Vector2d(at.x(), at.z()));
-            }
-        }
+        shadow.extend(shadowAt(posed, moment.poseToWorld, part));
     }
     return shadow;
 }

@@ -67,6 +67,9 @@ double riseOnPath(const solver::BodyPath& path, const TriangleMesh& posed);
 double shadowStep(const TriangleMesh& posed);
 // The part of a body whose shadow is computed.
 enum class ShadowOf : std::uint8_t { Whole, UnderWater };
+// Returns the bounding box, in x and z, of a body, or of its part under water.
+Eigen::AlignedBox2d shadowAt(const TriangleMesh& body, const Eigen::Isometry3d& toWorld,
+                             ShadowOf part);
 // Returns the bounding box, in x and z from the offset, of the body on its path, or of the places
 // at which it is under water. `posed` is the body in its pose frame.
 Eigen::AlignedBox2d shadowOnPath(const solver::BodyPath& path, const TriangleMesh& posed,

@@ -81,13 +81,8 @@ Eigen::AlignedBox2d shadowOnFilm(const TriangleMesh& posed, const Immersion& imm
     }
     const BoundingBox box = boundingBox(posed);
     const double water = double(box.min().y()) + dipDepth(process, box.sizes().y());
-    Eigen::AlignedBox2d shadow;
-    for (const Eigen::Vector3f& place : posed.positions) {
-        if (double(place.y()) <= water) {
-            shadow.extend(Eigen::Vector2d(place.x(), place.z()) + offset);
-        }
-    }
-    return shadow;
+    const Eigen::Isometry3d toWorld(Eigen::Translation3d(offset.x(), -water, offset.y()));
+    return shadowAt(posed, toWorld, ShadowOf::UnderWater);
 }
 
 // Returns a fault for each barrier at the film's edge that the part would push away.

@@ -30,8 +30,8 @@ TankDip boxInTank() {
     return dip;
 }
 
-std::vector<TankFault> faultsOf(const TankDip& dip) {
-    const TriangleMesh mesh = boxMesh({40, 20, 30});
+std::vector<TankFault> faultsOf(const TankDip& dip,
+                                const TriangleMesh& mesh = boxMesh({40, 20, 30})) {
     const TriangleMesh posed = transformed(mesh, poseTransform(mesh, dip.immersion));
     return tankFaults(dip.tank, dip.film, dip.process, dip.immersion, posed,
                       bodyPath(posed, dip.immersion, dip.process));
@@ -157,6 +157,20 @@ private slots:
         dip.immersion.path = {};
         dip.immersion.offset[0] = Millimetres(-21);
         QVERIFY(faults(dip).contains(QStringLiteral("past the barrier at the film's left edge")));
+    }
+
+    // The cone's only point under water is its tip; at the water it is 50 mm wide.
+    void tankFaults_fewLargeTriangles_areCutAtTheWater() {
+        TankDip dip = boxInTank();
+        dip.tank.reset();
+        dip.process.depth = Millimetres(25);
+        dip.film.edges.leftPinned = true;
+        dip.film.swellX = 1;
+        dip.film.width = Millimetres(48);
+        const TriangleMesh cone = coneMesh(pi / 4, 60, 8);
+        QVERIFY(!faultsOf(dip, cone).empty());
+        dip.film.width = Millimetres(52);
+        QVERIFY(faultsOf(dip, cone).empty());
     }
 
     void tankFaults_valueJustAboveTheLimit_showsTheDifference() {
