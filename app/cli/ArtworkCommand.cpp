@@ -66,6 +66,41 @@ void change(Project& project, std::size_t layer, const QCommandLineParser& parse
     applyToLayer(project, layer, parser);
 }
 
+// Returns what a layer is and where it lies; `layer` is as in the project file.
+QStringList layerDetails(const QJsonObject& layer) {
+    const auto text = [&](const char* key) { return layer.value(QLatin1String(key)).toString(); };
+    const auto number = [&](const char* key) { return layer.value(QLatin1String(key)).toDouble(); };
+    const bool isDecal = text("placement") == QLatin1String("decal");
+    QStringList details{
+        text("kind"),
+        isDecal ? text("placement")
+                : QStringLiteral("%1 along %2").arg(text("placement"), text("axis").toUpper())};
+    if (const double repeat = number("repeat_mm"); repeat > 0) {
+        details << QStringLiteral("every %1 mm").arg(repeat);
+    } else {
+        const QJsonArray size = layer.value(QLatin1String("size_mm")).toArray();
+        details << QStringLiteral("within %1 × %2 mm")
+                       .arg(size.at(0).toDouble())
+                       .arg(size.at(1).toDouble());
+    }
+    if (const double turn = number("turn_deg"); turn != 0) {
+        details << QStringLiteral("turned by %1°").arg(turn);
+    }
+    if (const double opacity = number("opacity"); opacity < 1) {
+        details << QStringLiteral("opacity %1 %").arg(100 * opacity);
+    }
+    if (!layer.value(QLatin1String("visible")).toBool()) {
+        details << QStringLiteral("hidden");
+    }
+    if (!text("spot").isEmpty()) {
+        details << QStringLiteral("spot colour “%1”").arg(text("spot"));
+    }
+    if (!text("material").isEmpty()) {
+        details << QStringLiteral("only on “%1”").arg(text("material"));
+    }
+    return details;
+}
+
 void list(const Project& project, const QCommandLineParser& parser, QTextStream& out) {
     const QJsonObject json = toJson(project).value(QLatin1String("artwork")).toObject();
     if (parser.isSet(jsonOption)) {
@@ -79,21 +114,10 @@ void list(const Project& project, const QCommandLineParser& parser, QTextStream&
     const QJsonArray layers = json.value(QLatin1String("layers")).toArray();
     for (int index = 0; index < layers.size(); ++index) {
         const QJsonObject layer = layers.at(index).toObject();
-        const QJsonArray size = layer.value(QLatin1String("size_mm")).toArray();
-        const double repeat = layer.value(QLatin1String("repeat_mm")).toDouble();
-        const QString spot = layer.value(QLatin1String("spot")).toString();
-        out << QStringLiteral("%1  %2  %3, %4%5%6%7\n")
+        out << QStringLiteral("%1  %2  %3\n")
                    .arg(index + 1, 4)
                    .arg(layer.value(QLatin1String("name")).toString(),
-                        layer.value(QLatin1String("kind")).toString(),
-                        layer.value(QLatin1String("placement")).toString(),
-                        repeat > 0 ? QStringLiteral(", every %1 mm").arg(repeat)
-                                   : QStringLiteral(", within %1 × %2 mm")
-                                         .arg(size.at(0).toDouble())
-                                         .arg(size.at(1).toDouble()),
-                        layer.value(QLatin1String("visible")).toBool() ? QString()
-                                                                       : QStringLiteral(", hidden"),
-                        spot.isEmpty() ? QString() : QStringLiteral(", in %1").arg(spot));
+                        layerDetails(layer).join(QStringLiteral(", ")));
     }
 }
 
