@@ -70,11 +70,12 @@ void change(Project& project, std::size_t layer, const QCommandLineParser& parse
 QStringList layerDetails(const QJsonObject& layer) {
     const auto text = [&](const char* key) { return layer.value(QLatin1String(key)).toString(); };
     const auto number = [&](const char* key) { return layer.value(QLatin1String(key)).toDouble(); };
-    const bool isDecal = text("placement") == QLatin1String("decal");
+    const bool hasAxis = text("placement") == QLatin1String("plane") ||
+                         text("placement") == QLatin1String("cylinder");
     QStringList details{
         text("kind"),
-        isDecal ? text("placement")
-                : QStringLiteral("%1 along %2").arg(text("placement"), text("axis").toUpper())};
+        hasAxis ? QStringLiteral("%1 along %2").arg(text("placement"), text("axis").toUpper())
+                : text("placement")};
     if (const double repeat = number("repeat_mm"); repeat > 0) {
         details << QStringLiteral("every %1 mm").arg(repeat);
     } else {
