@@ -4,6 +4,8 @@
 #include "workbench/widgets/PlainTexts.h"
 #include "workbench/widgets/Theme.h"
 
+#include <QCoreApplication>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QTimer>
@@ -23,6 +25,46 @@ struct NumberBox::Reading {
 
 NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
     connect(lineEdit(), &QLineEdit::textChanged, this, &NumberBox::showReading);
+}
+
+void NumberBox::focusInEvent(QFocusEvent* event) {
+    QCoreApplication::instance()->installEventFilter(this);
+    QDoubleSpinBox::focusInEvent(event);
+}
+
+void NumberBox::focusOutEvent(QFocusEvent* event) {
+    QCoreApplication::instance()->removeEventFilter(this);
+    QDoubleSpinBox::focusOutEvent(event);
+}
+
+bool NumberBox::eventFilter(QObject* watched, QEvent* event) {
+    const auto* widget = qobject_cast<const QWidget*>(watched);
+    const bool leaves = event->type() == QEvent::MouseButtonPress
+                            ? widget && widget != this && !isAncestorOf(widget)
+                        : event->type() == QEvent::ShortcutOverride
+                            ? watched == this && isShortcut(*static_cast<const QKeyEvent*>(event))
+                            : event->type() == QEvent::Close && watched == window();
+    if (leaves && lineEdit()->isModified()) {
+        interpretText();
+    }
+    return false;
+}
+
+// Whether the key is for the window and not for the text.
+bool NumberBox::isShortcut(const QKeyEvent& key) {
+    const bool isModifier = key.key() == Qt::Key_Control || key.key() == Qt::Key_Shift ||
+                            key.key() == Qt::Key_Alt || key.key() == Qt::Key_Meta ||
+                            key.key() == Qt::Key_AltGr;
+    const bool isForWindow =
+        (key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0 ||
+        (key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35);
+    if (isModifier || !isForWindow) {
+        return false;
+    }
+    QKeyEvent asked(QEvent::ShortcutOverride, key.key(), key.modifiers(), key.text());
+    asked.ignore();
+    lineEdit()->event(&asked); // accepts what it needs for editing
+    return !asked.isAccepted();
 }
 
 int NumberBox::wholeValue() const {

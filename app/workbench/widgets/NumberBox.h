@@ -8,7 +8,9 @@ namespace dipwright {
 
 struct TypedNumber;
 
-// The field reads its text when it loses the focus or Enter is pressed. Accepts calculations and
+// The field reads its text when it loses the focus or Enter is pressed, and before anything else
+// in the program that the user may do without this: a click elsewhere, a shortcut, closing the
+// window. So "Save" saves what the field shows. Accepts calculations and
 // any unit of the suffix's quantity (base/TypedNumber.h): "2in" in a field in mm is 50.8, "3*12"
 // is 36. While such a text is typed, a tooltip shows its value. Comma and point are accepted as
 // decimal signs in any language, and as separators between groups of digits. Text that cannot be
@@ -34,6 +36,9 @@ signals:
     void refused(const QString& sentence) const;
 
 protected:
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     QString textFromValue(double value) const override;
 
 private:
@@ -43,6 +48,7 @@ private:
     QString refusalOf(const QString& own, const TypedNumber& typed) const;
     Reading readingOf(const QString& own, const std::vector<double>& values) const;
     void showReading();
+    bool isShortcut(const QKeyEvent& key);
 };
 
 } // namespace dipwright

@@ -231,6 +231,11 @@ QImage PictureReader::decoded(const QByteArray& bytes, const QString& where, Tur
         }
     }
     QImage image = reader.read();
+    if (image.isNull() && profile.isEmpty() && readInks(bytes)) { // Qt reads 8 bits only
+        throw Error(Text::tr("The CMYK picture has 16 bits and no ICC profile; save it with its "
+                             "profile, with 8 bits, or as sRGB"),
+                    where);
+    }
     if (image.isNull()) {
         throw Error(Text::tr("The picture is damaged: %1; save it again").arg(reader.errorString()),
                     where);

@@ -343,6 +343,47 @@ private slots:
         QCOMPARE(slider->grab().toImage(), before);
     }
 
+    // A tool button does not take the focus. Until a number is read, the button may be disabled.
+    void numberBox_typedText_isReadBeforeAnyAction() {
+        QWidget window;
+        NumberBox number(&window);
+        number.setKeyboardTracking(false);
+        QToolButton button(&window);
+        button.setFocusPolicy(Qt::NoFocus);
+        button.move(0, 60);
+        QAction save;
+        save.setShortcut(Qt::CTRL | Qt::Key_S);
+        window.addAction(&save);
+        save.setEnabled(false);
+        button.setEnabled(false);
+        connect(&number, &NumberBox::valueChanged, &window, [&] {
+            save.setEnabled(true);
+            button.setEnabled(true);
+        });
+        std::vector<double> saved;
+        const auto keep = [&] { saved.push_back(number.value()); };
+        connect(&save, &QAction::triggered, &window, keep);
+        connect(&button, &QToolButton::clicked, &window, keep);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        number.setFocus();
+        const auto type = [&](const QString& text) {
+            number.selectAll();
+            QTest::keyClicks(&number, text);
+        };
+        type(QStringLiteral("12"));
+        QTest::keyClick(&number, Qt::Key_A, Qt::ControlModifier); // edits the text
+        QCOMPARE(number.value(), 0.0);
+        type(QStringLiteral("21"));
+        QTest::keyClick(&number, Qt::Key_S, Qt::ControlModifier);
+        type(QStringLiteral("32"));
+        QTest::mouseClick(&button, Qt::LeftButton);
+        type(QStringLiteral("43"));
+        window.close();
+        keep();
+        QCOMPARE(saved, (std::vector<double>{21, 32, 43}));
+    }
+
     // The wheel scrolls the panel and does not change a field under the pointer.
     void wheel_fieldWithoutFocus_keepsItsValue() {
         const WheelGuard guard(*qApp); // as in the program
