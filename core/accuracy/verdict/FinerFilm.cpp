@@ -25,6 +25,7 @@ bool isNumerical(Kind kind) {
     case Kind::OffByMuch:
     case Kind::Step:
     case Kind::FarOffPlaces:
+    case Kind::UnknownError:
     case Kind::Border:
     case Kind::Unbalanced:
         return true;

@@ -63,7 +63,7 @@ public:
     std::vector<ZoneError> zoneErrors() {
         std::vector<ZoneError> errors;
         for (std::size_t zone = 0; zone < zoneCount; ++zone) {
-            if (!pieces_[zone].empty()) {
+            if (!pieces_[zone].empty() || unknown_[zone] > 0) {
                 errors.push_back(errorOf(Zone(zone)));
             }
         }
@@ -125,6 +125,8 @@ private:
         }
         if (isKnown) {
             pieces_[std::size_t(zone)].push_back({worst, here});
+        } else {
+            unknown_[std::size_t(zone)] += here;
         }
         if (worst > limit || has(laid_.marks(triangle), solver::PointMark::Unbalanced)) {
             uncertain_.push_back({corners, worst, here, limit});
@@ -142,11 +144,15 @@ private:
             error.area += piece.area;
             error.far += piece.offBy > error.limit ? piece.area : 0;
         }
+        const double unknown = unknown_[std::size_t(zone)];
+        error.unknown = unknown > 0 ? unknown / (error.area + unknown) : 0;
+        const double within =
+            zoneShareWithin * (error.area + (error.unknown > mostUnknownArea ? 0 : unknown));
         double below = 0;
         for (const Piece& piece : pieces) {
             below += piece.area;
             error.percentile95 = piece.offBy;
-            if (below >= zoneShareWithin * error.area) {
+            if (below >= within) {
                 break;
             }
         }
@@ -180,6 +186,7 @@ private:
     const ToleranceSettings& settings_;
     Parts parts_;
     std::array<std::vector<Piece>, zoneCount> pieces_;
+    std::array<double, zoneCount> unknown_{}; // mm²
     std::vector<PieceToCheck> uncertain_;
 };
 

@@ -13,10 +13,13 @@ namespace dipwright {
 // The numerical error of the painted film in a zone.
 struct ZoneError {
     Zone zone = Zone::C;
-    double limit = 0;        // limit of the zone, mm
-    double area = 0;         // mm² of the zone that are painted and compared
-    double percentile95 = 0; // 95th percentile of the numerical error on this area, mm
-    double far = 0;          // share of this area whose numerical error exceeds the limit
+    double limit = 0;   // limit of the zone, mm
+    double area = 0;    // mm² of the zone that are painted and compared
+    double unknown = 0; // share of the painted zone that is not compared
+    // 95 % of the painted zone has at most this numerical error, mm: what is not compared counts as
+    // worse. If it is more than mostUnknownArea, 95 % of the compared area.
+    double percentile95 = 0;
+    double far = 0; // share of this area whose numerical error exceeds the limit
 };
 
 struct PlacesToCheck {

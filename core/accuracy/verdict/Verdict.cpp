@@ -45,6 +45,16 @@ void addZoneReasons(ReasonList& found, const ZoneError& error,
         reason.zone = named;
         found.add(std::move(reason));
     }
+    if (error.unknown > mostUnknownArea) {
+        found.add({Kind::UnknownError,
+                   error.unknown > doNotPrintFactor * mostUnknownArea ? Advice::DoNotPrint
+                                                                      : Advice::CheckFirst,
+                   error.unknown,
+                   mostUnknownArea,
+                   {},
+                   0,
+                   named});
+    }
     if (error.percentile95 <= error.limit && error.far > mostFarOffArea) {
         found.add({Kind::FarOffPlaces,
                    error.far > doNotPrintFactor * mostFarOffArea ? Advice::DoNotPrint
@@ -276,6 +286,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"off_by_much", "tolerance.limits_mm"},
                                KindWords{"step", "process.contact_travel_cells"},
                                KindWords{"far_off_places", "tolerance.limits_mm"},
+                               KindWords{"unknown_error", ""},
                                KindWords{"border", ""},
                                KindWords{"unbalanced", ""},
                                KindWords{"refined", "film.work_million"},

@@ -29,6 +29,8 @@ struct VerdictReason {
         OffByMuch,    // as OffBy, but too large to tell which cell would suffice
         Step,         // as OffBy, and longer steps change the sheet more than wider cells do
         FarOffPlaces, // numerical error exceeds `limit` mm on the share `value` of the painted area
+        UnknownError, // the numerical error of the share `value` of the painted area is unknown,
+                      // because the compared dips leave it bare
         Border,       // only one of the compared dips paints the share `value` of the body
         Unbalanced,   // `value` steps ended without equilibrium; `most`: the largest residual
         Refined,      // search only: the job repeats the dip with cells of `value` mm
@@ -115,6 +117,8 @@ inline double allowedError(Zone zone, const ToleranceSettings& tolerance) {
     return numericalShare * tolerance.limits[std::size_t(zone)].value();
 }
 inline constexpr double mostFarOffArea = 0.01;
+// The numerical error must be known on all but this share of the painted area.
+inline constexpr double mostUnknownArea = 1 - zoneShareWithin;
 // Do not print if more than this share of the body's surface is painted by only one of the compared
 // dips.
 inline constexpr double spoiltPaintedOnce = 0.15;

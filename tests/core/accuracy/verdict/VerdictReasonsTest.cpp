@@ -47,6 +47,21 @@ Verdict judged(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
     return verdict({laid, coverage(laid), estimate, 0, zones}, tolerance, {});
 }
 
+// Sets the error of the first `share` of the film's points on the body.
+void setFirstErrors(NumericalErrorEstimate& estimate, const LaidFilm& laid, double share,
+                    float error) {
+    std::vector<std::size_t> onBody;
+    for (std::size_t point = 0; point < estimate.pointErrors.size(); ++point) {
+        if (laid.contact().surface[point].isValid()) {
+            onBody.push_back(point);
+        }
+    }
+    onBody.resize(std::size_t(share * double(onBody.size())));
+    for (const std::size_t point : onBody) {
+        estimate.pointErrors[point] = error;
+    }
+}
+
 // Returns the verdict's text for a film of 1 mm cells that moves by `change` mm if its cells are
 // doubled.
 QString verdictTextOf(double change, bool isGraded) {
@@ -134,6 +149,26 @@ private slots:
             QCOMPARE(found.reasons.front().kind, VerdictReason::Kind::NothingAlike);
             QCOMPARE(wantedCell(found, laid->film()), laid->film().grid.leastSpacing() / 2);
         }
+    }
+
+    // Where the coarser film paints nothing, the error is unknown.
+    void verdict_filmThatIsNotCompared_checkFirst() {
+        const auto laid = filmWith({});
+        const auto judgedWith = [&](double unknown, double off, float error) {
+            NumericalErrorEstimate estimate = movedBy(*laid, 0.2);
+            setFirstErrors(estimate, *laid, off, error);
+            setFirstErrors(estimate, *laid, unknown, std::numeric_limits<float>::quiet_NaN());
+            return judged(*laid, &estimate);
+        };
+        QCOMPARE(judgedWith(0.03, 0, 0).advice, Advice::Print);
+        const Verdict found = judgedWith(0.2, 0, 0);
+        QCOMPARE(found.advice, Advice::CheckFirst);
+        QCOMPARE(found.reasons.front().kind, VerdictReason::Kind::UnknownError);
+        QVERIFY(wantedCell(found, laid->film()));
+        QCOMPARE(judgedWith(0.5, 0, 0).advice, Advice::DoNotPrint);
+        // It counts as worse than what is known.
+        QCOMPARE(judgedWith(0, 0.04, 0.6F).advice, Advice::Print);
+        QCOMPARE(judgedWith(0.03, 0.07, 0.6F).reasons.front().kind, VerdictReason::Kind::OffBy);
     }
 
     void verdict_markedZone_usesItsOwnLimit() {
