@@ -36,7 +36,7 @@ struct PrintRequest {
     PrintSource source; // stored in the history
 };
 
-// What will be sent, and what the user must be told first.
+// A checked print, ready to be sent, and its warnings for the user.
 struct PrintPlan {
     PrinterInfo printer;
     PrintTask task;

@@ -9,7 +9,7 @@ namespace dipwright::python {
 
 namespace py = pybind11;
 
-// A result, as Python has it. Python's objects that are part of a result keep all of it.
+// A result in Python. Each Python object for a part of a result keeps the whole result alive.
 struct Run {
     std::shared_ptr<const JobResult> result;
     QString projectFile; // empty if the project was never saved

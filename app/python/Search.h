@@ -16,8 +16,9 @@ namespace python {
 using Weights = std::map<QString, double>;
 using Limits = std::map<QString, std::optional<double>>; // none removes a limit
 
-// Searches with the project's aims and these weights and limits in their place. `progress` is as in
-// runWork(). A cancelled search returns the best so far. Throws Error or Cancelled.
+// Searches with the project's aims, in which `weights` and `limits` replace single values.
+// `progress` is as in runWork(). A cancelled search returns the best poses so far. Throws Error or
+// Cancelled.
 SearchResult searched(const Project& project, SearchSettings settings, const Weights& weights,
                       const Limits& limits, const QString& solver, const py::object& progress);
 

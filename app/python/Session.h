@@ -1,15 +1,15 @@
-// What the module needs once in each process: Qt's application object, the folders of Dipwright's
-// programs and plugins, and the solvers. Private to this folder.
+// Sets up what the module needs once in each process: Qt's application object, the folders of
+// Dipwright's programs and plugins, and the solvers. Private to this folder.
 #pragma once
 
 #include "solver/SolverRegistry.h"
 
 namespace dipwright::python {
 
-// Returns the solver plugins. The first call begins the session. If the process has no application
-// object of Qt, it makes one that needs no display, names the program as the command line does, and
-// completes what killed programs left unfinished. Throws Error if the process has an application
-// object that cannot draw text. The GIL must be held.
+// Returns the solver plugins. The first call begins the session. If the process has no Qt
+// application object, it creates one that needs no display, sets the program's name
+// (base/ProgramName.h), and completes writes that killed programs left unfinished. Throws Error if
+// the process has an application object that cannot draw text. The GIL must be held.
 const SolverRegistry& session();
 
 // Ends the session, before Python ends. The GIL must be held.

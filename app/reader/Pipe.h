@@ -13,7 +13,8 @@ namespace dipwright {
 
 class Pipe : public UntrustedFiles {
 public:
-    // Files that are read raise these limits. Afterwards what libraries print is discarded.
+    // Each file that is read raises the process's limits, as `limits` says. From now on, text that
+    // libraries print is discarded.
     explicit Pipe(const ReaderLimits& limits);
 
     // Returns the first message. Like all functions here, it ends the process if the other side has

@@ -1,9 +1,9 @@
 // Keeps the jobs of a server in a folder, and runs them one after the other.
 //
-// The folder: queued, running, done, failed and cancelled hold the projects by state (ID.dipw);
-// results/ID holds the results; incoming holds uploads. Jobs survive a restart: queued jobs wait
-// on, a job that ran when the program was stopped is queued again, and one that ran when the
-// program crashed is failed.
+// Subfolders: queued, running, done, failed and cancelled hold the projects by state (ID.dipw);
+// results/ID holds the results; incoming holds uploads. Jobs survive a restart: queued jobs stay
+// queued. If the program is stopped, the running job is queued again. If it crashes, that job has
+// failed.
 #pragma once
 
 #include "base/Progress.h"
@@ -40,7 +40,7 @@ struct SpoolLimits {
     int mostSeconds = 3600;         // of one run
 };
 
-// Runs the project file and writes its results into `folder`. Returns what clients get to know.
+// Runs the project file and writes its results into `folder`. Returns ServedJob::outcome.
 // Throws Error or Cancelled.
 using RunServedJob = std::function<QJsonObject(const QString& project, const QString& folder,
                                                const Progress& progress)>;
@@ -55,8 +55,9 @@ public:
     void stop();
 
     const SpoolLimits& limits() const { return limits_; }
-    // Returns an empty path for a new upload in the folder `incoming`; nothing if there are too
-    // many jobs or uploads. Call add() or dropUpload() with it afterwards.
+    // Returns the path for a new upload in the folder `incoming`, where no file exists yet. Nothing
+    // if there are too many jobs or uploads, or too little room on the disk. Afterwards call add()
+    // or dropUpload() with this path.
     std::optional<QString> newUpload();
     void dropUpload(const QString& upload);
     // Queues an uploaded project. `name` may be any text. Throws Error.

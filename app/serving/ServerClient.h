@@ -11,16 +11,16 @@
 
 namespace dipwright {
 
-// Used by one thread at a time. All functions throw Error with the server's own sentence, or if it
-// cannot be reached or sends more than it should.
+// Used by one thread at a time. All functions throw Error with the server's own sentence. They also
+// throw Error if the server cannot be reached or its answer is too long.
 class ServerClient {
 public:
     ServerClient(const ServerAddress& address, const QByteArray& token);
     ~ServerClient();
 
     QJsonObject status();
-    // Sends a project's file, if the server takes one of its size. Returns the id of the job.
-    // Throws Cancelled, and then leaves no job on the server.
+    // Sends a project's file. Throws Error if the file is too large for the server. Returns the id
+    // of the job. Throws Cancelled; no job is then left on the server.
     QString submit(const QString& project, const QString& name, const CancelToken& cancelToken);
     QJsonObject job(const QString& id);
     void cancel(const QString& id);

@@ -5,7 +5,7 @@
 
 namespace dipwright {
 
-// While it lives, the program creates files that only their owner may use. For the whole process.
+// While an object lives, all files that this process creates are for their owner only.
 class OwnerOnly {
 public:
     OwnerOnly();

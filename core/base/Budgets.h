@@ -26,7 +26,7 @@ enum class Budget {
     Pixels,
     Memory,       // bytes of memory that the reading process may use
     Milliseconds, // computing time until the file is read
-    // Of CAD files, which describe much in few bytes:
+    // Limits for CAD files only, because a small CAD file can describe a large model.
     Faces,
     CadTriangles,
     CadMemory,

@@ -42,7 +42,7 @@ struct InkPlanes {
     bool operator==(const InkPlanes&) const = default;
 };
 
-// Returns the planes of an ink picture, all of whose density one film gives.
+// Returns the planes of an ink picture for a film that gives the whole density everywhere.
 InkPlanes inkPlanes(const QImage& inks);
 
 } // namespace dipwright

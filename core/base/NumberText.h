@@ -16,12 +16,12 @@ inline QString withMinusSign(QString number) {
     return number.remove(hyphenOfZero).replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
-// Returns a number with so many decimals, as the program's language writes it (QLocale's default).
+// Returns a number with this number of decimals, in the program's language (QLocale's default).
 inline QString numberText(double value, int decimals) {
     return withMinusSign(QLocale().toString(value, 'f', decimals));
 }
 
-// The same with so many significant digits; trailing zeros are left out.
+// The same with this number of significant digits, but without trailing zeros.
 inline QString roundedText(double value, int digits) {
     return withMinusSign(QLocale().toString(value, 'g', digits));
 }

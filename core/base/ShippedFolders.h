@@ -16,7 +16,8 @@ QStringList shippedPluginFolders();
 QString shippedProgram(const QString& name);
 // Returns the path of the sandboxed reader for models and pictures from untrusted sources.
 QString readerProgram();
-// Returns the path of the one for CAD files; empty if this program was built without it.
+// Returns the path of the sandboxed reader for CAD files; empty if this program was built without
+// it.
 QString cadReaderProgram();
 
 // If the system has no fonts, lets fontconfig use the fonts that the tarball ships. Must be called

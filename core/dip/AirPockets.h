@@ -24,20 +24,20 @@ class SpaceGrid;
 
 // Default number of grid cells along the body's longest edge for the search for air.
 inline constexpr int airCells = 96;
-// Long bodies and jigs get more cells, so that a cell is at most this wide, mm (twice as wide with
-// half as many cells). But the grid never has more cells than that of a cube with `airCells`.
+// The largest width of a cell, mm (twice this with half as many cells). Long bodies and jigs get
+// more cells to keep it, but never more in total than a cube with `airCells`.
 inline constexpr float mostAirCell = 1.25f;
-// The grid has at most this many layers for each of these cells, so that shallow hollows are seen.
-// But with airCells, layers are at least `airLayer` mm high; with half as many cells, twice that.
-// On paths, cells are cubes.
+// The most layers within the width of a cell. Thin layers resolve shallow hollows. On paths, cells
+// are cubes.
 inline constexpr int airLayersPerCell = 4;
+// The least height of a layer, mm (twice this with half as many cells).
 inline constexpr float airLayer = 0.25f;
-// A pocket is at least so many cells deep and has the volume of at least so many cells.
+// The least depth of a pocket, in cells, and its least volume, in volumes of a cell.
 inline constexpr int leastPocketDepth = 2;
 inline constexpr int leastPocketCells = 32;
-// Shallower hollows are pockets if they have at least so many layers and so many grid points whose
-// eight neighbours in the layer are in the hollow, too. On narrow ones the grid cannot tell air
-// that is trapped from air that escapes along a slanting ceiling.
+// A shallower hollow is a pocket if it has at least this many layers and this many inner grid
+// points. The eight neighbours of an inner point in its layer are in the hollow, too. In narrow
+// hollows, the grid cannot distinguish trapped air from air that escapes along a slanting ceiling.
 inline constexpr int leastPocketLayers = 2;
 inline constexpr int leastInnerPoints = 16;
 

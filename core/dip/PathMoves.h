@@ -40,8 +40,8 @@ private:
     std::vector<Eigen::Vector3d> places_; // from the pivot
 };
 
-// Returns the distance, mm, that grows between two moves at least as fast as any point of a part
-// of this radius moves.
+// Returns the length of the way between two moves, mm, above 0. No point of a part of this radius
+// moves farther.
 double wayBetween(const Move& from, const Move& to, double radius);
 
 // Returns a horizontal unit vector.

@@ -1,4 +1,4 @@
-// Finds the surface that stays bare because film tore before it reached it.
+// Finds the surface that stays bare because the film tore before it reached this surface.
 #pragma once
 
 #include "base/Units.h"
@@ -8,9 +8,10 @@
 
 namespace dipwright {
 
-// The film of a dip that tore. The body passes through it, or catches it later: the inside of a cup
-// stays bare above the tear, though the cup's bottom comes down on the torn film. Immutable; any
-// thread may read. Refers to the film.
+// The torn film of a dip. The body passes through the tear, so its surface above the tear stays
+// bare, even if a later part of the body lands on the torn film. For example, the inside of a cup
+// stays bare, although the cup's bottom lands on torn film. Immutable; any thread may read. Keeps a
+// reference to the film.
 class TornFilm {
 public:
     // Faces that turn up by more than `overhang` hold no film.
@@ -20,8 +21,7 @@ public:
     // Whether film could adhere to a place of the body: it does not turn up too far, is under water
     // and not dry, and if it turns down, nothing of the body lies below it.
     bool isInReach(const SurfacePoint& place) const;
-    // Whether torn film lies vertically above or below the place, or at most a cell
-    // beside.
+    // Whether torn film lies vertically above or below the place, or at most one cell beside it.
     bool isAt(const SurfacePoint& place) const;
 
 private:

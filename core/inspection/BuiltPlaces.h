@@ -47,9 +47,9 @@ void requireOnBody(const std::vector<PlacePair>& pairs, const SurfaceQuery& surf
 inline constexpr double farOffBody = 1;
 inline constexpr double mostOffBody = 0.1;
 
-// Converts places on the uncorrected sheet to the same places on the sheet that `built` corrects:
-// the parts that were dipped alike (partsDippedAlike()). Returns the places unchanged if `built`
-// corrects nothing.
+// Converts places on the uncorrected sheet to the places where the corrected sheet shows the same
+// image. `built` holds the parts that correct the sheet: partsDippedAlike() of the project. Returns
+// the places unchanged if `built` corrects nothing.
 std::vector<PrintedPlace> onPrintedSheet(std::vector<PrintedPlace> places, const AsBuilt& built);
 
 // Returns the root mean square of the places' offsets, in mm on the sheet.

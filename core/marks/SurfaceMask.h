@@ -27,7 +27,7 @@ class SurfaceMask {
 public:
     // Uses all cores. Deterministic.
     SurfaceMask(std::shared_ptr<const TexturedMesh> model, const std::vector<MaskMark>& marks);
-    // A mask with more marks.
+    // Copies a mask and adds marks to it.
     SurfaceMask(const SurfaceMask& before, const std::vector<MaskMark>& added);
 
     const std::vector<MaskMark>& marks() const { return marks_; }

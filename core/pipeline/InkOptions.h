@@ -47,9 +47,8 @@ struct InkOptions {
 // Computes the options, from the texture and the stretch at about a million places of each film. If
 // the printer's inks are compensated separately, the densities are those of its inks, within its
 // total area coverage, and colours are compared with the printer's own on unstretched film. Returns
-// none if the sheets show no texture or are not
-// compensated, or if ink is short on less than leastShortArea. Uses all cores; deterministic.
-// Throws Cancelled.
+// none if the sheets show no texture or are not compensated, or if ink is short on less than
+// leastShortArea. Uses all cores; deterministic. Throws Cancelled.
 std::optional<InkOptions> inkOptions(const JobResult& result, const Progress& progress);
 
 // Changes the project as the option says. OtherPose gives stretch more weight in the project's pose

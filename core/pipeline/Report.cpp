@@ -363,7 +363,7 @@ QJsonObject asBuiltJson(const JobResult& result) {
     QJsonArray dips;
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const RepeatingError error(alike, int(i) + 1);
-        const BuiltParts parts = countParts(built, int(i) + 1, keys);
+        const BuiltPartCounts parts = countParts(built, int(i) + 1, keys);
         dips.append(QJsonObject{{"corrected", result.immersions[i].inputs.correction.has_value()},
                                 {"parts", error.parts()},
                                 {"parts_of_unknown_dips", parts.unknown},

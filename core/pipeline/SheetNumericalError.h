@@ -36,10 +36,10 @@ bool isAccurateEnough(const DipNumericalError& numericalError);
 
 // Simulates each immersion three times with one solver: the project's, or the best CPU solver if
 // the project's needs a GPU that is missing or fails. Films with automatic cells are first refined
-// as for their sheets (FilmRefinement.h), unless `known` is a
-// result of this project; then its cells are checked. May be called from any thread; touches no
-// file except the field cache; the maps need a QGuiApplication. Throws Cancelled. Throws Error if
-// there is no model, no such solver, no contact, or too many film points with half the spacing.
+// as for their sheets (FilmRefinement.h). If `known` is a result of this project, its cells are
+// used instead. May be called from any thread; touches no file except the field cache; the maps
+// need a QGuiApplication. Throws Cancelled. Throws Error if there is no model, no such solver, no
+// contact, or too many film points with half the spacing.
 std::vector<DipNumericalError> sheetNumericalError(const Project& project,
                                                    const SolverRegistry& registry,
                                                    const Progress& progress,

@@ -136,7 +136,7 @@ struct SheetInputs {
     QJsonObject unknown; // unknown keys of the project file, which are part of the job's hash
     // The measured parts that were dipped like this dip. None: the sheet is not corrected.
     std::optional<AsBuilt> correction;
-    BuiltParts built; // the parts that the project wants to correct by; none if it does not
+    BuiltPartCounts built; // the parts that the project wants to correct by; none if it does not
     VerdictInputs verdict;
     bool operator==(const SheetInputs&) const = default;
 };

@@ -18,7 +18,8 @@ struct Project;
 // change the key as long as they have their default values.
 QStringList dipKeys(const Project& project);
 
-// Returns the measured parts whose errors the next sheets may correct: dippedAlike().
+// Returns the measured parts by which the next sheets may be corrected: dippedAlike() for the
+// project's dips.
 AsBuilt partsDippedAlike(const Project& project);
 
 } // namespace dipwright

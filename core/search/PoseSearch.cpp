@@ -282,8 +282,8 @@ std::vector<Immersion> nearPaths(const Immersion& immersion) {
     return result;
 }
 
-// Returns the settings that apply to every pose: the flow of the water,
-// the slow entry and the limit of the acceleration.
+// Returns the settings that apply to every pose: the flow of the water, the slow entry and the
+// limit of the acceleration.
 DipPath commonPath(const SearchSubject& subject) {
     DipPath path = subject.immersions.empty() ? DipPath() : subject.immersions.front().path;
     const DipPath usual;

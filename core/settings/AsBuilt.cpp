@@ -43,8 +43,8 @@ AsBuilt dippedAlike(AsBuilt built, const QStringList& dips) {
     return built;
 }
 
-BuiltParts countParts(const AsBuilt& built, int dip, const QStringList& dips) {
-    BuiltParts parts;
+BuiltPartCounts countParts(const AsBuilt& built, int dip, const QStringList& dips) {
+    BuiltPartCounts parts;
     std::set<int> counted;
     for (const BuiltPlace& place : built.places) {
         if (place.dip == dip && dip <= dips.size() && counted.insert(place.part).second) {

@@ -1,5 +1,5 @@
-// Parts of a job that were dipped so far, as in the project file's "as_built": measurements from
-// photos, and times at the tank.
+// The parts of a job that have been dipped: measurements from photos, and times at the tank. As in
+// the project file's "as_built".
 #pragma once
 
 #include "base/Units.h"
@@ -15,32 +15,32 @@ namespace dipwright {
 
 struct BuiltPart {
     QString date;        // ISO date of the photos
-    QString acceptedBy;  // who accepted its measurements
+    QString acceptedBy;  // the person who accepted the measurements
     QString photos;      // SHA-256 of the photos' files, hexadecimal, separated by spaces
-    double residual = 0; // rms error of the places, mm on the sheet
-    // dipKeys() of the job when the part was dipped, separated by spaces. Empty: not known, for
-    // parts that an earlier version of the program kept.
+    double residual = 0; // root mean square error of the places, mm on the sheet
+    // dipKeys() of the job when the part was dipped, separated by spaces. Empty: not known, because
+    // an earlier version of the program stored the part.
     QString dips = {};
     UnknownKeys unknown = {};
     bool operator==(const BuiltPart&) const = default;
 };
 
-// A measured place on a part's sheet. The image at this place landed where another place of the
-// sheet was meant to land. `off` leads to that other place.
+// A measured place on a part's sheet. The image of this place landed on the model where another
+// place of the sheet should have landed.
 struct BuiltPlace {
     int part = 1;                       // index in AsBuilt::parts, from 1
     int dip = 1;                        // index in the project's immersions, from 1
     std::array<Millimetres, 2> sheet{}; // restPosition() (DippedFilm.h) divided by the swell
-    // Intended place on the model. Places of several parts are matched by it.
+    // Where the place should have landed on the model. Identifies the same place on several parts.
     std::array<Millimetres, 3> model{};
-    std::array<Millimetres, 2> off{}; // offset from `sheet` to the other place, on the sheet
+    std::array<Millimetres, 2> off{}; // from `sheet` to the other place, on the sheet
     UnknownKeys unknown = {};
     bool operator==(const BuiltPlace&) const = default;
 };
 
-// The steps of one dip at the tank, in the order of the traveller.
+// The steps of one dip at the tank, in the traveller's order.
 enum class TankStep { Tape, Lay, Soak, Activator, Dip, Hold, Flash, Dry, RemoveTape, Compare };
-// Returns the steps' words in files, in the same order.
+// Returns the steps' keys in files, in the same order.
 inline QStringList tankStepKeys() {
     return {QStringLiteral("tape"),      QStringLiteral("lay"), QStringLiteral("soak"),
             QStringLiteral("activator"), QStringLiteral("dip"), QStringLiteral("hold"),
@@ -48,13 +48,13 @@ inline QStringList tankStepKeys() {
             QStringLiteral("compare")};
 }
 
-// How long a step at the tank took.
+// The time that a step at the tank took.
 struct TankTime {
-    int run = 1; // a run goes once through all steps of all dips; counted from 1
+    int run = 1; // from 1; a run is one pass through all steps of all dips
     int dip = 1; // index in the project's immersions, from 1
     TankStep step = TankStep::Lay;
-    QString began;                  // ISO date and time, of the local clock
-    std::optional<Seconds> planned; // none: no time is given
+    QString began;                  // local date and time, ISO 8601
+    std::optional<Seconds> planned; // none: the step has no planned time
     Seconds took{0};                // without pauses
     UnknownKeys unknown = {};
     bool operator==(const TankTime&) const = default;
@@ -65,34 +65,35 @@ inline constexpr std::size_t mostBuiltParts = 50;
 inline constexpr std::size_t mostBuiltPlaces = 5000;
 
 struct AsBuilt {
-    // Whether the sheets are corrected for the error that repeats in all parts.
+    // Whether the next sheets are corrected for the error that repeats in all parts.
     bool corrects = false;
-    double strength = 1; // share of the correction that is applied
+    double strength = 1; // share of this error that is corrected, 0 to 1
     std::vector<BuiltPart> parts;
     std::vector<BuiltPlace> places;
-    std::vector<TankTime> times; // no sheet depends on them
+    std::vector<TankTime> times; // the sheets do not depend on them
     bool operator==(const AsBuilt&) const = default;
 };
 
-// Returns `built` with the times of one more run, which get its number. The times of the oldest
-// runs are dropped beyond the limit.
+// Returns `built` with the times of one more run. Sets their run number. If there are more than
+// mostTankTimes, drops the oldest runs.
 AsBuilt withTankRun(AsBuilt built, std::vector<TankTime> times);
 
-// Tells whether a part's dip, counted from 1, was as `dips` say, the keys of the dips
-// (BuiltPart::dips); nothing if that is not known.
+// In the next three functions, `dips` holds the present keys of the job's dips (dipKeys()), and a
+// dip counts from 1.
+
+// Tells whether the part's dip had the same key as now; nothing if its key is not known.
 std::optional<bool> isDippedAlike(const BuiltPart& part, int dip, const QStringList& dips);
-// Returns `built` without the places whose part was dipped otherwise than `dips` say, and without
-// those of dips that the job does not have. Keeps the places of parts whose dips are not known.
+// Returns `built` without the places of dips that had another key, or that the job no longer has.
+// Keeps the places of parts whose keys are not known.
 AsBuilt dippedAlike(AsBuilt built, const QStringList& dips);
 
-// How many parts with measured places on one dip's sheet were dipped in which way.
-struct BuiltParts {
-    int alike = 0;     // as the keys say
-    int unknown = 0;   // the part's dips are not known
-    int otherwise = 0; // their errors say nothing about the next sheet
-    bool operator==(const BuiltParts&) const = default;
+// Numbers of parts with measured places on one dip's sheet.
+struct BuiltPartCounts {
+    int alike = 0;     // the dip had the same key as now
+    int unknown = 0;   // the part's keys are not known
+    int otherwise = 0; // the dip had another key: its errors say nothing about the next sheet
+    bool operator==(const BuiltPartCounts&) const = default;
 };
-// Counts the parts of a dip, counted from 1.
-BuiltParts countParts(const AsBuilt& built, int dip, const QStringList& dips);
+BuiltPartCounts countParts(const AsBuilt& built, int dip, const QStringList& dips);
 
 } // namespace dipwright

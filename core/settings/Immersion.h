@@ -13,9 +13,9 @@ namespace dipwright {
 
 struct Immersion {
     QString name = QStringLiteral("Immersion");
-    // About X, Y, Z, applied in that order; on a path, at the end of the dip.
+    // Angles about X, Y, Z, applied in that order; on a path, at the end of the dip.
     std::array<Degrees, 3> rotation{};
-    // Of the body in the plane of the water, X and Z; on a path, at the beginning of the dip.
+    // Offset of the body from the film's centre along X and Z; on a path, when the dip begins.
     std::array<Millimetres, 2> offset{};
     DipPath path = {};
     UnknownKeys unknown = {};

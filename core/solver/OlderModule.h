@@ -1,4 +1,4 @@
-// Lets modules that were built for version 3 of the solver interface go on. Private to this folder.
+// Runs modules that were built for version 3 of the solver interface. Private to this folder.
 #pragma once
 
 #include <dipwright/FilmSolver.h>

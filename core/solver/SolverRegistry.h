@@ -1,7 +1,7 @@
 // Finds, checks and loads solver plugins.
 //
 // A plugin is a loadable module with a metadata file of the same base name beside it:
-//   pbd-cpu.json   {"format":"dipwright-solver","interface":2,"id":"pbd-cpu","name":…,"version":…,
+//   pbd-cpu.json   {"format":"dipwright-solver","interface":4,"id":"pbd-cpu","name":…,"version":…,
 //                   "device":"cpu|gpu","vendor":…,"module":"pbd-cpu.so","priority":10}
 // The metadata is read before any of the module's code runs. A module is loaded when it is first
 // requested.

@@ -41,9 +41,8 @@ struct Traveller {
     std::vector<TravellerDip> dips; // in the order of dipping
 };
 
-// Returns one job number, twelve hex digits, for several sheets. For a single sheet it is the
-// sheet's own number, otherwise part of a SHA-256 of all numbers. `jobs` holds the sheets' job
-// numbers, at least one.
+// Returns one job number for all sheets of a job: the sheet's own number if there is only one,
+// otherwise hashOfJobs(). `jobs` holds the sheets' job numbers, at least one.
 QString combinedJobNumber(const QStringList& jobs);
 
 // Returns the job number of all dips together, which the QR code contains.

@@ -165,7 +165,7 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
 }
 
 // Adds reasons if measured parts do not or may not belong to this dip.
-void addBuiltReasons(ReasonList& found, const BuiltParts& built) {
+void addBuiltReasons(ReasonList& found, const BuiltPartCounts& built) {
     const int used = built.alike + built.unknown;
     if (built.otherwise > 0) {
         found.add({Kind::OtherDips, used > 0 ? Advice::Print : Advice::CheckFirst,

@@ -39,7 +39,7 @@ struct VerdictReason {
         Pale,         // the share `value` of the painted area will be too pale
         Damaged,      // film tore or was released on the share `value` of the painted area
         TornBare, // only dip of a job: the share `value` of the surface that it should paint stays
-                  // bare because the film tears before
+                  // bare because the film tears first
         FilmEdge, // film that paints the body lies only `value` mm from the film's edge
         Rises,    // the path lifts the part again by the share `value` of its depth
         Tank,     // `text`: which limit of the tank or its machine the dip exceeds by `value` mm,
@@ -157,7 +157,8 @@ struct JudgedDip {
     bool isOnlyDip = false;                 // the job has no other dip
     bool takesInk = true;                   // the sheet's picture has ink
     QString lostPlates = {}; // sentences on plates that the printer cannot print; empty: none
-    BuiltParts built = {};   // the measured parts by which the project wants to correct the sheet
+    // The measured parts by which the project wants to correct the sheet.
+    BuiltPartCounts built = {};
 };
 
 // Returns the verdict on one dip by the limits in `tolerance` and `limits`.

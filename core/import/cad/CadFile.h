@@ -12,9 +12,9 @@ namespace dipwright {
 struct CadDocument {
     Handle(TDocStd_Document) document; // lengths in mm
     Handle(XSControl_WorkSession) session;
-    QString unit;           // of the file, in its own word; empty: none
+    QString unit;           // of the file, as the file names it; empty: none
     bool isSewn = true;     // whether neighbouring faces share their edges
-    int failedEntities = 0; // of the file, which could not be read; faces or parts may be missing
+    int failedEntities = 0; // entities that could not be read, so faces or parts may be missing
 };
 
 // Throws Error if the bytes are neither STEP nor IGES, or damaged. `path` is for messages.

@@ -14,7 +14,7 @@ namespace dipwright {
 QByteArray withTextureSets(const ModelSource& source, QStringList& warnings);
 
 // Whether a sampler of the file mirrors its texture or ends it at its edge (COLLADA 1.4.1, wrap_s
-// and wrap_t), which assimp 5.2.5 does not read. Which of several textures it is, is not looked up.
+// and wrap_t), which assimp 5.2.5 does not read. Does not find out which texture this concerns.
 bool hasTextureThatEnds(const QByteArray& file);
 
 } // namespace dipwright

@@ -18,7 +18,9 @@ struct SceneMeaning {
     // Turns the scene's coordinates into the model's coordinates: mm, with Y up, if the file states
     // its unit and axes.
     Eigen::Matrix3f frame = Eigen::Matrix3f::Identity();
-    bool hasTextureThatEnds = false; // or one that is mirrored, in a way that assimp does not read
+    // Whether the file has a texture that is mirrored or ends at its edge, which assimp does not
+    // report.
+    bool hasTextureThatEnds = false;
 };
 
 // Returns all triangles of the scene, with the transforms of its nodes, its skins and the

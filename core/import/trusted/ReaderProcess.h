@@ -16,8 +16,8 @@ namespace dipwright {
 UntrustedModel readModelInProcess(const QString& path, bool withTextures, UntrustedFiles& files,
                                   const Progress& progress);
 
-// Reads a CAD file likewise. Its triangles are in mm as the file says, unscaled. Throws Error also
-// if this program was built without the reader of CAD files.
+// Reads a CAD file in the same way. The triangles are in mm by the file's unit, unscaled. Also
+// throws Error if this program was built without the reader for CAD files.
 UntrustedModel readCadInProcess(const QString& path, const Tessellation& tessellation,
                                 UntrustedFiles& files, const Progress& progress);
 

@@ -103,8 +103,8 @@ struct Sheet {
 // Whether a plate is the white layer of a sheet with these settings.
 bool isWhite(const SheetPlate& plate, const SheetSettings& settings);
 
-// Returns the job number of several sheets together: twelve hex digits of a SHA-256. `jobs` holds
-// the sheets' job numbers.
+// Returns one job number for several sheets: twelve hexadecimal digits of a SHA-256 of `jobs`, the
+// sheets' job numbers.
 QString hashOfJobs(const QStringList& jobs);
 
 // Most pixels per side of a film image in memory, because QImage and QPainter count in 16 bits.

@@ -19,9 +19,9 @@
 
 namespace dipwright::cpu {
 
-// Calls work(first, last) for ranges that cover [0, count), each of a multiple of 16 indices if
-// there are so many. Then no part of a vectorised loop runs one index at a time, which takes as
-// long as whole vectors. Some indices come twice, so `work` may not change what it reads.
+// Calls work(first, last) for ranges that cover [0, count). If `count` is at least 16, the length
+// of each range is a multiple of 16, so that a vectorised loop never runs one index at a time.
+// Ranges may overlap, so `work` must not change its own input.
 template <typename Work>
 DIPWRIGHT_IN_LOOP void inWholeVectors(std::size_t count, const Work& work) {
     constexpr std::size_t widest = 16;

@@ -47,8 +47,8 @@ struct ProductSum {
 struct SquareSum {
     static constexpr double coarseUnit = 0x1p-10, unit = 0x1p-51, limit = 0x1p30;
     static constexpr double coarseShift = roundingShift(coarseUnit), shift = roundingShift(unit);
-    // Up to so many terms, no sum overflows: two for each cell of the largest film
-    // (FilmSettings.h, maximumFilmGrid).
+    // No sum of at most this many terms overflows. The largest film (maximumFilmGrid in
+    // FilmSettings.h) has two terms for each cell.
     static constexpr double mostTerms = 8'000'000;
     static_assert(limit / coarseUnit * mostTerms < 0x1p63);
     static_assert(coarseUnit / 2 / unit * mostTerms < 0x1p63);

@@ -355,13 +355,13 @@ private slots:
         project.asBuilt.parts[1].dips = keys[0] + QStringLiteral(" 0123456789abcdef");
         const AsBuilt alike = partsDippedAlike(project); // nothing is known about the third part
         QCOMPARE(alike.places.size(), std::size_t(5));
-        QVERIFY(countParts(project.asBuilt, 1, keys) == BuiltParts({2, 1, 0}));
-        QVERIFY(countParts(project.asBuilt, 2, keys) == BuiltParts({1, 1, 1}));
+        QVERIFY(countParts(project.asBuilt, 1, keys) == BuiltPartCounts({2, 1, 0}));
+        QVERIFY(countParts(project.asBuilt, 2, keys) == BuiltPartCounts({1, 1, 1}));
         project.immersions.resize(1); // as if the user had removed a dip
         for (const BuiltPlace& place : partsDippedAlike(project).places) {
             QCOMPARE(place.dip, 1);
         }
-        QVERIFY(countParts(project.asBuilt, 2, dipKeys(project)) == BuiltParts());
+        QVERIFY(countParts(project.asBuilt, 2, dipKeys(project)) == BuiltPartCounts());
         QVERIFY(refusal(toJson(project)).isEmpty());
         project.asBuilt.parts.pop_back();
         QVERIFY(refusal(toJson(project)).contains("as_built.places"));

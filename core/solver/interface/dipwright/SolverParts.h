@@ -1,18 +1,17 @@
 // Named parts, by which the program and its modules gain abilities without breaking older modules.
 //
 // A part is a small structure of functions with a name and a version. A published version never
-// changes. What is new becomes another part, or another version beside the old one. So a module
-// that was built earlier finds everything as it was, and one that was built later can ask what is
-// there. Both sides have parts:
+// changes. A new ability gets a new part, or a new version beside the old one. So an older module
+// finds everything unchanged, and a newer module can ask which parts exist. Both sides have parts:
 //
-// - Of the program: a module may export dipwrightUseProgram. The program calls it once, after
-//   loading the module, with a function that returns its parts.
-// - Of a module: it may export dipwrightSolverPart, which returns its parts. The program asks for
-//   the parts that it knows. The solver itself (FilmSolver.h) is the part of every module. It is
-//   returned by dipwrightSolverModule; versions 3 and 4 are supported.
+// - The program: a module may export dipwrightUseProgram. The program calls it once, after loading
+//   the module, with a function that returns the program's parts.
+// - The module: it may export dipwrightSolverPart, which returns the module's parts. The program
+//   asks for the parts that it knows. Each module also has its solver (FilmSolver.h), which
+//   dipwrightSolverModule returns; the program supports its versions 3 and 4.
 //
-// Whoever asks for a part that the other side lacks gets nullptr, and does without it. Parts belong
-// to the side that returns them, and live as long as the process.
+// A side that asks for a missing part gets nullptr, and must work without the part. Parts belong to
+// the side that returns them, and live as long as the process.
 #pragma once
 
 #include <dipwright/FilmSolver.h>
@@ -31,7 +30,7 @@ const Part* part(GetPart getPart) {
                               : static_cast<const Part*>(getPart(Part::name, Part::version));
 }
 
-// Of the program: which program loaded the module.
+// A part of the program: names the program that loaded the module.
 struct ProgramPart {
     static constexpr const char* name = "program";
     static constexpr int version = 1;
@@ -40,8 +39,8 @@ struct ProgramPart {
     const char* (*programVersion)(); // "1.0.0"
 };
 
-// Of a module: what its solver can do at most. The program then refuses larger films with a
-// sentence, and does not begin them.
+// A part of a module: the limits of its solver. The program refuses larger films with a sentence
+// and does not begin them.
 struct LimitsPart {
     static constexpr const char* name = "limits";
     static constexpr int version = 1;
