@@ -11,16 +11,12 @@ namespace {
 
 constexpr double fullNumber = 65535;
 
-double lightOf(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 const std::vector<double>& lightTable() {
     static const std::vector<double> table = [] {
         std::vector<double> light;
         light.reserve(std::size_t(fullNumber) + 1);
         for (int number = 0; number <= int(fullNumber); ++number) {
-            light.push_back(lightOf(number / fullNumber));
+            light.push_back(linearFromSrgb(number / fullNumber));
         }
         return light;
     }();
@@ -38,6 +34,10 @@ QImage converted(const QImage& picture, const QColorSpace& from, const QColorSpa
 }
 
 } // namespace
+
+double linearFromSrgb(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
 
 bool isWide(const QImage& picture) {
     return picture.format() == QImage::Format_RGBA64 || picture.format() == QImage::Format_RGBX64;
@@ -65,7 +65,7 @@ QImage inWide(const QImage& picture) {
 bool fitsInSrgb(const QImage& wide) {
     constexpr double step = 1.0 / 255;
     const double least = -step / 12.92; // sRGB's curve is a straight line near 0
-    const double most = lightOf(1 + step);
+    const double most = linearFromSrgb(1 + step);
     const std::vector<double>& light = lightTable();
     for (int row = 0; row < wide.height(); ++row) {
         const auto* pixel = reinterpret_cast<const quint16*>(wide.constScanLine(row));

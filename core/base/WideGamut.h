@@ -22,6 +22,10 @@ inline constexpr LightWeights srgbToWideLight{{{0.6274039, 0.3292830, 0.0433131}
                                                {0.0690973, 0.9195404, 0.0113623},
                                                {0.0163915, 0.0880133, 0.8955952}}};
 
+// Converts an encoded value of a channel to linear light, by the curve that sRGB and wide pictures
+// share (IEC 61966-2-1).
+double linearFromSrgb(double encoded);
+
 bool isWide(const QImage& picture);
 QColorSpace wideSpace();
 

@@ -1,7 +1,5 @@
 #include "texture/LinearLight.h"
 
-#include "base/WideGamut.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -55,10 +53,6 @@ LinearColour weighted(const LightWeights& weights, const LinearColour& light) {
 }
 
 } // namespace
-
-double linearFromSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 double srgbFromLinear(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;

@@ -2,6 +2,8 @@
 // computed. Pixels have eight bits in sRGB or sixteen in wide colour (base/WideGamut.h).
 #pragma once
 
+#include "base/WideGamut.h"
+
 #include <Eigen/Core>
 #include <QColor>
 #include <QImage>
@@ -12,8 +14,7 @@ namespace dipwright {
 
 using LinearColour = Eigen::Array3f; // red, green, blue in linear light, 0 … 1
 
-// Convert single values (IEC 61966-2-1).
-double linearFromSrgb(double encoded);
+// Converts linear light to an encoded value: the inverse of linearFromSrgb().
 double srgbFromLinear(double linear);
 
 // Returns the linear light of every eight-bit value.
