@@ -36,6 +36,16 @@ bool isAsGoodAsSRgb(const QColorSpace& space) {
             std::abs(space.gamma() - 2.2F) < 0.05F);
 }
 
+// Returns the same numbers as RGBA8888 without a colour space.
+QImage inRgba(QImage image) {
+    image.convertTo(QImage::Format_RGBA8888);
+    if (image.isNull()) {
+        throw std::bad_alloc();
+    }
+    image.setColorSpace(QColorSpace());
+    return image;
+}
+
 // Converts a decoded picture. `profile` is the file's ICC profile, which Qt reads for RGB only; may
 // be empty.
 QImage asTexture(QImage image, const QByteArray& profile, const QString& where,
@@ -47,12 +57,7 @@ QImage asTexture(QImage image, const QByteArray& profile, const QString& where,
     if (!isAsGoodAsSRgb(image.colorSpace())) {
         image.convertToColorSpace(QColorSpace::SRgb);
     }
-    image.convertTo(QImage::Format_RGBA8888);
-    if (image.isNull()) {
-        throw std::bad_alloc();
-    }
-    image.setColorSpace(QColorSpace());
-    return image;
+    return inRgba(std::move(image));
 }
 
 const QByteArray heif = "heif"; // Qt reads it if a plugin is installed
@@ -125,6 +130,29 @@ bool isStoredTurned(const QByteArray& bytes) {
     return reader.transformation() != QImageIOHandler::TransformationNone;
 }
 
+// `format` is the reader's format.
+void requireReadable(const QImageReader& reader, const QByteArray& format, const QString& where) {
+    if (format == heif && !reader.canRead()) {
+        throw Error(Text::tr("HEIF pictures cannot be read on this computer; save the picture as "
+                             "JPEG, or set the camera to JPEG"),
+                    where);
+    }
+    if (format.isEmpty() || !reader.canRead()) {
+        throw Error(Text::tr("The file is not a picture that can be read; save it as PNG or JPEG"),
+                    where);
+    }
+}
+
+void requireReadableTiff(const QByteArray& bytes, const QString& where) {
+    if (isMisreadTiff(bytes)) {
+        throw Error(Text::tr("The TIFF file stores its pixels in a way that is not supported, such "
+                             "as in planes, as floating-point numbers or with extra channels; "
+                             "save the picture again as PNG, or as TIFF with 8 or 16 bits, without "
+                             "planes and extra channels"),
+                    where);
+    }
+}
+
 void requireWhole(const QByteArray& bytes, const QString& where, PictureReader::Turned turned) {
     if (!isCutOff(bytes)) {
         return;
@@ -188,27 +216,13 @@ QImage PictureReader::decoded(const QByteArray& bytes, const QString& where, Tur
     reader.setAutoTransform(turned == Turned::Upright);
     reader.setFormat(format);
     reader.setDevice(&buffer);
-    if (format == heif && !reader.canRead()) {
-        throw Error(Text::tr("HEIF pictures cannot be read on this computer; save the picture as "
-                             "JPEG, or set the camera to JPEG"),
-                    where);
-    }
-    if (format.isEmpty() || !reader.canRead()) {
-        throw Error(Text::tr("The file is not a picture that can be read; save it as PNG or JPEG"),
-                    where);
-    }
+    requireReadable(reader, format, where);
     const QSize announced = reader.size();
     if (announced.isValid()) {
         count(announced, bytes.size(), where);
     }
     requireWhole(bytes, where, turned);
-    if (isMisreadTiff(bytes)) {
-        throw Error(Text::tr("The TIFF file stores its pixels in a way that is not supported, such "
-                             "as in planes, as floating-point numbers or with extra channels; "
-                             "save the picture again as PNG, or as TIFF with 8 or 16 bits, without "
-                             "planes and extra channels"),
-                    where);
-    }
+    requireReadableTiff(bytes, where);
     if (isOfLab(bytes)) { // Qt would read it as RGB
         const QImage texture = readInLab(bytes, announced, where);
         return turned == Turned::Upright ? inSrgb(texture) : texture;
@@ -244,12 +258,7 @@ QImage PictureReader::decoded(const QByteArray& bytes, const QString& where, Tur
         count(image.size(), bytes.size(), where);
     }
     if (format == "png" && !inkSpace(image).isEmpty()) { // stored by this program
-        image.convertTo(QImage::Format_RGBA8888);
-        if (image.isNull()) {
-            throw std::bad_alloc();
-        }
-        image.setColorSpace(QColorSpace());
-        return image;
+        return inRgba(std::move(image));
     }
     const bool assumesInks = profile.isEmpty() && turned == Turned::AsStored && readInks(bytes);
     image = asTexture(std::move(image), profile, where, turned);
