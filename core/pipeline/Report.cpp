@@ -3,6 +3,7 @@
 #include "accuracy/correction/RepeatingError.h"
 #include "cost/CostText.h"
 #include "pipeline/JobCost.h"
+#include "pipeline/SheetNumericalError.h"
 #include "project/DipKeys.h"
 #include "project/Profiles.h"
 
@@ -32,14 +33,6 @@ QJsonObject toJson(const ReadBackError& error) {
             {"p95", error.percentile95},
             {"max", error.maximum},
             {"samples", qint64(error.samples)}};
-}
-
-QJsonObject toJson(const SheetChange& change) {
-    return {{"mean_mm", change.distance.mean},
-            {"p95_mm", change.distance.percentile95},
-            {"max_mm", change.distance.maximum},
-            {"painted", change.painted},
-            {"painted_once", change.paintedOnce}};
 }
 
 QJsonObject toJson(const PlaceToCheck& place) {

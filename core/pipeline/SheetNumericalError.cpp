@@ -115,6 +115,8 @@ std::vector<Project> dipsOf(const Project& project, const SolverRegistry& regist
     return dips;
 }
 
+} // namespace
+
 QJsonObject toJson(const SheetChange& change) {
     return {{"mean_mm", change.distance.mean},
             {"p95_mm", change.distance.percentile95},
@@ -122,8 +124,6 @@ QJsonObject toJson(const SheetChange& change) {
             {"painted", change.painted},
             {"painted_once", change.paintedOnce}};
 }
-
-} // namespace
 
 QImage mapOf(const DipNumericalError& numericalError, LengthUnit unit) {
     return numericalErrorMap(*numericalError.laid, numericalError.moves, mostHalfSpacingChange,

@@ -15,6 +15,9 @@ struct JobResult;
 struct Project;
 class LaidFilm;
 
+// Returns a change as an object of report.json and of `validate --sheet --json`.
+QJsonObject toJson(const SheetChange& change);
+
 // The numerical error of one dip's sheet.
 struct DipNumericalError {
     Immersion immersion;
