@@ -17,9 +17,7 @@ struct LawChange {
     Distribution distance;
     // Shares of the painted area on which at least one of the variations has this effect:
     double moved = 0; // the place moves farther than mostHalfSpacingChange
-    double lost = 0;  // the place is no longer painted
-
-    double dependent() const { return moved + lost; } // no place counts twice
+    double lost = 0;  // the place is no longer painted; it does not count as moved
 };
 
 // Fills in `distance`, `moved` and `lost`. All films belong to one body in one pose. Uses all
