@@ -23,23 +23,12 @@ constexpr qint64 mostDipBytes = qint64(1) << 30; // of one job
 
 const QString minutesOption = QStringLiteral("most-minutes");
 
-int wholeNumber(const QCommandLineParser& parser, const QString& option, int most) {
-    bool isNumber = false;
-    const int number = parser.value(option).toInt(&isNumber);
-    if (!isNumber || number < 1 || number > most) {
-        throw UsageError(QStringLiteral("“%1” must be a whole number from 1 to %2")
-                             .arg(parser.value(option))
-                             .arg(most),
-                         QStringLiteral("--") + option);
-    }
-    return number;
-}
-
 SpoolLimits limitsOf(const QCommandLineParser& parser) {
+    constexpr int most = 100'000;
     SpoolLimits limits;
-    limits.mostBytes = qint64(wholeNumber(parser, bytesOption, 100'000)) * 1'000'000;
-    limits.mostJobs = wholeNumber(parser, jobsOption, 100'000);
-    limits.mostSeconds = 60 * wholeNumber(parser, minutesOption, 100'000);
+    limits.mostBytes = qint64(wholeNumberOption(parser, bytesOption, 1, most)) * 1'000'000;
+    limits.mostJobs = wholeNumberOption(parser, jobsOption, 1, most);
+    limits.mostSeconds = 60 * wholeNumberOption(parser, minutesOption, 1, most);
     return limits;
 }
 
