@@ -93,6 +93,11 @@ Sheet blankSheet(const Project& project) {
 
 // Checks the file and its options before the computation. A TIFF has the pixels of the whole page.
 void checkFileFirst(const QString& path, const Project& project, const PrintRequest& request) {
+    if (request.copies > 1) {
+        throw UsageError(QStringLiteral("A file holds each sheet once; leave out --copies, or "
+                                        "print with --printer"),
+                         QStringLiteral("--copies"));
+    }
     checkWritable(path);
     fileRequest(request);
     const Sheet blank = blankSheet(project);
@@ -127,6 +132,15 @@ void printSheets(PrintSystem& system, const JobResult& result, const PrintReques
         }
     }
     printAndReport(system, plans, progress, out);
+}
+
+void writeFile(const Sheet& sheet, const PrintRequest& request, const QString& path,
+               QTextStream& out) {
+    for (const QString& warning :
+         writePrintFile(sheet, fileRequest(request), path, PrintHistory())) {
+        out << QStringLiteral("%1: %2\n").arg(sheet.job.immersion, warning);
+    }
+    out << QStringLiteral("Wrote %1\n").arg(path);
 }
 
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
@@ -232,6 +246,18 @@ void listHistory(QTextStream& out) {
     }
 }
 
+// Runs the job. Takes over the dips that are cached beside the project's file.
+JobResult resultOf(const Project& project, const QCommandLineParser& parser, Console& console,
+                   const Progress& progress) {
+    JobOptions options;
+    options.solver = parser.value(solverOption);
+    applyFilmImage(options, parser);
+    const SolverRegistry registry;
+    const auto cached =
+        usableDips(project, registry, projectPath(parser), progress.silent(), console.warnings());
+    return runJob(project, registry, options, cached.get(), progress);
+}
+
 class PrintCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("print"); }
@@ -301,11 +327,6 @@ public:
         const PrintTarget target = isProofOnly ? PrintTarget() : printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
         if (!target.file.isEmpty()) {
-            if (request.copies > 1) {
-                throw UsageError(QStringLiteral("A file holds each sheet once; leave out --copies, "
-                                                "or print with --printer"),
-                                 QStringLiteral("--copies"));
-            }
             checkFileFirst(target.file, project, request);
         }
         const QString proof =
@@ -318,14 +339,8 @@ public:
             system = printSystem();
             checkPrinterFirst(*system, project, request);
         }
-        JobOptions options;
-        options.solver = parser.value(solverOption);
-        applyFilmImage(options, parser);
-        const SolverRegistry registry;
         const Progress progress = console.progress();
-        const auto kept = usableDips(project, registry, projectPath(parser), progress.silent(),
-                                     console.warnings());
-        JobResult result = runJob(project, registry, options, kept.get(), progress.part(0, 0.8));
+        JobResult result = resultOf(project, parser, console, progress.part(0, 0.8));
         for (ImmersionResult& immersion : result.immersions) {
             immersion.sheet.clearance = clearance; // as on traveller and cradle
         }
@@ -353,12 +368,7 @@ public:
             printSheets(*system, result, request, progress.part(0.9, 1), console.out());
             return;
         }
-        const Sheet& sheet = result.immersions.front().sheet;
-        for (const QString& warning :
-             writePrintFile(sheet, fileRequest(request), target.file, PrintHistory())) {
-            console.out() << QStringLiteral("%1: %2\n").arg(sheet.job.immersion, warning);
-        }
-        console.out() << QStringLiteral("Wrote %1\n").arg(target.file);
+        writeFile(result.immersions.front().sheet, request, target.file, console.out());
     }
 };
 
