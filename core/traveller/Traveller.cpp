@@ -318,6 +318,30 @@ QString flowText(const TravellerDip& dip) {
                     plain(way.x()), plain(way.z()));
 }
 
+// Tells how to lay the film of a dip on the water.
+QString layText(const TravellerDip& dip) {
+    QString text = dip.passes > 1
+                       ? Text::tr("Lay sheet %1, which must have been printed in %2 passes, on the "
+                                  "water, ink side up.")
+                             .arg(dip.job)
+                             .arg(dip.passes)
+                       : Text::tr("Lay sheet %1 on the water, ink side up.").arg(dip.job);
+    // On a path, the arrow may point to the upper edge only at the end.
+    if (dip.hasCradle && dip.motion.path.empty()) {
+        text += u' ' + Text::tr("The arrow on the cradle's plate must point to the upper edge of "
+                                "the sheet.");
+    }
+    return text + flowText(dip);
+}
+
+// Describes a dip that goes straight down.
+QString straightStep(const DipMotion& motion) {
+    return Text::tr("Dip the part: lower its lowest point from %1 mm above the water to %2 mm "
+                    "below it, at %3 mm/s, in %4 s")
+        .arg(plain(motion.start.value()), plain(motion.depth.value()),
+             plain(motion.speed.value(), 2), plain(motion.dipTime().value()));
+}
+
 // Describes a dip that does not go straight down. Each pose has a line of its own.
 QString pathStep(const TravellerDip& dip, std::size_t number) {
     const QString bullet = QStringLiteral("\n• ");
@@ -348,17 +372,6 @@ QString pathStep(const TravellerDip& dip, std::size_t number) {
 std::vector<TankTask> stepsOf(const Traveller& traveller, std::size_t number) {
     const TravellerDip& dip = traveller.dips[number];
     const DipMotion& motion = dip.motion;
-    QString lay = dip.passes > 1
-                      ? Text::tr("Lay sheet %1, which must have been printed in %2 passes, on the "
-                                 "water, ink side up.")
-                            .arg(dip.job)
-                            .arg(dip.passes)
-                      : Text::tr("Lay sheet %1 on the water, ink side up.").arg(dip.job);
-    if (dip.hasCradle && motion.path.empty()) { // on a path, it may point there only at the end
-        lay += u' ' + Text::tr("The arrow on the cradle's plate must point to the upper edge of "
-                               "the sheet.");
-    }
-    lay += flowText(dip);
     std::vector<TankTask> tasks;
     const auto add = [&](TankStep step, const QString& text,
                          const std::optional<Seconds>& time = {}) {
@@ -379,18 +392,12 @@ std::vector<TankTask> stepsOf(const Traveller& traveller, std::size_t number) {
                         : Text::tr("Check that the tape still covers the masked surface (pink "
                                    "in the pictures)."));
     }
-    add(TankStep::Lay, lay);
+    add(TankStep::Lay, layText(dip));
     addTimed(TankStep::Soak, Text::tr("Soak the film: %1"),
              ofFilm(traveller, &FilmProfile::soakTime));
     addTimed(TankStep::Activator, Text::tr("Spray the activator, then wait: %1"),
              ofFilm(traveller, &FilmProfile::activatorTime));
-    add(TankStep::Dip,
-        motion.path.empty()
-            ? Text::tr("Dip the part: lower its lowest point from %1 mm above the water to %2 mm "
-                       "below it, at %3 mm/s, in %4 s")
-                  .arg(plain(motion.start.value()), plain(motion.depth.value()),
-                       plain(motion.speed.value(), 2), plain(motion.dipTime().value()))
-            : pathStep(dip, number),
+    add(TankStep::Dip, motion.path.empty() ? straightStep(motion) : pathStep(dip, number),
         motion.dipTime());
     add(TankStep::Hold,
         Text::tr("Hold the part under water for %1 s. Clear the remaining film from the water "
