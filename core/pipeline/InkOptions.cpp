@@ -25,10 +25,9 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(InkOptions)
 };
 
-constexpr double mostSamples = 1e6;     // of each film
-constexpr float visibleDensity = 0.05f; // as in texture/Ink.cpp
-constexpr double leftShort = 0.05;      // of the short area that lightening may leave
-constexpr double leastDensest = 0.5;    // darker colours would hardly show
+constexpr double mostSamples = 1e6;  // of each film
+constexpr double leftShort = 0.05;   // of the short area that lightening may leave
+constexpr double leastDensest = 0.5; // darker colours would hardly show
 constexpr double densestStep = 0.05;
 constexpr double poseStretchWeight = 1;
 constexpr std::size_t mostStretchSamples = 2000;

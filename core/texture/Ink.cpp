@@ -9,8 +9,6 @@ namespace dipwright {
 
 namespace {
 
-// Smaller differences of density are not visible.
-constexpr float visibleDensity = 0.05f;
 constexpr float log2Of10 = 3.3219281f;
 constexpr float leastStretch = 0.05f; // used for film folded flat; keeps powers finite
 constexpr float leastLight = 1e-12f;  // keeps the logarithms finite

@@ -8,6 +8,9 @@
 
 namespace dipwright {
 
+// A place is visibly too pale if more density than this is missing.
+inline constexpr float visibleDensity = 0.05f;
+
 // Models ink over a white body: density D = −log10 of a channel's linear light. A picture to print
 // has the ink of one pass; all passes of the settings lie on one another.
 class InkCompensation {

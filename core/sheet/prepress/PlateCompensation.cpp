@@ -1,6 +1,7 @@
 #include "sheet/prepress/PlateCompensation.h"
 
 #include "parallel/ParallelFor.h"
+#include "texture/Ink.h"
 #include "texture/StretchPlane.h"
 
 #include <algorithm>
@@ -10,7 +11,6 @@ namespace dipwright {
 namespace {
 
 constexpr int steps = 256; // tabulated values of the stretch; linear in between
-constexpr float visibleDensity = 0.05f;
 constexpr FilmInk inkOrder[4] = {FilmInk::Cyan, FilmInk::Magenta, FilmInk::Yellow, FilmInk::Black};
 
 float stretchAt(int step) {
