@@ -28,7 +28,6 @@ constexpr double farthest = 20; // mm on the sheet: largest offset that is searc
 // A small circle of the sheet appears in the photo as an ellipse. Places where the ratio of its
 // axes is smaller than this are not used.
 constexpr double leastFromFront = 0.2;
-constexpr double samePlace = 0.01; // mm on the model: nearer places count as one place
 
 // Tells where the places of a sheet lie on the model in the simulation.
 class SheetOnModel {
@@ -236,7 +235,7 @@ std::vector<BuiltPlace> builtPlaces(const std::vector<PrintedPlace>& seen, const
         if (!found) {
             continue;
         }
-        const auto key = [&](int axis) { return std::lround(place.model[axis] / samePlace); };
+        const auto key = [&](int axis) { return std::lround(place.model[axis] / sameBuiltPlace); };
         auto& [pixels, built] = best[{place.dip, key(0), key(1), key(2)}];
         if (found->pixels > pixels) {
             pixels = found->pixels;

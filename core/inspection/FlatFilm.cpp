@@ -24,7 +24,6 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::FilmWatch)
 };
 
-constexpr double sure95 = 1.959964; // half the 95 % interval, in standard deviations
 // Largest residual of a flat card, as a share of half the picture's diagonal. The error with which
 // corners are found is about a tenth of this.
 constexpr double mostCardOff = 0.001;
@@ -162,7 +161,7 @@ Measured swellOf(const LeastSquaresFit& fit, Eigen::Index first, double sigma) {
     const Eigen::Vector2d step = fit.parameters.segment<2>(first);
     const Eigen::Vector2d slope = step.normalized();
     const double variance = slope.dot(fit.covariance.block<2, 2>(first, first) * slope);
-    return {step.norm(), sure95 * sigma * std::sqrt(std::max(0.0, variance))};
+    return {step.norm(), deviationsFor95 * sigma * std::sqrt(std::max(0.0, variance))};
 }
 
 // Fills in each corner's swell: the mean over its neighbours in both directions, if they were

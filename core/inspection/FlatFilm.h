@@ -32,6 +32,9 @@ struct Measured {
     double value = 0, off = 0;
 };
 
+// Half the width of the 95 % interval of normally distributed errors, in standard deviations.
+inline constexpr double deviationsFor95 = 1.959964;
+
 struct FilmCorner {
     int column = 0, row = 0;     // on the board
     Eigen::Vector2d seen;        // pixels of the photo

@@ -18,7 +18,6 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::FilmWatch)
 };
 
-constexpr double sure95 = 1.959964;
 constexpr double leastOff = 1e-6; // least interval of a swell; keeps all weights finite
 constexpr double surelyGrows = 3; // standard deviations by which growth must exceed 0
 // Growth counts as none if its 95 % interval lies within this share of the length.
@@ -27,7 +26,7 @@ constexpr double mostOfNoGrowth = 0.005;
 constexpr double mostLimitOff = 0.5;
 
 double deviation(const Measured& measured) {
-    return std::max(measured.off, leastOff) / sure95;
+    return std::max(measured.off, leastOff) / deviationsFor95;
 }
 
 Measured meanOf(const std::vector<Measured>& values) {
@@ -37,7 +36,7 @@ Measured meanOf(const std::vector<Measured>& values) {
         sum += share * value.value;
         weight += share;
     }
-    return {sum / weight, sure95 / std::sqrt(weight)};
+    return {sum / weight, deviationsFor95 / std::sqrt(weight)};
 }
 
 GrowthFit nearest(const std::vector<SwellAt>& moments, double begin) {
@@ -113,7 +112,7 @@ double deviationOf(const LeastSquaresFit& fit, Eigen::Index parameter) {
 }
 
 Measured measuredOf(const LeastSquaresFit& fit, Eigen::Index parameter, double unit = 1) {
-    return {fit.parameters[parameter] / unit, sure95 * deviationOf(fit, parameter) / unit};
+    return {fit.parameters[parameter] / unit, deviationsFor95 * deviationOf(fit, parameter) / unit};
 }
 
 // Returns the best fit from several start values, from an almost straight to a sharply bent curve.
@@ -149,7 +148,7 @@ Measured limitOf(const LeastSquaresFit& fit) {
     const double variance = slope.dot(fit.covariance.block<2, 2>(2, 2) * slope);
     const double scale =
         fit.covariance(2, 2) > 0 ? deviationOf(fit, 2) / std::sqrt(fit.covariance(2, 2)) : 1;
-    return {limit, sure95 * scale * std::sqrt(std::max(0.0, variance))};
+    return {limit, deviationsFor95 * scale * std::sqrt(std::max(0.0, variance))};
 }
 
 // Throws Error unless the film grew by more than the uncertainty.
@@ -198,7 +197,8 @@ GrowthFit fitGrowth(const std::vector<SwellAt>& moments, double begin, const QSt
     result.swellY = measuredOf(steady, 1);
     const double grown = steady.parameters[2];
     const double unsure = deviationOf(steady, 2);
-    if (grown < surelyGrows * unsure && std::abs(grown) + sure95 * unsure <= mostOfNoGrowth) {
+    if (grown < surelyGrows * unsure &&
+        std::abs(grown) + deviationsFor95 * unsure <= mostOfNoGrowth) {
         result.known = GrowthKnowledge::None;
         return result;
     }

@@ -24,7 +24,7 @@ constexpr double cameraSpring = 1; // spring length of the camera's unknowns
 // Returns the two-sided 95 % quantile of Student's distribution (M. Abramowitz and I. Stegun,
 // "Handbook of Mathematical Functions", 26.7.5).
 double sure95(double freedom) {
-    constexpr double z = 1.959964;
+    constexpr double z = deviationsFor95; // the quantile for infinite freedom
     const double z3 = z * z * z, z5 = z3 * z * z;
     return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom);
 }

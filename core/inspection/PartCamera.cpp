@@ -21,7 +21,6 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(dipwright::PartCamera)
 };
 
-constexpr double sure95 = 1.959964;
 constexpr double leastDepth = 1e-3;  // least thickness of the pairs, as a share of their extent
 constexpr double mostFocalOff = 0.6; // largest 95 % interval, as a share of the focal length
 
@@ -169,7 +168,7 @@ PartView fitPartCamera(const std::vector<PlacePair>& pairs, int photos, QSize pi
     PartView view = camera.view(fit.parameters);
     const double sigma = std::sqrt(fit.residuals.squaredNorm() / freedom);
     view.focalLength.off =
-        sure95 * sigma * view.focalLength.value * std::sqrt(fit.covariance(0, 0));
+        deviationsFor95 * sigma * view.focalLength.value * std::sqrt(fit.covariance(0, 0));
     if (view.focalLength.off > mostFocalOff * view.focalLength.value) {
         refuse(
             Text::tr("The pairs do not determine the camera's distance; add pairs at places nearer "

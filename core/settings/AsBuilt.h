@@ -38,6 +38,10 @@ struct BuiltPlace {
     bool operator==(const BuiltPlace&) const = default;
 };
 
+// Measured places whose coordinates on the model round to the same multiples of this, in mm, count
+// as one place.
+inline constexpr double sameBuiltPlace = 0.01;
+
 // The steps of one dip at the tank, in the traveller's order.
 enum class TankStep { Tape, Lay, Soak, Activator, Dip, Hold, Flash, Dry, RemoveTape, Compare };
 // Returns the steps' keys in files, in the same order.

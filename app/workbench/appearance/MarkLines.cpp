@@ -6,11 +6,6 @@
 #include <algorithm>
 
 namespace dipwright {
-namespace {
-
-constexpr double fineTriangles = 40'000; // approximate
-
-} // namespace
 
 QColor shareMarkColour(ShareMarkKind kind) {
     switch (kind) {
@@ -29,7 +24,7 @@ QColor shareMarkColour(ShareMarkKind kind) {
 }
 
 MarkLines::MarkLines(const TriangleMesh& body)
-    : mesh_(body, edgeForTriangles(body, fineTriangles)), query_(mesh_.mesh()) {}
+    : mesh_(body, fineEdge(body)), query_(mesh_.mesh()) {}
 
 std::vector<ViewLine> MarkLines::lines(const std::vector<ShareMark>& marks) {
     std::vector<Drawn> drawn;

@@ -13,7 +13,6 @@
 namespace dipwright {
 namespace {
 
-constexpr double samePlace = 0.01;     // mm on the model: nearer places count as one place
 constexpr double leastScatter = 0.005; // mm: photos do not resolve less
 constexpr std::size_t fewPlaces = 150; // number of places from which reach and size are chosen
 // Candidates for the reach, relative to the extent of the places.
@@ -103,7 +102,7 @@ void RepeatingError::gather(const AsBuilt& built, int dip) {
     for (const BuiltPlace& place : built.places) {
         if (place.dip == dip) {
             const auto key = [&](int axis) {
-                return std::lround(place.model[std::size_t(axis)].value() / samePlace);
+                return std::lround(place.model[std::size_t(axis)].value() / sameBuiltPlace);
             };
             byPlace[{key(0), key(1), key(2)}].push_back(
                 {place.part, vectorOf(place.sheet), vectorOf(place.off)});
