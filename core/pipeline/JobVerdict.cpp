@@ -281,7 +281,8 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
                     tankFaults(project.profiles.tank, project.film, project.process, dip.immersion,
                                dip.body->mesh, dip.body->path),
                     mask, project.immersions.size() == 1, takesInk(dip, project),
-                    dip.lostPlates.join(QStringLiteral(". ")), dip.inputs.built},
+                    dip.lostPlates.join(QStringLiteral(". ")), dip.inputs.built,
+                    dip.unusualCorrection},
                    project.tolerance, project.verdict);
 }
 

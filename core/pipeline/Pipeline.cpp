@@ -488,15 +488,14 @@ void paint(ImmersionResult& now, const Run& run, std::size_t number, const JobRe
 
 // Returns the images printed on the film, corrected for the repeating error of earlier parts if the
 // project asks for it.
-PrintedFilm printedFilm(const ReverseTexture& texture, const SheetInputs& inputs,
-                        const Project& project, std::size_t number) {
+PrintedFilm printedFilm(const ReverseTexture& texture, const RepeatingError* repeating,
+                        const SheetInputs& inputs, const Project& project) {
     PrintedFilm film{texture.image,   texture.white, texture.wanted,
                      texture.stretch, texture.inks,  texture.spots};
-    if (!inputs.correction) {
+    if (!repeating) {
         return film;
     }
-    const DenseError error(RepeatingError(*inputs.correction, int(number) + 1), project.film.width,
-                           project.film.height);
+    const DenseError error(*repeating, project.film.width, project.film.height);
     const auto moved = [&](const QImage& picture) {
         return correctedImage(picture, error, inputs.correction->strength);
     };
@@ -542,7 +541,13 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     const bool isDraft = run.options.draftPictures.has_value();
     if (!earlier || earlier->inputs != now.inputs) {
         run.user.throwIfCancelled();
-        const PrintedFilm film = printedFilm(*now.texture, now.inputs, run.project, number);
+        std::optional<RepeatingError> repeating;
+        if (now.inputs.correction) {
+            repeating.emplace(*now.inputs.correction, int(number) + 1);
+        }
+        now.unusualCorrection = repeating ? unusualErrorNote(*repeating) : QString();
+        const PrintedFilm film =
+            printedFilm(*now.texture, repeating ? &*repeating : nullptr, now.inputs, run.project);
         run.user.throwIfCancelled();
         now.sheet = jobSheet(run.project, now.immersion, film, run.user);
         if (now.sheet.wanted) {

@@ -6,6 +6,7 @@
 #include "parallel/ParallelFor.h"
 #include "texture/LinearLight.h"
 
+#include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <QCoreApplication>
@@ -92,6 +93,53 @@ void arrow(QPainter& painter, const QPointF& from, const QPointF& by, const QCol
         painter.drawLine(from + by, from + by + back + across / 2);
         painter.drawLine(from + by, from + by + back - across / 2);
     }
+}
+
+// Returns the largest error at the measured places, mm.
+double largestOf(const RepeatingError& error) {
+    double most = 0;
+    for (const RepeatedPlace& place : error.places()) {
+        most = std::max(most, error.at(place.sheet).norm());
+    }
+    return most;
+}
+
+// Returns the largest relative change of a length by the affine map that fits the error at the
+// measured places best; 0 if there are too few places.
+double lengthChangeOf(const RepeatingError& error) {
+    const auto count = Eigen::Index(error.places().size());
+    Eigen::MatrixX3d places(count, 3);
+    Eigen::MatrixX2d errors(count, 2);
+    for (Eigen::Index row = 0; row < count; ++row) {
+        const Eigen::Vector2d& sheet = error.places()[std::size_t(row)].sheet;
+        places.row(row) << sheet.x(), sheet.y(), 1;
+        errors.row(row) = error.at(sheet).transpose();
+    }
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> fit(places);
+    if (count < 3 || fit.rank() < 3) {
+        return 0;
+    }
+    const Eigen::Matrix<double, 3, 2> map = fit.solve(errors);
+    return Eigen::JacobiSVD<Eigen::Matrix2d>(map.topRows<2>()).singularValues()[0];
+}
+
+QString figuresOf(const RepeatingError& error, int dip) {
+    const double most = largestOf(error);
+    if (error.parts() < 2) {
+        return Text::tr("Dip %1: %2 places measured on one part, errors up to %3 mm. Measure three "
+                        "parts or more to see which errors repeat.")
+            .arg(dip)
+            .arg(error.places().size())
+            .arg(numberText(most, 2));
+    }
+    return Text::tr("Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; "
+                    "places less than %5 mm apart have similar errors. Scatter: %6 mm for single "
+                    "places, %7 mm for whole parts.")
+        .arg(dip)
+        .arg(error.places().size())
+        .arg(error.parts())
+        .arg(numberText(most, 2), numberText(error.reach(), 0), numberText(error.scatter(), 2),
+             numberText(error.partScatter(), 2));
 }
 
 } // namespace
@@ -191,26 +239,22 @@ Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& er
     return at;
 }
 
+QString unusualErrorNote(const RepeatingError& error) {
+    const double most = largestOf(error), change = lengthChangeOf(error);
+    if (most <= mostUsualError && change <= mostUsualLengthChange) {
+        return {};
+    }
+    return Text::tr("The measured parts move the picture by up to %1 mm and change lengths by %2 "
+                    "%. More than %3 mm or %4 % is unusual. Check the measured places, or turn the "
+                    "correction off.")
+        .arg(numberText(most, 2), numberText(100 * change, 0), numberText(mostUsualError, 0),
+             numberText(100 * mostUsualLengthChange, 0));
+}
+
 QString repeatingSentence(const RepeatingError& error, int dip) {
-    double most = 0;
-    for (const RepeatedPlace& place : error.places()) {
-        most = std::max(most, error.at(place.sheet).norm());
-    }
-    if (error.parts() < 2) {
-        return Text::tr("Dip %1: %2 places measured on one part, errors up to %3 mm. Measure three "
-                        "parts or more to see which errors repeat.")
-            .arg(dip)
-            .arg(error.places().size())
-            .arg(numberText(most, 2));
-    }
-    return Text::tr("Dip %1: %2 places measured on %3 parts. The repeating error is up to %4 mm; "
-                    "places less than %5 mm apart have similar errors. Scatter: %6 mm for single "
-                    "places, %7 mm for whole parts.")
-        .arg(dip)
-        .arg(error.places().size())
-        .arg(error.parts())
-        .arg(numberText(most, 2), numberText(error.reach(), 0), numberText(error.scatter(), 2),
-             numberText(error.partScatter(), 2));
+    const QString note = unusualErrorNote(error);
+    const QString figures = figuresOf(error, dip);
+    return note.isEmpty() ? figures : QStringLiteral("%1 %2").arg(figures, note);
 }
 
 QImage correctionPicture(const RepeatingError& error, Millimetres width, Millimetres height,

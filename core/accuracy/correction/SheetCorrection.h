@@ -49,6 +49,15 @@ private:
 void requirePossibleErrors(const AsBuilt& built, Millimetres width, Millimetres height,
                            const QString& where);
 
+// A larger repeating error is possible, but unusual: mm, and the relative change of lengths by the
+// affine map that is closest to it. A film that swells otherwise than assumed changes lengths by a
+// few per cent.
+inline constexpr double mostUsualError = 5, mostUsualLengthChange = 0.08;
+
+// Returns a sentence if the error is unusually large, so that places may have been measured wrongly
+// or on another part; empty if it is usual.
+QString unusualErrorNote(const RepeatingError& error);
+
 enum class Resampling { Linear, Nearest };
 
 // Returns the corrected film image of the sheet of `error`. Each pixel takes its colour from a

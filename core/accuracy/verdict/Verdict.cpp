@@ -229,6 +229,9 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
     }
     addPaintReasons(found, dip, limits);
     addBuiltReasons(found, dip.built);
+    if (!dip.unusualCorrection.isEmpty()) {
+        found.add({Kind::UnusualCorrection, Advice::CheckFirst, 0, 0, dip.unusualCorrection});
+    }
     for (const TankFault& fault : dip.tankFaults) {
         found.add({Kind::Tank, Advice::DoNotPrint, fault.value, fault.limit, fault.sentence});
     }
@@ -300,6 +303,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"no_ink", ""},
                                KindWords{"lost_plates", ""},
                                KindWords{"other_dips", "as_built.correct"},
+                               KindWords{"unusual_correction", "as_built.correct"},
                                KindWords{"unknown_dips", "as_built.correct"},
                                KindWords{"unreached", "verdict.unreached"},
                                KindWords{"narrow", "verdict.narrow"},

@@ -135,6 +135,8 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("The sheet has no ink: its picture is white or transparent. Check the "
                         "texture and the artwork.");
     case Kind::Tank:
+    case Kind::UnusualCorrection:
+        return reason.text;
     case Kind::LostPlates:
         return reason.text + QLatin1Char('.');
     default:

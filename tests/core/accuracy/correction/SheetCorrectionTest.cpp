@@ -190,6 +190,26 @@ private slots:
         }
     }
 
+    void unusualErrorNote_scaledTurnedOrShiftedPart_isTold() {
+        std::mt19937 random{8};
+        AsBuilt usual;
+        dip(usual, 0.3, 0.2, random);
+        QCOMPARE(unusualErrorNote(RepeatingError(usual, 1)), QString());
+        const auto noteOf = [](const Eigen::Matrix2d& axes, double shift) {
+            AsBuilt built = measuredIn(axes);
+            for (BuiltPlace& place : built.places) {
+                place.off[0] = place.off[0] + Millimetres(shift);
+            }
+            requirePossibleErrors(built, width, height, QStringLiteral("job"));
+            return unusualErrorNote(RepeatingError(built, 1));
+        };
+        const Eigen::Matrix2d same = Eigen::Matrix2d::Identity();
+        QCOMPARE(noteOf(1.03 * same, 0), QString());
+        QVERIFY(noteOf(1.1 * same, 0).contains(QStringLiteral("change lengths by 1")));
+        QVERIFY(!noteOf(Eigen::Rotation2Dd(0.15).toRotationMatrix(), 0).isEmpty());
+        QVERIFY(noteOf(same, 12).contains(QStringLiteral("by up to 1")));
+    }
+
     void correctedImage_knownError_movesAgainstIt() {
         AsBuilt built;
         for (int i = 0; i < 12; ++i) {
