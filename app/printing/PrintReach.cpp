@@ -78,6 +78,10 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
                              "these margins in the profile and run the job again")
                         .arg(numberText(moved, 1));
     }
+    if (coveredPictureNote(sheet).isEmpty()) { // otherwise the verdict says it
+        const QString note = coveredPictureNote(inside);
+        warnings << (note.isEmpty() ? QStringList() : QStringList(note));
+    }
     const QMarginsF lost = lostOnPage(sheet, margins, correction);
     const double lostWidth = std::round(widest(lost) * 100) / 100;
     const QRectF reach = QRectF({0, 0}, pageSize(sheet)).marginsRemoved(lost);

@@ -53,6 +53,7 @@ struct ImmersionResult {
     std::optional<double> inkShortfall;
     std::vector<InkArea> inks; // that the project's printer takes for the sheet; empty: a draft
     QStringList lostPlates;    // of the sheet (sheet/prepress/Separation.h)
+    QString coveredPicture;    // coveredPictureNote() of the sheet; empty: a draft, or none
     QString unusualCorrection; // unusualErrorNote() of the error that the sheet corrects
 
     // Returns the numerical error if it is known, else null.

@@ -282,7 +282,7 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
                                dip.body->mesh, dip.body->path),
                     mask, project.immersions.size() == 1, takesInk(dip, project),
                     dip.lostPlates.join(QStringLiteral(". ")), dip.inputs.built,
-                    dip.unusualCorrection},
+                    dip.unusualCorrection, dip.coveredPicture},
                    project.tolerance, project.verdict);
 }
 

@@ -23,6 +23,7 @@
 #include "project/DipKeys.h"
 #include "project/Profiles.h"
 #include "results/Results.h"
+#include "sheet/page/SheetLayout.h"
 #include "sheet/prepress/PrinterColour.h"
 #include "sheet/prepress/Separation.h"
 #include "texture/Chessboard.h"
@@ -556,6 +557,8 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
         now.sheet.passes = now.inputs.texture.printedInk().printedPasses();
         run.user.throwIfCancelled();
         measureInks(now, run.project.profiles.printer, isDraft);
+        now.coveredPicture =
+            isDraft || !now.inputs.texture.isReversed() ? QString() : coveredPictureNote(now.sheet);
     }
     measuring.wait();
     judge(now, run, comparison);

@@ -229,6 +229,9 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
     }
     addPaintReasons(found, dip, limits);
     addBuiltReasons(found, dip.built);
+    if (!dip.coveredPicture.isEmpty()) {
+        found.add({Kind::CoveredPicture, Advice::CheckFirst, 0, 0, dip.coveredPicture});
+    }
     if (!dip.unusualCorrection.isEmpty()) {
         found.add({Kind::UnusualCorrection, Advice::CheckFirst, 0, 0, dip.unusualCorrection});
     }
@@ -302,6 +305,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"tank", ""},
                                KindWords{"no_ink", ""},
                                KindWords{"lost_plates", ""},
+                               KindWords{"covered_picture", ""},
                                KindWords{"other_dips", "as_built.correct"},
                                KindWords{"unusual_correction", "as_built.correct"},
                                KindWords{"unknown_dips", "as_built.correct"},

@@ -45,9 +45,10 @@ struct VerdictReason {
         Tank,     // `text`: which limit of the tank or its machine the dip exceeds by `value` mm,
                   // mm/s or °/s
         NoInk,    // the sheet takes no ink
-        LostPlates, // `text`: the plates that the project's printer cannot print
-        OtherDips,  // `value` of `limit` measured parts were dipped otherwise, so the sheet is not
-                    // corrected by them
+        LostPlates,     // `text`: the plates that the project's printer cannot print
+        CoveredPicture, // `text`: marks, ruler or job line cover a part of the picture
+        OtherDips, // `value` of `limit` measured parts were dipped otherwise, so the sheet is not
+                   // corrected by them
         UnusualCorrection, // `text`: measured parts change the sheet unusually much
         UnknownDips, // measured parts correct the sheet, but nothing says how they were dipped
         // Reasons about all dips together.
@@ -161,6 +162,7 @@ struct JudgedDip {
     // The measured parts by which the project wants to correct the sheet.
     BuiltPartCounts built = {};
     QString unusualCorrection = {}; // sentence on a correction that is unusually large; empty: none
+    QString coveredPicture = {};    // sentence on marks that cover the picture; empty: none do
 };
 
 // Returns the verdict on one dip by the limits in `tolerance` and `limits`.

@@ -138,6 +138,7 @@ QString paintText(const VerdictReason& reason, const LengthText& length) {
     case Kind::UnusualCorrection:
         return reason.text;
     case Kind::LostPlates:
+    case Kind::CoveredPicture:
         return reason.text + QLatin1Char('.');
     default:
         return {};

@@ -72,10 +72,11 @@ public:
 
     double longest() const { return std::max(page_.width(), page_.height()) - 2 * clearance_; }
 
+    // Takes the place with the least ink, and only one whose share of ink is at most `mostInk`.
     // `edges` lists the edges by preference: 0 top, 1 right, 2 bottom, 3 left.
-    std::optional<SheetStrip> take(QSizeF size, const std::array<int, 4>& edges) {
+    std::optional<SheetStrip> take(QSizeF size, const std::array<int, 4>& edges, double mostInk) {
         std::optional<SheetStrip> best;
-        double bestShare = 2;
+        double bestShare = std::nextafter(mostInk, 2);
         for (int edge : edges) {
             for (double along : {0.5, 0.0, 1.0, 0.25, 0.75}) {
                 SheetStrip strip = stripAt(edge, along, size);
@@ -152,11 +153,11 @@ std::vector<SheetMark> placeMarks(const QRectF& film, double clearance, const Pa
     return marks;
 }
 
-std::optional<SheetStrip> placeRuler(Places& places) {
+std::optional<SheetStrip> placeRuler(Places& places, double mostInk) {
     const double room = places.longest() - 2 * rulerEndRoom;
     for (int length = std::min(100, int(room / 10) * 10); length >= 20; length -= 10) {
         const QSizeF size(length + 2 * rulerEndRoom, rulerDepth);
-        if (auto strip = places.take(size, {2, 0, 3, 1})) {
+        if (auto strip = places.take(size, {2, 0, 3, 1}, mostInk)) {
             return strip;
         }
     }
@@ -177,24 +178,37 @@ std::vector<QStringList> jobLineTexts(const JobLine& job) {
             {job.hash.simplified()}};
 }
 
-// Prefers a shorter text to a smaller font.
-void placeJobLine(SheetLayout& layout, Places& places, const JobLine& job) {
+// Prefers a shorter text to a smaller font. Beside the picture, it needs a name and the usual font.
+void placeJobLine(SheetLayout& layout, Places& places, const JobLine& job, double mostInk) {
     const QFontMetricsF metrics(sheetFont(jobLineType));
-    for (double type = jobLineType; type > leastType; type *= 0.85) {
-        for (const QStringList& lines : jobLineTexts(job)) {
+    std::vector<QStringList> texts = jobLineTexts(job);
+    double least = leastType;
+    if (mostInk == 0) {
+        texts.pop_back();
+        least = 0.99 * jobLineType;
+    }
+    for (double type = jobLineType; type > least; type *= 0.85) {
+        for (const QStringList& lines : texts) {
             double width = 0;
             for (const QString& line : lines) {
                 width = std::max(width, metrics.horizontalAdvance(line) * typeUnit);
             }
             const QSizeF size(width * type / jobLineType,
                               double(lines.size()) * jobLinePitch + jobLineMargin);
-            if ((layout.jobLine = places.take(size, {0, 2, 3, 1}))) {
+            if ((layout.jobLine = places.take(size, {0, 2, 3, 1}, mostInk))) {
                 layout.jobLineText = lines;
                 layout.jobLineHeight = type;
                 return;
             }
         }
     }
+}
+
+bool fitsOnPaper(const Sheet& sheet) {
+    constexpr double tolerance = 0.01; // mm
+    const QSizeF page = paperSize(sheet);
+    return page.width() >= sheet.filmWidth.value() - tolerance &&
+           page.height() >= sheet.filmHeight.value() - tolerance;
 }
 
 } // namespace
@@ -216,8 +230,7 @@ QSizeF paperSize(const Sheet& sheet) {
 QSizeF pageSize(const Sheet& sheet) {
     const QSizeF film(sheet.filmWidth.value(), sheet.filmHeight.value());
     const QSizeF page = paperSize(sheet);
-    constexpr double tolerance = 0.01;
-    if (page.width() < film.width() - tolerance || page.height() < film.height() - tolerance) {
+    if (!fitsOnPaper(sheet)) {
         throw Error(
             Text::tr("The paper of %1 × %2 mm is smaller than the film of %3 × %4 mm; choose "
                      "larger paper, turn it or make the film smaller")
@@ -244,13 +257,30 @@ SheetLayout sheetLayout(const Sheet& sheet) {
         layout.marks = placeMarks(layout.film, clearance, paint);
     }
     Places places(layout, clearance, paint);
-    if (sheet.settings.ruler) {
-        layout.ruler = placeRuler(places);
-    }
-    if (sheet.settings.jobLine) {
-        placeJobLine(layout, places, sheet.job);
+    for (const double mostInk : {0.0, 1.0}) { // rather a small one beside the picture
+        if (sheet.settings.ruler && !layout.ruler) {
+            layout.ruler = placeRuler(places, mostInk);
+        }
+        if (sheet.settings.jobLine && !layout.jobLine) {
+            placeJobLine(layout, places, sheet.job, mostInk);
+        }
     }
     return layout;
+}
+
+QString coveredPictureNote(const Sheet& sheet) {
+    if (!fitsOnPaper(sheet)) {
+        return {};
+    }
+    const SheetLayout layout = sheetLayout(sheet);
+    const auto covers = [](const auto& item) { return item.overPaint; };
+    const bool isCovered = std::any_of(layout.marks.begin(), layout.marks.end(), covers) ||
+                           (layout.ruler && covers(*layout.ruler)) ||
+                           (layout.jobLine && covers(*layout.jobLine));
+    return isCovered ? Text::tr("The marks, the ruler or the job line cover a part of the picture, "
+                                "because there is no room beside it. Use larger film or paper, or "
+                                "do not print them")
+                     : QString();
 }
 
 std::optional<QPointF> marksOnFilm(const Sheet& sheet) {

@@ -1,8 +1,8 @@
 // Places the film, the registration marks, the ruler and the job line on a sheet.
 //
 // Marks, ruler and job line keep a distance from the page's edge, where printers do not print. They
-// stand where the film image is unprinted. If the image fills the whole film, they stand on the
-// image, with a white rim.
+// stand where the film image is unprinted, with a shorter ruler or text if need be. If it leaves no
+// room, they stand on the image, with a white rim.
 #pragma once
 
 #include "sheet/page/Sheet.h"
@@ -60,6 +60,10 @@ inline constexpr double jobLinePitch = 3;  // mm between two lines of text
 
 // Returns the layout. Throws the same errors as pageSize().
 SheetLayout sheetLayout(const Sheet& sheet);
+
+// Returns a sentence, without a full stop, if marks, ruler or job line cover ink; empty if not, or
+// if the film does not fit on the paper.
+QString coveredPictureNote(const Sheet& sheet);
 
 // Returns the size of the paper, even if the film does not fit on it. Throws Error if the paper's
 // name is unknown.
