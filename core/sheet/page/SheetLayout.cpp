@@ -178,15 +178,11 @@ std::vector<QStringList> jobLineTexts(const JobLine& job) {
             {job.hash.simplified()}};
 }
 
-// Prefers a shorter text to a smaller font. Beside the picture, it needs a name and the usual font.
+// Prefers a shorter text to a smaller font, and covers ink before the font shrinks.
 void placeJobLine(SheetLayout& layout, Places& places, const JobLine& job, double mostInk) {
     const QFontMetricsF metrics(sheetFont(jobLineType));
-    std::vector<QStringList> texts = jobLineTexts(job);
-    double least = leastType;
-    if (mostInk == 0) {
-        texts.pop_back();
-        least = 0.99 * jobLineType;
-    }
+    const std::vector<QStringList> texts = jobLineTexts(job);
+    const double least = mostInk > 0 ? leastType : 0.99 * jobLineType;
     for (double type = jobLineType; type > least; type *= 0.85) {
         for (const QStringList& lines : texts) {
             double width = 0;

@@ -96,6 +96,7 @@ private slots:
     void writeSheetPdf_letterWithoutGlyph_isPrintedAsItsCode();
     void writeSheetPdf_marksRulerAndJobLine_canBeSwitchedOff();
     void sheetLayout_rulerAndJobLine_avoidPaint();
+    void sheetLayout_littleRoom_takesShorterRulerAndText();
     void sheetLayout_fullyPaintedSheet_putsRulerAndJobLineOnPaint();
     void writeSheetPdf_everyPaper_hasItsPageSize_data();
     void writeSheetPdf_everyPaper_hasItsPageSize();
@@ -256,8 +257,22 @@ void SheetTest::sheetLayout_rulerAndJobLine_avoidPaint() {
     QVERIFY(!layout.jobLine->box().intersects(layout.ruler->box()));
 }
 
+// At the lower edge, there is room for 20 mm of the ruler; at the upper edge, for a short text.
+void SheetTest::sheetLayout_littleRoom_takesShorterRulerAndText() {
+    Sheet sheet = sheetOf(Millimetres(210), Millimetres(297));
+    fillMillimetres(sheet, QRectF(0, 0, 75, 297), Qt::red);
+    fillMillimetres(sheet, QRectF(135, 0, 75, 297), Qt::red);
+    sheet.settings.marks = false;
+    const SheetLayout layout = sheetLayout(sheet);
+    QVERIFY(!layout.jobLine->overPaint && !layout.ruler->overPaint);
+    QVERIFY(layout.ruler->size.width() < 100 && layout.jobLineText.size() == 1);
+    QVERIFY(coveredPictureNote(sheet).isEmpty());
+}
+
 void SheetTest::sheetLayout_fullyPaintedSheet_putsRulerAndJobLineOnPaint() {
-    const Sheet sheet = chessSheet();
+    Sheet sheet = chessSheet();
+    fillMillimetres(sheet, QRectF(0, 0, 210, 297), Qt::darkGreen);
+    QVERIFY(coveredPictureNote(sheet).contains(QStringLiteral("cover a part of the picture")));
     const SheetLayout layout = sheetLayout(sheet);
     QVERIFY(layout.jobLine && layout.ruler);
     QVERIFY(layout.jobLine->overPaint && layout.ruler->overPaint);
