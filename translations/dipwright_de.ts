@@ -5539,6 +5539,22 @@
         <source>%1: the slow speed is %2 mm/s; the usual range is %3 to %4 mm/s. Check this value.</source>
         <translation>%1: Die langsame Geschwindigkeit ist %2 mm/s; üblich sind %3 bis %4 mm/s. Prüfen Sie diesen Wert.</translation>
     </message>
+    <message>
+        <source>The numerical error of %1 % of the painted area is unknown, because film with larger cells or steps does not reach it; the limit is %2 %. Set smaller cells (Film &gt; Resolution), or turn the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of the overlap is at most %1 wide instead of %2, because the two films do not overlap farther there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the area that seam marks give to one dip is painted by the other dip. Film does not reach it there, or the marks are too small. Turn the part, or change the marks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the part moves at %2 mm/s on its path; the usual range is %3 to %4 mm/s. Check the times of the poses.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -12074,6 +12090,10 @@ mm je mm</translation>
         <source>Row %2 of %3, column %4 of %5 · job %1 · %6 · %7 · cut along the dashed lines</source>
         <translation>Zeile %2 von %3, Spalte %4 von %5 · Auftrag %1 · %6 · %7 · an den gestrichelten Linien schneiden</translation>
     </message>
+    <message>
+        <source>The marks, the ruler or the job line cover a part of the picture, because there is no room beside it. Use larger film or paper, or do not print them</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>
@@ -12096,6 +12116,10 @@ mm je mm</translation>
     <message>
         <source>The measured errors of dip %1 contradict each other, so a correction would fold or mirror the sheet; check the measured places, or remove the part from the job or turn the correction off</source>
         <translation>Die gemessenen Fehler von Tauchvorgang %1 widersprechen sich, eine Korrektur würde das Blatt falten oder spiegeln; prüfen Sie die gemessenen Stellen, entfernen Sie das Teil aus dem Auftrag oder schalten Sie die Korrektur aus</translation>
+    </message>
+    <message>
+        <source>The measured parts move the picture by up to %1 mm and change lengths by %2 %. More than %3 mm or %4 % is unusual. Check the measured places, or turn the correction off.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12593,6 +12617,10 @@ mm je mm</translation>
     <message>
         <source>The TIFF file stores its pixels in a way that is not supported, such as in planes, as floating-point numbers or with extra channels; save the picture again as PNG, or as TIFF with 8 or 16 bits, without planes and extra channels</source>
         <translation>Die TIFF-Datei speichert ihre Pixel auf eine nicht unterstützte Art, etwa in Ebenen, als Gleitkommazahlen oder mit zusätzlichen Kanälen; speichern Sie das Bild neu als PNG, oder als TIFF mit 8 oder 16 Bit ohne Ebenen und zusätzliche Kanäle</translation>
+    </message>
+    <message>
+        <source>The CMYK picture has 16 bits and no ICC profile; save it with its profile, with 8 bits, or as sRGB</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -5539,6 +5539,22 @@
         <source>%1: the slow speed is %2 mm/s; the usual range is %3 to %4 mm/s. Check this value.</source>
         <translation>%1: a velocidade lenta é %2 mm/s; o usual é de %3 a %4 mm/s. Verifique este valor.</translation>
     </message>
+    <message>
+        <source>The numerical error of %1 % of the painted area is unknown, because film with larger cells or steps does not reach it; the limit is %2 %. Set smaller cells (Film &gt; Resolution), or turn the part.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of the overlap is at most %1 wide instead of %2, because the two films do not overlap farther there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % of the area that seam marks give to one dip is painted by the other dip. Film does not reach it there, or the marks are too small. Turn the part, or change the marks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the part moves at %2 mm/s on its path; the usual range is %3 to %4 mm/s. Check the times of the poses.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -12074,6 +12090,10 @@ mm por mm</translation>
         <source>Row %2 of %3, column %4 of %5 · job %1 · %6 · %7 · cut along the dashed lines</source>
         <translation>Linha %2 de %3, coluna %4 de %5 · trabalho %1 · %6 · %7 · corte ao longo das linhas tracejadas</translation>
     </message>
+    <message>
+        <source>The marks, the ruler or the job line cover a part of the picture, because there is no room beside it. Use larger film or paper, or do not print them</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>dipwright::SheetCorrection</name>
@@ -12096,6 +12116,10 @@ mm por mm</translation>
     <message>
         <source>The measured errors of dip %1 contradict each other, so a correction would fold or mirror the sheet; check the measured places, or remove the part from the job or turn the correction off</source>
         <translation>Os erros medidos da imersão %1 se contradizem, e uma correção dobraria ou espelharia a folha; verifique os pontos medidos, remova a peça do trabalho ou desative a correção</translation>
+    </message>
+    <message>
+        <source>The measured parts move the picture by up to %1 mm and change lengths by %2 %. More than %3 mm or %4 % is unusual. Check the measured places, or turn the correction off.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -12593,6 +12617,10 @@ mm por mm</translation>
     <message>
         <source>The TIFF file stores its pixels in a way that is not supported, such as in planes, as floating-point numbers or with extra channels; save the picture again as PNG, or as TIFF with 8 or 16 bits, without planes and extra channels</source>
         <translation>O arquivo TIFF grava seus pixels de um modo não suportado, como em planos, como números de ponto flutuante ou com canais adicionais; salve a imagem de novo como PNG, ou como TIFF com 8 ou 16 bits, sem planos nem canais adicionais</translation>
+    </message>
+    <message>
+        <source>The CMYK picture has 16 bits and no ICC profile; save it with its profile, with 8 bits, or as sRGB</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
