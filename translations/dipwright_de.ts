@@ -5541,19 +5541,19 @@
     </message>
     <message>
         <source>The numerical error of %1 % of the painted area is unknown, because film with larger cells or steps does not reach it; the limit is %2 %. Set smaller cells (Film &gt; Resolution), or turn the part.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der numerische Fehler ist auf %1 % der bemalten Fläche unbekannt, weil Film mit größeren Zellen oder Schritten sie nicht erreicht; die Grenze ist %2 %. Setzen Sie kleinere Zellen (Film &gt; Auflösung) oder drehen Sie das Teil.</translation>
     </message>
     <message>
         <source>Half of the overlap is at most %1 wide instead of %2, because the two films do not overlap farther there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hälfte der Überlappung ist höchstens %1 breit statt %2, weil die beiden Filme dort nicht weiter überlappen.</translation>
     </message>
     <message>
         <source>%1 % of the area that seam marks give to one dip is painted by the other dip. Film does not reach it there, or the marks are too small. Turn the part, or change the marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % der Fläche, die Nahtmarken dem einen Tauchvorgang zuweisen, bemalt der andere. Der Film erreicht sie dort nicht, oder die Marken sind zu klein. Drehen Sie das Teil, oder ändern Sie die Marken.</translation>
     </message>
     <message>
         <source>%1: the part moves at %2 mm/s on its path; the usual range is %3 to %4 mm/s. Check the times of the poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Das Teil bewegt sich auf seiner Bahn mit %2 mm/s; üblich sind %3 bis %4 mm/s. Prüfen Sie die Zeiten der Posen.</translation>
     </message>
 </context>
 <context>
@@ -12092,7 +12092,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>The marks, the ruler or the job line cover a part of the picture, because there is no room beside it. Use larger film or paper, or do not print them</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken, das Lineal oder die Auftragszeile verdecken einen Teil des Bildes, weil daneben kein Platz ist. Verwenden Sie einen größeren Film oder größeres Papier, oder drucken Sie sie nicht</translation>
     </message>
 </context>
 <context>
@@ -12119,7 +12119,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>The measured parts move the picture by up to %1 mm and change lengths by %2 %. More than %3 mm or %4 % is unusual. Check the measured places, or turn the correction off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gemessenen Teile verschieben das Bild um bis zu %1 mm und ändern Längen um %2 %. Mehr als %3 mm oder %4 % ist unüblich. Prüfen Sie die gemessenen Stellen, oder schalten Sie die Korrektur aus.</translation>
     </message>
 </context>
 <context>
@@ -12620,7 +12620,7 @@ mm je mm</translation>
     </message>
     <message>
         <source>The CMYK picture has 16 bits and no ICC profile; save it with its profile, with 8 bits, or as sRGB</source>
-        <translation type="unfinished"></translation>
+        <translation>Das CMYK-Bild hat 16 Bit und kein ICC-Profil; speichern Sie es mit seinem Profil, mit 8 Bit oder als sRGB</translation>
     </message>
 </context>
 <context>

@@ -5541,19 +5541,19 @@
     </message>
     <message>
         <source>The numerical error of %1 % of the painted area is unknown, because film with larger cells or steps does not reach it; the limit is %2 %. Set smaller cells (Film &gt; Resolution), or turn the part.</source>
-        <translation type="unfinished"></translation>
+        <translation>O erro numérico é desconhecido em %1 % da área pintada, porque a película com células ou passos maiores não a alcança; o limite é %2 %. Defina células menores (Película &gt; Resolução) ou gire a peça.</translation>
     </message>
     <message>
         <source>Half of the overlap is at most %1 wide instead of %2, because the two films do not overlap farther there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Metade da sobreposição tem no máximo %1 de largura em vez de %2, porque as duas películas não se sobrepõem mais ali.</translation>
     </message>
     <message>
         <source>%1 % of the area that seam marks give to one dip is painted by the other dip. Film does not reach it there, or the marks are too small. Turn the part, or change the marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % da área que as marcas da emenda atribuem a uma imersão é pintada pela outra. A película não a alcança ali, ou as marcas são pequenas demais. Gire a peça ou altere as marcas.</translation>
     </message>
     <message>
         <source>%1: the part moves at %2 mm/s on its path; the usual range is %3 to %4 mm/s. Check the times of the poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: a peça se move a %2 mm/s em seu percurso; a faixa usual é de %3 a %4 mm/s. Verifique os tempos das poses.</translation>
     </message>
 </context>
 <context>
@@ -12092,7 +12092,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>The marks, the ruler or the job line cover a part of the picture, because there is no room beside it. Use larger film or paper, or do not print them</source>
-        <translation type="unfinished"></translation>
+        <translation>As marcas, a régua ou a linha do trabalho cobrem uma parte da imagem, porque não há espaço ao lado dela. Use película ou papel maior, ou não as imprima</translation>
     </message>
 </context>
 <context>
@@ -12119,7 +12119,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>The measured parts move the picture by up to %1 mm and change lengths by %2 %. More than %3 mm or %4 % is unusual. Check the measured places, or turn the correction off.</source>
-        <translation type="unfinished"></translation>
+        <translation>As peças medidas deslocam a imagem em até %1 mm e alteram comprimentos em %2 %. Mais de %3 mm ou %4 % é incomum. Verifique os pontos medidos ou desative a correção.</translation>
     </message>
 </context>
 <context>
@@ -12620,7 +12620,7 @@ mm por mm</translation>
     </message>
     <message>
         <source>The CMYK picture has 16 bits and no ICC profile; save it with its profile, with 8 bits, or as sRGB</source>
-        <translation type="unfinished"></translation>
+        <translation>A imagem CMYK tem 16 bits e nenhum perfil ICC; salve-a com seu perfil, com 8 bits ou como sRGB</translation>
     </message>
 </context>
 <context>
