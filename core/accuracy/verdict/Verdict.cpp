@@ -20,7 +20,7 @@ VerdictReason numericalErrorReason(const ZoneError& error, const NumericalErrorE
                                    const solver::FilmGrid& grid) {
     const double allowed = numericalShare * error.limit;
     VerdictReason reason{Kind::OffBy,
-                         error.percentile95 > error.limit ? Advice::DoNotPrint : Advice::CheckFirst,
+                         error.far > 1 - zoneShareWithin ? Advice::DoNotPrint : Advice::CheckFirst,
                          error.percentile95, allowed};
     const double finer = allowed / error.percentile95;
     // Shorter steps do not reduce the least error.

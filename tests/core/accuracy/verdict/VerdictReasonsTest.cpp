@@ -169,6 +169,9 @@ private slots:
         // It counts as worse than what is known.
         QCOMPARE(judgedWith(0, 0.04, 0.6F).advice, Advice::Print);
         QCOMPARE(judgedWith(0.03, 0.07, 0.6F).reasons.front().kind, VerdictReason::Kind::OffBy);
+        // Only what is known to be far off forbids the sheet.
+        QCOMPARE(judgedWith(0.03, 0.05, 2).advice, Advice::CheckFirst);
+        QCOMPARE(judgedWith(0.03, 0.11, 2).advice, Advice::DoNotPrint);
     }
 
     void verdict_markedZone_usesItsOwnLimit() {
