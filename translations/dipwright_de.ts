@@ -3146,6 +3146,10 @@
         <source>not compared</source>
         <translation>nicht verglichen</translation>
     </message>
+    <message>
+        <source>Masked, not painted</source>
+        <translation>Maskiert, nicht bemalt</translation>
+    </message>
 </context>
 <context>
     <name>PropertySpecs</name>

@@ -3146,6 +3146,10 @@
         <source>not compared</source>
         <translation>não comparado</translation>
     </message>
+    <message>
+        <source>Masked, not painted</source>
+        <translation>Mascarado, não pintado</translation>
+    </message>
 </context>
 <context>
     <name>PropertySpecs</name>

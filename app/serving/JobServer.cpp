@@ -65,6 +65,14 @@ bool isSame(const std::string& given, const QByteArray& token) {
     return difference == 0;
 }
 
+// Returns the token of an Authorization header; empty if it has another scheme (RFC 9110, 11.1).
+std::string bearerToken(const std::string& authorization) {
+    constexpr std::size_t length = 7;
+    const QByteArray scheme = QByteArray::fromStdString(authorization.substr(0, length));
+    return scheme.compare("Bearer ", Qt::CaseInsensitive) == 0 ? authorization.substr(length)
+                                                               : std::string();
+}
+
 QJsonObject jsonOf(const ServedJob& job) {
     return {{"id", job.id},
             {"name", job.name},
@@ -149,8 +157,7 @@ struct JobServer::Data {
         server.set_payload_max_length(std::size_t(spool.limits().mostBytes));
         // Before any content is read, and for every path.
         server.set_pre_routing_handler([this](const Request& request, Response& response) {
-            const std::string given = request.get_header_value("Authorization");
-            if (isSame(given, "Bearer " + token)) {
+            if (isSame(bearerToken(request.get_header_value("Authorization")), token)) {
                 return httplib::Server::HandlerResponse::Unhandled;
             }
             refuse(

@@ -3,6 +3,7 @@
 #include "base/NumberText.h"
 #include "base/WideGamut.h"
 #include "geometry/RefinedMesh.h"
+#include "marks/SurfaceMask.h"
 #include "pipeline/JobVerdict.h"
 #include "pipeline/PrintedBody.h"
 #include "proof/ProofModel.h"
@@ -242,6 +243,11 @@ ProofSection partSection(const JobResult& result) {
                        {Text::tr("Dips"), QLocale().toString(qulonglong(result.immersions.size()))},
                        {Text::tr("Painted by all dips together"), percent(result.coverageTotal)},
                        {Text::tr("Film"), result.immersions.front().sheet.job.film}};
+    if (result.mask) {
+        section.figures.push_back(
+            {Text::tr("Masked, not painted"),
+             Text::tr("%1 mm²").arg(numberText(maskedAreas(*result.mask).area, 0))});
+    }
     if (result.share) {
         section.figures.push_back(
             {Text::tr("Length of the seam"),

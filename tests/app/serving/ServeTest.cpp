@@ -128,6 +128,10 @@ private slots:
         QVERIFY(
             talk(socket_, "GET /v1/jobs HTTP/1.1\r\nHost: localhost\r\n\r\n").contains(" 401 "));
         QVERIFY(talk(socket_, request("GET /v1/nothing", "wrong", "\r\n")).contains(" 401 "));
+        const QByteArray asked = request("GET /v1/nothing", token, "\r\n");
+        QVERIFY(talk(socket_, asked).contains(" 404 "));
+        QVERIFY(talk(socket_, QByteArray(asked).replace("Bearer", "bearer")).contains(" 404 "));
+        QVERIFY(talk(socket_, QByteArray(asked).replace("Bearer", "Basic")).contains(" 401 "));
         requireNothing();
         ServerClient stranger(serverAddress(socket_), "wrong");
         QVERIFY_EXCEPTION_THROWN(stranger.submit(path("ball.dipw"), "ball", {}), Error);
