@@ -75,7 +75,7 @@ QString errorText(const VerdictReason& reason, const LengthText& length) {
         return Text::tr("The numerical error of %1 % of the painted area is unknown, because film "
                         "with larger cells or steps does not reach it; the limit is %2 %. Set "
                         "smaller cells (Film > Resolution), or turn the part.")
-            .arg(percent(reason.value), percent(reason.limit));
+            .arg(percents(reason)[0], percents(reason)[1]);
     case Kind::Border:
         return Text::tr("The border of the painted area is uncertain: with other cells or steps, "
                         "%1 % of the part changes between painted and unpainted. Set smaller cells "
