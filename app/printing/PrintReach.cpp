@@ -78,9 +78,9 @@ Sheet withinReach(const Sheet& sheet, const QMarginsF& margins, const PrintCorre
                              "these margins in the profile and run the job again")
                         .arg(numberText(moved, 1));
     }
-    if (coveredPictureNote(sheet).isEmpty()) { // otherwise the verdict says it
-        const QString note = coveredPictureNote(inside);
-        warnings << (note.isEmpty() ? QStringList() : QStringList(note));
+    const QString covered = coveredPictureNote(inside);
+    if (!covered.isEmpty() && coveredPictureNote(sheet).isEmpty()) { // else the verdict says it
+        warnings << covered;
     }
     const QMarginsF lost = lostOnPage(sheet, margins, correction);
     const double lostWidth = std::round(widest(lost) * 100) / 100;

@@ -276,8 +276,11 @@ Eigen::AlignedBox2d shadowAt(const TriangleMesh& body, const Eigen::Isometry3d& 
             shadow.extend(shadowOf(at));
         }
     }
+    if (part == ShadowOf::Whole) {
+        return shadow;
+    }
     for (const auto& corners : body.triangles) {
-        for (std::size_t k = 0; k < 3 && part == ShadowOf::UnderWater; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             const Eigen::Vector3d &from = places[corners[k]], &to = places[corners[(k + 1) % 3]];
             if (from.y() * to.y() < 0) {
                 shadow.extend(shadowOf(from + from.y() / (from.y() - to.y()) * (to - from)));

@@ -60,20 +60,20 @@ FieldGrid boxGrid(const BoundingBox& box, double spacing) {
 // A place of the surface, and how thick the body is there.
 struct Thickness {
     Eigen::Vector3f place, outward;
-    float plate;         // distance to the opposite face, mm; infinite if no face lies opposite
-    bool tapers = false; // the two faces meet in a sharp edge
+    float plate; // distance to the opposite face, mm; infinite if no face lies opposite
+    Eigen::Vector3f farOutward = Eigen::Vector3f::Zero(); // normal of the opposite face
 };
 
-// Tells whether two faces, `thickness` apart at `middle`, taper to a sharp edge: inside, halfway to
-// the line in which their planes meet, and outside, as far behind it.
-bool tapersToEdge(const Eigen::Vector3f& middle, float thickness, const Eigen::Vector3f& normal,
-                  const Eigen::Vector3f& otherNormal, const SurfaceQuery& query) {
-    const Eigen::Vector3f towardsEdge = normal + otherNormal; // 2·sin(half the angle) long
+// Tells whether the body tapers to a sharp edge: halfway to the line in which the planes of its two
+// faces meet, a point is inside, and as far behind this line, it is outside.
+bool tapersToEdge(const Thickness& at, const SurfaceQuery& query) {
+    const Eigen::Vector3f towardsEdge = at.outward + at.farOutward; // 2·sin(half the angle) long
     const float sine = towardsEdge.norm() / 2;
-    if (sine <= leastTaper) {
+    if (std::isinf(at.plate) || sine <= leastTaper) {
         return false;
     }
-    const float toEdge = thickness / 2 * std::sqrt(1 - sine * sine) / sine;
+    const Eigen::Vector3f middle = at.place - at.plate / 2 * at.outward;
+    const float toEdge = at.plate / 2 * std::sqrt(1 - sine * sine) / sine;
     const Eigen::Vector3f half = toEdge / 2 * towardsEdge.normalized();
     return query.isInside(middle + half) && !query.isInside(middle + 3 * half);
 }
@@ -96,9 +96,7 @@ std::vector<Thickness> thicknessSamples(const TriangleMesh& body, const SurfaceQ
         const Eigen::Vector3f farNormal = triangleNormal(body, through.point.triangle);
         const float distance = through.distance + clear;
         if (farNormal.dot(outward) < opposite) {
-            found[i].plate = distance;
-            found[i].tapers =
-                tapersToEdge(place - distance / 2 * outward, distance, outward, farNormal, query);
+            found[i] = {place, outward, distance, farNormal};
         }
     });
     return found;
@@ -147,11 +145,12 @@ FieldGrid boxGrid(const TriangleMesh& body, double spacing) {
 }
 
 ThinParts thinParts(const TriangleMesh& body, const SurfaceQuery& query) {
-    std::vector<float> all, plates;
-    for (const Thickness& sample : thicknessSamples(body, query, wantedSamples)) {
-        all.push_back(sample.plate);
-        plates.push_back(sample.tapers ? infinity : sample.plate);
-    }
+    const std::vector<Thickness> samples = thicknessSamples(body, query, wantedSamples);
+    std::vector<float> all(samples.size()), plates(samples.size());
+    parallelFor(std::size_t(0), samples.size(), [&](std::size_t i) {
+        all[i] = samples[i].plate;
+        plates[i] = tapersToEdge(samples[i], query) ? infinity : samples[i].plate;
+    });
     return {lowPercentile(std::move(all)), lowPercentile(std::move(plates))};
 }
 

@@ -188,10 +188,8 @@ double misassignedShare(const TriangleMesh& mesh, const AssignedDips& assigned,
         if (assigned[triangle] && painters[triangle] != Painter::None) {
             const double area = triangleArea(mesh, triangle);
             painted += area;
-            byOther +=
-                painters[triangle] == (*assigned[triangle] == 0 ? Painter::Second : Painter::First)
-                    ? area
-                    : 0;
+            const Painter other = *assigned[triangle] == 0 ? Painter::Second : Painter::First;
+            byOther += painters[triangle] == other ? area : 0;
         }
     }
     return painted > 0 ? byOther / painted : 0;

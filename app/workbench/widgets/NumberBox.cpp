@@ -38,12 +38,15 @@ void NumberBox::focusOutEvent(QFocusEvent* event) {
 }
 
 bool NumberBox::eventFilter(QObject* watched, QEvent* event) {
-    const auto* widget = qobject_cast<const QWidget*>(watched);
-    const bool leaves = event->type() == QEvent::MouseButtonPress
-                            ? widget && widget != this && !isAncestorOf(widget)
-                        : event->type() == QEvent::ShortcutOverride
-                            ? watched == this && isShortcut(*static_cast<const QKeyEvent*>(event))
-                            : event->type() == QEvent::Close && watched == window();
+    bool leaves = false;
+    if (event->type() == QEvent::MouseButtonPress) {
+        const auto* widget = qobject_cast<const QWidget*>(watched);
+        leaves = widget && widget != this && !isAncestorOf(widget);
+    } else if (event->type() == QEvent::ShortcutOverride) {
+        leaves = watched == this && isShortcut(*static_cast<const QKeyEvent*>(event));
+    } else if (event->type() == QEvent::Close) {
+        leaves = watched == window();
+    }
     if (leaves && lineEdit()->isModified()) {
         interpretText();
     }

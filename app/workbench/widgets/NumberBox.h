@@ -8,15 +8,14 @@ namespace dipwright {
 
 struct TypedNumber;
 
-// The field reads its text when it loses the focus or Enter is pressed, and before anything else
-// in the program that the user may do without this: a click elsewhere, a shortcut, closing the
-// window. So "Save" saves what the field shows. Accepts calculations and
-// any unit of the suffix's quantity (base/TypedNumber.h): "2in" in a field in mm is 50.8, "3*12"
-// is 36. While such a text is typed, a tooltip shows its value. Comma and point are accepted as
-// decimal signs in any language, and as separators between groups of digits. Text that cannot be
-// read, is ambiguous, or lies outside the limits is red while it is typed. When it is entered, it
-// is refused with a message, and the value stays. Keeps all typed digits; shows no more decimals
-// than needed.
+// The field reads its text when it loses the focus or Enter is pressed. It also reads it before a
+// click elsewhere, a shortcut or closing the window takes effect, so that "Save" saves what the
+// field shows. Accepts calculations and any unit of the suffix's quantity (base/TypedNumber.h):
+// "2in" in a field in mm is 50.8, "3*12" is 36. While such a text is typed, a tooltip shows its
+// value. Comma and point are accepted as decimal signs in any language, and as separators between
+// groups of digits. Text that cannot be read, is ambiguous, or lies outside the limits is red while
+// it is typed. When it is entered, it is refused with a message, and the value stays. Keeps all
+// typed digits; shows no more decimals than needed.
 class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 

@@ -95,36 +95,37 @@ void arrow(QPainter& painter, const QPointF& from, const QPointF& by, const QCol
     }
 }
 
-// Returns the largest error at the measured places, mm.
-double largestOf(const RepeatingError& error) {
-    double most = 0;
-    for (const RepeatedPlace& place : error.places()) {
-        most = std::max(most, error.at(place.sheet).norm());
+// Returns the error at each measured place, mm.
+Eigen::MatrixX2d errorsAtPlaces(const RepeatingError& error) {
+    Eigen::MatrixX2d errors(Eigen::Index(error.places().size()), 2);
+    for (Eigen::Index row = 0; row < errors.rows(); ++row) {
+        errors.row(row) = error.at(error.places()[std::size_t(row)].sheet).transpose();
     }
-    return most;
+    return errors;
 }
 
-// Returns the largest relative change of a length by the affine map that fits the error at the
-// measured places best; 0 if there are too few places.
-double lengthChangeOf(const RepeatingError& error) {
-    const auto count = Eigen::Index(error.places().size());
-    Eigen::MatrixX3d places(count, 3);
-    Eigen::MatrixX2d errors(count, 2);
-    for (Eigen::Index row = 0; row < count; ++row) {
+double largestOf(const Eigen::MatrixX2d& errors) {
+    return errors.rows() > 0 ? errors.rowwise().norm().maxCoeff() : 0;
+}
+
+// Returns the largest relative change of a length by the affine map that fits `errors`, at the
+// measured places, best; 0 if there are too few places.
+double lengthChangeOf(const RepeatingError& error, const Eigen::MatrixX2d& errors) {
+    Eigen::MatrixX3d places(errors.rows(), 3);
+    for (Eigen::Index row = 0; row < places.rows(); ++row) {
         const Eigen::Vector2d& sheet = error.places()[std::size_t(row)].sheet;
         places.row(row) << sheet.x(), sheet.y(), 1;
-        errors.row(row) = error.at(sheet).transpose();
     }
     const Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> fit(places);
-    if (count < 3 || fit.rank() < 3) {
+    if (places.rows() < 3 || fit.rank() < 3) {
         return 0;
     }
     const Eigen::Matrix<double, 3, 2> map = fit.solve(errors);
     return Eigen::JacobiSVD<Eigen::Matrix2d>(map.topRows<2>()).singularValues()[0];
 }
 
-QString figuresOf(const RepeatingError& error, int dip) {
-    const double most = largestOf(error);
+QString figuresOf(const RepeatingError& error, const Eigen::MatrixX2d& errors, int dip) {
+    const double most = largestOf(errors);
     if (error.parts() < 2) {
         return Text::tr("Dip %1: %2 places measured on one part, errors up to %3 mm. Measure three "
                         "parts or more to see which errors repeat.")
@@ -140,6 +141,18 @@ QString figuresOf(const RepeatingError& error, int dip) {
         .arg(error.parts())
         .arg(numberText(most, 2), numberText(error.reach(), 0), numberText(error.scatter(), 2),
              numberText(error.partScatter(), 2));
+}
+
+QString unusualErrorNote(const RepeatingError& error, const Eigen::MatrixX2d& errors) {
+    const double most = largestOf(errors), change = lengthChangeOf(error, errors);
+    if (most <= mostUsualError && change <= mostUsualLengthChange) {
+        return {};
+    }
+    return Text::tr("The measured parts move the picture by up to %1 mm and change lengths by %2 "
+                    "%. More than %3 mm or %4 % is unusual. Check the measured places, or turn the "
+                    "correction off.")
+        .arg(numberText(most, 2), numberText(100 * change, 0), numberText(mostUsualError, 0),
+             numberText(100 * mostUsualLengthChange, 0));
 }
 
 } // namespace
@@ -240,20 +253,13 @@ Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& er
 }
 
 QString unusualErrorNote(const RepeatingError& error) {
-    const double most = largestOf(error), change = lengthChangeOf(error);
-    if (most <= mostUsualError && change <= mostUsualLengthChange) {
-        return {};
-    }
-    return Text::tr("The measured parts move the picture by up to %1 mm and change lengths by %2 "
-                    "%. More than %3 mm or %4 % is unusual. Check the measured places, or turn the "
-                    "correction off.")
-        .arg(numberText(most, 2), numberText(100 * change, 0), numberText(mostUsualError, 0),
-             numberText(100 * mostUsualLengthChange, 0));
+    return unusualErrorNote(error, errorsAtPlaces(error));
 }
 
 QString repeatingSentence(const RepeatingError& error, int dip) {
-    const QString note = unusualErrorNote(error);
-    const QString figures = figuresOf(error, dip);
+    const Eigen::MatrixX2d errors = errorsAtPlaces(error);
+    const QString note = unusualErrorNote(error, errors);
+    const QString figures = figuresOf(error, errors, dip);
     return note.isEmpty() ? figures : QStringLiteral("%1 %2").arg(figures, note);
 }
 

@@ -19,7 +19,7 @@ struct ZoneError {
     // 95 % of the painted zone has at most this numerical error, mm: what is not compared counts as
     // worse. If it is more than mostUnknownArea, 95 % of the compared area.
     double percentile95 = 0;
-    double far = 0; // share of this area whose numerical error exceeds the limit
+    double far = 0; // share of `area` whose numerical error exceeds the limit
 };
 
 struct PlacesToCheck {

@@ -45,16 +45,7 @@ void addZoneReasons(ReasonList& found, const ZoneError& error,
         reason.zone = named;
         found.add(std::move(reason));
     }
-    if (error.unknown > mostUnknownArea) {
-        found.add({Kind::UnknownError,
-                   error.unknown > doNotPrintFactor * mostUnknownArea ? Advice::DoNotPrint
-                                                                      : Advice::CheckFirst,
-                   error.unknown,
-                   mostUnknownArea,
-                   {},
-                   0,
-                   named});
-    }
+    found.addShare(Kind::UnknownError, error.unknown, mostUnknownArea, named);
     if (error.percentile95 <= error.limit && error.far > mostFarOffArea) {
         found.add({Kind::FarOffPlaces,
                    error.far > doNotPrintFactor * mostFarOffArea ? Advice::DoNotPrint
@@ -130,6 +121,13 @@ double edgeDistance(const LaidFilm& laid) {
     return std::max(double(least), 0.0);
 }
 
+// Adds a reason that a sentence explains; none if it is empty.
+void addSentence(ReasonList& found, Kind kind, const QString& sentence) {
+    if (!sentence.isEmpty()) {
+        found.add({kind, Advice::CheckFirst, 0, 0, sentence});
+    }
+}
+
 void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSettings& limits) {
     const double painted = dip.coverage.paintedArea;
     if (painted <= 0) {
@@ -140,9 +138,7 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
     if (!dip.takesInk) {
         found.add({Kind::NoInk, Advice::DoNotPrint});
     }
-    if (!dip.lostPlates.isEmpty()) {
-        found.add({Kind::LostPlates, Advice::CheckFirst, 0, 0, dip.lostPlates});
-    }
+    addSentence(found, Kind::LostPlates, dip.lostPlates);
     const MarkedArea& marked = dip.coverage.marked;
     found.addShare(Kind::Air, dip.coverage.trappedAir.area / surfaceArea(dip.laid.body().mesh),
                    limits.air, {}, seenVentCells * double(dip.laid.body().air.cell()));
@@ -229,12 +225,8 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
     }
     addPaintReasons(found, dip, limits);
     addBuiltReasons(found, dip.built);
-    if (!dip.coveredPicture.isEmpty()) {
-        found.add({Kind::CoveredPicture, Advice::CheckFirst, 0, 0, dip.coveredPicture});
-    }
-    if (!dip.unusualCorrection.isEmpty()) {
-        found.add({Kind::UnusualCorrection, Advice::CheckFirst, 0, 0, dip.unusualCorrection});
-    }
+    addSentence(found, Kind::CoveredPicture, dip.coveredPicture);
+    addSentence(found, Kind::UnusualCorrection, dip.unusualCorrection);
     for (const TankFault& fault : dip.tankFaults) {
         found.add({Kind::Tank, Advice::DoNotPrint, fault.value, fault.limit, fault.sentence});
     }

@@ -253,7 +253,7 @@ SheetLayout sheetLayout(const Sheet& sheet) {
         layout.marks = placeMarks(layout.film, clearance, paint);
     }
     Places places(layout, clearance, paint);
-    for (const double mostInk : {0.0, 1.0}) { // rather a small one beside the picture
+    for (const double mostInk : {0.0, 1.0}) { // a short one beside the picture first
         if (sheet.settings.ruler && !layout.ruler) {
             layout.ruler = placeRuler(places, mostInk);
         }
