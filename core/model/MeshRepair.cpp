@@ -326,6 +326,12 @@ bool isInside(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& 
     return true;
 }
 
+// Returns the distance in mm below which two surfaces count as one. Rays start so far from a place,
+// so that they miss the surface there.
+float clearOf(const TriangleMesh& mesh) {
+    return 1e-4F * boundingBox(mesh).diagonal().norm();
+}
+
 // Moves the mesh to the origin, so that rays lose no precision.
 TriangleMesh centred(TriangleMesh mesh) {
     const BoundingBox box = boundingBox(mesh);
@@ -409,12 +415,88 @@ std::vector<Piece> insideOutOf(std::vector<Piece> open, const TriangleMesh& mesh
     const std::size_t places = std::min(mostPlaces / open.size(), placesOfPiece);
     const TriangleMesh body = centred(mesh);
     const SurfaceQuery query(body);
-    // distance from the place at which rays start, so that they miss the surface there
-    const float clear = 1e-4F * boundingBox(body).diagonal().norm();
+    const float clear = clearOf(body);
     std::erase_if(open, [&](const Piece& piece) {
         return !facesInwards(query, body, piece, places, clear, goOn);
     });
     return open;
+}
+
+using Pieces = std::vector<const Piece*>;
+
+BoundingBox boxOf(const TriangleMesh& mesh, const Piece& piece) {
+    BoundingBox box;
+    for (const std::uint32_t triangle : piece.triangles) {
+        for (const std::uint32_t corner : mesh.triangles[triangle]) {
+            box.extend(mesh.positions[corner]);
+        }
+    }
+    return box;
+}
+
+// Divides pieces into those whose bounding box lies in that of another, and the others.
+std::pair<Pieces, Pieces> innerAndOuter(const TriangleMesh& mesh, const Pieces& pieces) {
+    constexpr std::size_t mostPieces = 20'000; // each is compared with each
+    if (pieces.size() > mostPieces) {
+        return {{}, pieces};
+    }
+    std::vector<std::pair<BoundingBox, const Piece*>> boxes;
+    for (const Piece* piece : pieces) {
+        boxes.emplace_back(boxOf(mesh, *piece), piece);
+    }
+    std::ranges::stable_sort(boxes, std::greater(),
+                             [](const auto& box) { return box.first.volume(); });
+    Pieces inner, outer;
+    std::vector<BoundingBox> outerBoxes;
+    for (const auto& [box, piece] : boxes) {
+        const bool isInner = std::ranges::any_of(
+            outerBoxes, [&](const BoundingBox& other) { return other.contains(box); });
+        (isInner ? inner : outer).push_back(piece);
+        if (!isInner) {
+            outerBoxes.push_back(box);
+        }
+    }
+    return {inner, outer};
+}
+
+// Whether a closed piece lies inside the body of `query`: one of its points is inside, and no edge
+// reaches the body's surface. Points less than `clear` mm from it count as on it.
+bool isEnclosed(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece,
+                float clear, const std::function<void()>& goOn) {
+    return query.isInside(mesh.positions[mesh.triangles[piece.triangles[0]][0]]) &&
+           std::ranges::none_of(piece.triangles, [&](std::uint32_t triangle) {
+               goOn();
+               const auto& corners = mesh.triangles[triangle];
+               for (int i = 0; i < 3; ++i) {
+                   const Eigen::Vector3f &from = mesh.positions[corners[i]],
+                                         &to = mesh.positions[corners[(i + 1) % 3]];
+                   if (query.isNear(from, clear) || query.isHit(from, to - from, 1)) {
+                       return true;
+                   }
+               }
+               return false;
+           });
+}
+
+// Marks the triangles of the pieces that lie inside the body of the solid pieces.
+void markEnclosed(std::vector<bool>& marked, const TriangleMesh& mesh, const Pieces& pieces,
+                  const Pieces& solid, const std::function<void()>& goOn) {
+    if (pieces.empty() || solid.empty()) {
+        return;
+    }
+    TriangleMesh body;
+    for (const Piece* piece : solid) {
+        append(body, mesh, *piece);
+    }
+    body.positions = mesh.positions;
+    const SurfaceQuery query(body);
+    const float clear = clearOf(mesh);
+    for (const Piece* piece : pieces) {
+        const bool enclosed = isEnclosed(query, mesh, *piece, clear, goOn);
+        for (const std::uint32_t triangle : piece->triangles) {
+            marked[triangle] = enclosed;
+        }
+    }
 }
 
 } // namespace
@@ -434,7 +516,7 @@ QStringList sentencesOf(const ModelRepairs& repairs) {
         repairs.turnedTriangles);
     add(Text::tr("Pieces of the surface flipped because they were inside out: %1"),
         repairs.turnedParts);
-    add(Text::tr("Triangles of closed cavities that were removed: %1"), repairs.cavityTriangles);
+    add(Text::tr("Triangles inside the body that were removed: %1"), repairs.enclosedTriangles);
     return sentences;
 }
 
@@ -589,31 +671,19 @@ std::size_t flipInsideOutParts(TexturedMesh& mesh, const std::function<void()>& 
     return insideOut.size();
 }
 
-std::size_t removeCavities(TexturedMesh& mesh, const std::function<void()>& goOn) {
-    std::vector<Piece> cavities;
-    TriangleMesh solid;
-    for (Piece& piece : piecesOf(mesh.mesh)) {
-        if (!piece.isClosed) {
-            return 0;
-        }
-        if (isHollow(mesh.mesh, piece)) {
-            cavities.push_back(std::move(piece));
-        } else {
-            append(solid, mesh.mesh, piece);
-        }
-    }
-    if (cavities.empty() || solid.triangles.empty()) {
+std::size_t removeEnclosedParts(TexturedMesh& mesh, const std::function<void()>& goOn) {
+    const std::vector<Piece> pieces = piecesOf(mesh.mesh);
+    if (!std::ranges::all_of(pieces, &Piece::isClosed)) {
         return 0;
     }
-    solid.positions = mesh.mesh.positions;
-    const SurfaceQuery query(solid);
-    std::vector<bool> removed(mesh.mesh.triangles.size());
-    for (const Piece& piece : cavities) {
-        const bool isSealed = isInside(query, mesh.mesh, piece, goOn);
-        for (const std::uint32_t triangle : piece.triangles) {
-            removed[triangle] = isSealed;
-        }
+    std::vector<const Piece*> hollow, solid;
+    for (const Piece& piece : pieces) {
+        (isHollow(mesh.mesh, piece) ? hollow : solid).push_back(&piece);
     }
+    const auto [inner, outer] = innerAndOuter(mesh.mesh, solid);
+    std::vector<bool> removed(mesh.mesh.triangles.size());
+    markEnclosed(removed, mesh.mesh, hollow, solid, goOn);
+    markEnclosed(removed, mesh.mesh, inner, outer, goOn);
     const std::size_t count = remove(mesh, removed);
     weldPositions(mesh.mesh);
     return count;

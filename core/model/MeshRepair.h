@@ -11,12 +11,12 @@ namespace dipwright {
 
 // How many faults of each kind were repaired when a model was imported.
 struct ModelRepairs {
-    int joinedPoints = 0;     // points merged at seams that rounding had opened
-    int removedTriangles = 0; // triangles without area that were removed
-    int mergedTriangles = 0;  // duplicate triangles that were removed
-    int turnedTriangles = 0;  // triangles flipped to face the same way as their neighbours
-    int turnedParts = 0;      // parts flipped because they were inside out
-    int cavityTriangles = 0;  // triangles of closed cavities that were removed
+    int joinedPoints = 0;      // points merged at seams that rounding had opened
+    int removedTriangles = 0;  // triangles without area that were removed
+    int mergedTriangles = 0;   // duplicate triangles that were removed
+    int turnedTriangles = 0;   // triangles flipped to face the same way as their neighbours
+    int turnedParts = 0;       // parts flipped because they were inside out
+    int enclosedTriangles = 0; // triangles of closed parts inside others that were removed
 };
 
 // Returns the repairs as sentences for the user, one for each kind that occurred.
@@ -62,8 +62,9 @@ std::size_t orientTriangles(TexturedMesh& mesh);
 // mesh is then unchanged.
 std::size_t flipInsideOutParts(TexturedMesh& mesh, const std::function<void()>& goOn);
 
-// Removes the closed cavities inside closed parts, which neither water nor film reaches; returns
-// how many triangles. If a part is open, nothing is removed. `goOn` as above.
-std::size_t removeCavities(TexturedMesh& mesh, const std::function<void()>& goOn);
+// Removes the closed parts inside other closed parts, which neither water nor film reaches:
+// cavities, and inner bodies that face outwards. Returns how many triangles. If a part of the mesh
+// is open, nothing is removed. `goOn` as above.
+std::size_t removeEnclosedParts(TexturedMesh& mesh, const std::function<void()>& goOn);
 
 } // namespace dipwright

@@ -163,8 +163,8 @@ ModelRepairs repair(TexturedMesh& model, const QString& path,
     repairs.mergedTriangles = int(mergeDoubledTriangles(model));
     repairs.turnedTriangles = int(orientTriangles(model));
     repairs.turnedParts = int(flipInsideOutParts(model, checkpoint));
-    repairs.cavityTriangles = int(removeCavities(model, checkpoint));
-    if (repairs.removedTriangles + repairs.mergedTriangles + repairs.cavityTriangles > 0) {
+    repairs.enclosedTriangles = int(removeEnclosedParts(model, checkpoint));
+    if (repairs.removedTriangles + repairs.mergedTriangles + repairs.enclosedTriangles > 0) {
         weldPositions(model.mesh); // drops the points of removed triangles
     }
     return repairs;

@@ -187,16 +187,24 @@ private slots:
         QCOMPARE(model.mesh.triangles, textured(nested()).mesh.triangles);
     }
 
-    void removeCavities_onlyClosedOnesInsideParts_areRemoved() {
+    void removeEnclosedParts_onlyClosedOnesInsideParts_areRemoved() {
         const auto removed = [](const std::vector<TriangleMesh>& parts) {
             TexturedMesh model = textured(parts);
-            return removeCavities(model, [] {});
+            return removeEnclosedParts(model, [] {});
         };
         const TriangleMesh ball = sphereMesh(35, 20, 40), hollow = insideOut(cube(10));
         QCOMPARE(removed({ball, hollow}), hollow.triangles.size());
         QCOMPARE(removed({ball}), std::size_t(0));
         QCOMPARE(removed({sphereMesh(5, 20, 40), hollow}), std::size_t(0)); // not inside
         QCOMPARE(removed({cutOff(ball, 25), hollow}), std::size_t(0));      // water may enter
+        // Bodies that face outwards are not seen either, wherever they are in the order of parts.
+        const TriangleMesh inner = cube(10);
+        QCOMPARE(removed({ball, inner}), inner.triangles.size());
+        QCOMPARE(removed({inner, ball}), inner.triangles.size());
+        QCOMPARE(removed({ball, hollow, cube(5)}), 2 * inner.triangles.size()); // in the cavity
+        QCOMPARE(removed({cube(20), boxMesh({19, 19, 21})}), std::size_t(0));   // sticks out
+        QCOMPARE(removed({cube(20), boxMesh({19, 19, 20})}), std::size_t(0));   // flush
+        QCOMPARE(removed({torusMesh(30, 10, 40, 20), inner}), std::size_t(0));  // in the hole
     }
 
     void flipInsideOutParts_cancelled_leavesTheMesh() {
