@@ -32,6 +32,11 @@ std::optional<FilmSize> smallestFilm(const Eigen::AlignedBox2d& outline, const F
 
 QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film) {
     const std::optional<FilmSize> least = smallestFilm(outline, film);
+    if (least && least->width <= film.height.value() && least->height <= film.width.value()) {
+        return Text::tr("turn the film by 90° (%1 × %2 mm)")
+            .arg(film.height.value())
+            .arg(film.width.value());
+    }
     return least ? Text::tr("choose a film of at least %1 × %2 mm")
                        .arg(std::max(least->width, film.width.value()))
                        .arg(std::max(least->height, film.height.value()))

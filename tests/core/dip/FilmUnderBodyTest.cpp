@@ -61,6 +61,7 @@ private Q_SLOTS:
     void filmUnderBody_givenPoints_areKept();
     void filmUnderBody_papersFilm_staysEven();
     void adviceOnFilm_partLargerThanAnyFilm_isAnAdvice();
+    void adviceOnFilm_filmFitsTurned_isToTurnIt();
 };
 
 // The advice ends sentences such as "move or turn the part, or …".
@@ -69,6 +70,18 @@ void FilmUnderBodyTest::adviceOnFilm_partLargerThanAnyFilm_isAnAdvice() {
     QCOMPARE(
         adviceOnFilm(vast, {}),
         QStringLiteral("check the model's size and unit, because no film is larger than 3000 mm"));
+}
+
+void FilmUnderBodyTest::adviceOnFilm_filmFitsTurned_isToTurnIt() {
+    FilmSettings film;
+    film.width = Millimetres(210);
+    film.height = Millimetres(297);
+    const auto adviceOn = [&](double width, double depth) {
+        const Eigen::Vector2d half(width / 2, depth / 2);
+        return adviceOnFilm({-half, half}, film);
+    };
+    QCOMPARE(adviceOn(250, 100), QStringLiteral("turn the film by 90° (297 × 210 mm)"));
+    QVERIFY(adviceOn(250, 220).startsWith(QStringLiteral("choose a film of at least ")));
 }
 
 void FilmUnderBodyTest::automaticCell_thinBody_isFiner() {
