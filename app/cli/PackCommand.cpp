@@ -73,6 +73,9 @@ public:
             return;
         }
         const QString folder = parser.value(outOption);
+        if (!folder.isEmpty()) {
+            refuseTarget(parser, QStringLiteral("with --out, which prints nothing"));
+        }
         const PrintTarget target = folder.isEmpty() ? printTarget(parser) : PrintTarget{};
         std::vector<PackedProject> projects;
         for (const QString& word : projectPaths(parser)) {

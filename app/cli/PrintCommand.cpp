@@ -1,21 +1,20 @@
 #include "cli/Arguments.h"
+#include "cli/PlatesFolder.h"
 #include "cli/PrintOptions.h"
 #include "cli/VerdictOutput.h"
 #include "sheet/page/PaperMargins.h"
-#include "sheet/prepress/PlateProof.h"
 #include "sheet/prepress/PrinterColour.h"
 
 #include "base/Png.h"
 #include "disk/AtomicFile.h"
-#include "disk/FolderTransaction.h"
 #include "pipeline/DipCache.h"
 #include "pipeline/JobPacking.h"
 #include "pipeline/JobSheet.h"
 #include "pipeline/Pipeline.h"
 #include "project/FilmSizes.h"
 
-#include <QDir>
 #include <QRegularExpression>
+#include <numeric>
 #include <optional>
 
 namespace dipwright::cli {
@@ -171,40 +170,6 @@ std::unique_ptr<PrinterColour> plateColour(const PrintRequest& request, const QS
     return colour;
 }
 
-// Writes the plates of all sheets and their figures. Replaces the files of an earlier call.
-void writePlates(const JobResult& result, const PrintRequest& request, const QString& folder,
-                 const Progress& progress, QTextStream& out) {
-    const std::unique_ptr<PrinterColour> colour = plateColour(request, folder);
-    const PrintCorrection correction = printCorrection(request.profile, colour.get());
-    std::vector<ProofFile> files;
-    QStringList names;
-    for (std::size_t dip = 0; dip < result.immersions.size(); ++dip) {
-        const double done = double(dip) / double(result.immersions.size());
-        progress(done, QStringLiteral("Making the plates"));
-        const Sheet sheet = numberedFor(request.profile, result.immersions[dip].sheet);
-        const QString prefix =
-            result.immersions.size() > 1 ? QStringLiteral("immersion-%1/").arg(dip + 1) : QString();
-        for (const QString& old :
-             QDir(QDir(folder).filePath(prefix)).entryList({QStringLiteral("plate-*.png")})) {
-            names << prefix + old;
-        }
-        const SeparationProof proof = separationProof(sheet, correction);
-        out << QStringLiteral("%1\n").arg(sheet.job.immersion)
-            << figuresTable(proof.figures, sheet.passes);
-        for (const ProofFile& file : proof.files) {
-            names << prefix + file.name;
-            files.push_back({prefix + file.name, file.contents});
-        }
-    }
-    names.removeDuplicates();
-    FolderTransaction transaction(folder, names);
-    for (const ProofFile& file : files) {
-        transaction.write(file.name, file.contents);
-    }
-    transaction.commit();
-    out << QStringLiteral("Wrote %1\n").arg(folder);
-}
-
 // Returns the index of the dip that --immersion names; none without the option.
 std::optional<std::size_t> chosenDip(const QCommandLineParser& parser, const Project& project) {
     if (!parser.isSet(immersionOption)) {
@@ -213,13 +178,20 @@ std::optional<std::size_t> chosenDip(const QCommandLineParser& parser, const Pro
     return wholeNumberOption(parser, immersionOption, 1, int(project.immersions.size())) - 1;
 }
 
+// Returns the indices of the dips whose sheets are printed.
+std::vector<std::size_t> chosenDips(std::optional<std::size_t> one, const Project& project) {
+    std::vector<std::size_t> dips(one ? 1 : project.immersions.size());
+    std::iota(dips.begin(), dips.end(), one.value_or(0));
+    return dips;
+}
+
 // Returns the name of the file for the soft proof, or an empty string without --proof.
 QString proofFile(const QCommandLineParser& parser, bool hasTwoSheets, const PrintTarget& target,
                   const PrintRequest& request) {
     const QString proof = pictureOption(parser, proofOption, {".png"});
     if (!(target.file + proof).isEmpty() && hasTwoSheets) {
         throw UsageError(QStringLiteral("The project has two sheets; choose one with --immersion"),
-                         target.file + proof);
+                         target.file.isEmpty() ? proof : target.file);
     }
     if (!proof.isEmpty() && !printerColour(request.profile)) {
         throw Error(QStringLiteral("A soft proof needs a printer profile with an ICC profile; "
@@ -324,6 +296,10 @@ public:
         const std::optional<std::size_t> dip = chosenDip(parser, project);
         const QString plates = parser.value(platesOption);
         const bool isProofOnly = !plates.isEmpty() && !namesTarget(parser);
+        if (isProofOnly) {
+            refuseOptions(parser, {copiesOption, tileOption, tilePaperOption, clippingOption},
+                          QStringLiteral("with --plates alone, which prints nothing"));
+        }
         const PrintTarget target = isProofOnly ? PrintTarget() : printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
         if (!target.file.isEmpty()) {
@@ -333,6 +309,7 @@ public:
             proofFile(parser, !dip && project.immersions.size() > 1, target, request);
         if (!plates.isEmpty()) {
             plateColour(request, plates);
+            checkPlatesFolder(plates, project.immersions.size());
         }
         std::unique_ptr<PrintSystem> system;
         if (!target.printer.isEmpty()) {
@@ -348,6 +325,10 @@ public:
             console.out() << note << '\n';
         }
         printVerdict(result, console.out());
+        if (!plates.isEmpty()) {
+            writePlates(result, chosenDips(dip, project), *plateColour(request, plates), plates,
+                        progress.part(0.8, 0.9), console.out());
+        }
         if (dip) { // the other dip was needed, because the dips share the body's surface
             result.immersions = {result.immersions[*dip]};
         }
@@ -357,9 +338,6 @@ public:
         if (!proof.isEmpty()) {
             writeProof(result.immersions.front().sheet, request, proof);
             console.out() << QStringLiteral("Wrote %1\n").arg(proof);
-        }
-        if (!plates.isEmpty()) {
-            writePlates(result, request, plates, progress.part(0.8, 0.9), console.out());
         }
         if (isProofOnly) {
             return;

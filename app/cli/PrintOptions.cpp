@@ -1,5 +1,7 @@
 #include "cli/PrintOptions.h"
 
+#include "cli/Arguments.h"
+
 #include "project/Project.h"
 
 #include <algorithm>
@@ -103,6 +105,10 @@ void listPrinters(QTextStream& out) {
 
 bool namesTarget(const QCommandLineParser& parser) {
     return parser.isSet(printerOption) || parser.isSet(toOption);
+}
+
+void refuseTarget(const QCommandLineParser& parser, const QString& when) {
+    refuseOptions(parser, {printerOption, toOption, otherPaperOption}, when);
 }
 
 PrintTarget printTarget(const QCommandLineParser& parser) {

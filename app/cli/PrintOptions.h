@@ -26,6 +26,9 @@ struct PrintTarget {
 };
 // Tells whether --printer or --to is given.
 bool namesTarget(const QCommandLineParser& parser);
+// Throws UsageError if an option of printing is given: --printer, --to or --accept-other-paper.
+// `when` ends the message.
+void refuseTarget(const QCommandLineParser& parser, const QString& when);
 // Throws UsageError unless exactly one of --printer and --to is given.
 PrintTarget printTarget(const QCommandLineParser& parser);
 // Puts the profile of --profile into a project, so that its verdict is that of this printer. Throws

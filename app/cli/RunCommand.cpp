@@ -433,6 +433,10 @@ public:
                                "uses your own motion.gcode or the standard template"),
                 QStringLiteral("--motion-template"));
         }
+        if (!parser.isSet(outputsOption)) {
+            refuseOptions(parser, {overwriteOption, clippingOption},
+                          QStringLiteral("without --outputs"));
+        }
         const ThreadLimit threads = threadLimit(parser);
         const SolverRegistry registry;
         Tasks waking; // wakes the GPU meanwhile, because this takes longer than reading a project

@@ -202,10 +202,18 @@ QString colourNoteOf(const ArtworkLayer& layer) {
                           Text::tr("The picture of the layer “%1”").arg(layer.name));
 }
 
-QStringList colourNotes(const Artwork& artwork) {
+QStringList layerNotes(const Artwork& artwork) {
     QStringList notes;
+    const std::vector<ArtworkLayer> inks = artwork.spots();
     for (const ArtworkLayer& layer : artwork.layers) {
         notes << colourNoteOf(layer);
+        const auto ink = std::ranges::find(inks, layer.spot, &ArtworkLayer::spot);
+        if (layer.visible && ink != inks.end() &&
+            (ink->spotFirst != layer.spotFirst || ink->spotColour != layer.spotColour)) {
+            notes << Text::tr("The layers “%1” and “%2” are both printed in %3, but with another "
+                              "colour or order; those of “%1” count. Give both layers the same")
+                         .arg(ink->name, layer.name, layer.spot);
+        }
     }
     notes.removeAll(QString());
     return notes;

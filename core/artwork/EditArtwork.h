@@ -47,7 +47,8 @@ QStringList cutOffWarnings(const Artwork& artwork, const TriangleMesh& mesh);
 // Returns the note on how a layer's picture was read (base/ColourNote.h), without the last full
 // stop; empty if there is none.
 QString colourNoteOf(const ArtworkLayer& layer);
-// Returns colourNoteOf() of all layers that have one.
-QStringList colourNotes(const Artwork& artwork);
+// Returns colourNoteOf() of all layers that have one, and a note for each layer whose spot ink has
+// another colour or printing order than in a layer below, because the lowest layer decides.
+QStringList layerNotes(const Artwork& artwork);
 
 } // namespace dipwright

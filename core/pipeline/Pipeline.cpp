@@ -765,7 +765,7 @@ QStringList notesOf(const JobResult& result) {
     if (result.coverageTotal < negligibleShare && isInsideOut(*result.project.model)) {
         notes.append(insideOutNote());
     }
-    notes += colourNotes(*result.project.model) + colourNotes(result.project.artwork);
+    notes += colourNotes(*result.project.model) + layerNotes(result.project.artwork);
     for (const ImmersionResult& immersion : result.immersions) {
         notes += immersion.solverNotes;
     }

@@ -167,7 +167,7 @@ QStringList validateJob(const Project& project, const SolverRegistry& registry) 
     warnings += missingMaterialNotes(project);
     warnings += misplacedNotes(project, query);
     warnings += fontWarnings(project.artwork);
-    warnings += colourNotes(*project.model) + colourNotes(project.artwork);
+    warnings += colourNotes(*project.model) + layerNotes(project.artwork);
     for (const Immersion& immersion : project.immersions) {
         checkImmersion(project, immersion, query, warnings);
     }

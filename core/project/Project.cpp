@@ -302,7 +302,8 @@ void applyPreset(Project& project, const QString& preset) {
 namespace {
 
 // Sets a value such as "artwork.base_colour" or "artwork.layers[0].turn_deg". A layer's picture
-// cannot be set, because its field is only an id. Returns false if there is no such value.
+// cannot be set, because its field is only an id. Returns false if the path names no value of the
+// artwork. Throws Error if it names no value of a layer.
 bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
     static const QRegularExpression layerPath(
         QStringLiteral("^artwork\\.layers\\[(0|[1-9]\\d{0,2})\\]\\.(.+)$"));
@@ -315,9 +316,20 @@ bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
                             .arg(artwork.layers.size()),
                         path);
         }
-        return match.captured(2) != QLatin1String("picture") &&
-               setFieldAt(artwork.layers[index], artworkLayerFields(), match.captured(2), path,
-                          value);
+        const QString field = match.captured(2);
+        const QString picture = QStringLiteral("picture");
+        if (field == picture ||
+            !setFieldAt(artwork.layers[index], artworkLayerFields(), field, path, value)) {
+            QStringList settable;
+            for (const auto& known : artworkLayerFields()) {
+                settable << known.path;
+            }
+            settable.removeAll(picture);
+            throw Error(Text::tr("A layer has no such setting; its settings are %1")
+                            .arg(settable.join(QStringLiteral(", "))),
+                        path);
+        }
+        return true;
     }
     return path.startsWith(own) &&
            setFieldAt(artwork, artworkFields(), path.mid(own.size()), path, value);

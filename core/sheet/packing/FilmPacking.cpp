@@ -63,11 +63,19 @@ std::vector<SheetPlate> platesOf(const std::vector<PieceToPack>& pieces) {
             const bool belongsToWhite = isWhite(plate, piece.sheet.settings);
             std::vector<SheetPlate>& kind = belongsToWhite ? white : plates;
             const SheetPlate* known = find(kind, plate.name);
-            const bool hasOtherMeaning =
-                find(belongsToWhite ? plates : white, plate.name) ||
-                (known && (known->name != plate.name || known->first != plate.first ||
-                           known->alternate != plate.alternate));
-            if (hasOtherMeaning) {
+            if (find(belongsToWhite ? plates : white, plate.name)) {
+                throw Error(Text::tr("The ink %1 is a spot ink in one job and the white ink in "
+                                     "another; rename one of them")
+                                .arg(plate.name),
+                            nameOf(piece));
+            }
+            if (known && known->name != plate.name) {
+                throw Error(Text::tr("This job's spot ink %1 is named %2 in another job; write "
+                                     "both alike, with the same capital letters")
+                                .arg(plate.name, known->name),
+                            nameOf(piece));
+            }
+            if (known && (known->first != plate.first || known->alternate != plate.alternate)) {
                 throw Error(
                     Text::tr("This job's spot ink %1 has another colour or printing order than in "
                              "another job; give it the same colour and order in both jobs")

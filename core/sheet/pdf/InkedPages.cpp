@@ -209,7 +209,9 @@ private:
     mutable InkEngine engine_;
 };
 
-QPDFObjectHandle name(const QString& text) {
+// Returns a PDF name. qpdf escapes all characters that need it but #, which begins an escape.
+QPDFObjectHandle name(QString text) {
+    text.replace(QLatin1Char('#'), QLatin1String("#23"));
     return QPDFObjectHandle::newName((QLatin1Char('/') + text).toStdString());
 }
 

@@ -142,9 +142,39 @@ private slots:
             QVERIFY2(differing * 200 < qint64(own.width()) * own.height(), ink);
         }
         QVERIFY(QFile::exists(in("proof/total-ink.png")));
+        // The folder gets plates of another job, of one dip after the other.
+        QVERIFY(wrote(in("proof/plate-artwork.png"), "not a plate"));
+        for (const char* dip : {"2", "1"}) {
+            QCOMPARE(plates(sampleFolder("/turtle.dipw"), in("proof"), {"--immersion", dip}), 0);
+        }
+        QVERIFY(QFile::exists(in("proof/immersion-1/plates.json")));
+        QVERIFY(QFile::exists(in("proof/immersion-2/plates.json")));
+        QCOMPARE(QDir(in("proof")).entryList(QDir::Files), QStringList{"plate-artwork.png"});
+    }
+
+    void print_plates_neverReplaceOtherFiles() {
+        QVERIFY(QDir().mkpath(in("own")));
+        QVERIFY(wrote(in("own/composite.png"), "not a plate"));
+        QCOMPARE(plates(sampleFolder("/sphere.dipw"), in("own"), {}), 1);
+        QCOMPARE(read(in("own/composite.png")), QByteArray("not a plate"));
+        QCOMPARE(plates(sampleFolder("/sphere.dipw"), in("own"), {"--copies", "2"}), 2);
     }
 
 private:
+    // Prints the plates of a sample with a coarse film. Returns the exit code.
+    int plates(const QString& sample, const QString& folder, const QStringList& options) const {
+        const QString job = in("sample.dipw");
+        QFile::remove(job);
+        if (!QFile::copy(sample, job) ||
+            !QFile::setPermissions(job, QFile::ReadOwner | QFile::WriteOwner)) {
+            return -1;
+        }
+        return cli(QStringList{"print", job, "--profile", "Press", "--plates", folder, "--quiet",
+                               "--set", "film.points=40x57", "--set", "sheet.dpi=60"} +
+                   options)
+            .exitCode;
+    }
+
     QString in(const QString& name) const { return folder_.filePath(name); }
 
     QTemporaryDir folder_;

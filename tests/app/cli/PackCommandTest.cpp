@@ -38,6 +38,16 @@ class PackCommandTest : public QObject {
     QTemporaryDir folder_;
 
 private slots:
+    void pack_filmsInFolder_refusesOptionsOfPrinting() {
+        const QString out = folder_.filePath("unused");
+        for (const char* option : {"--to", "--printer"}) {
+            const Outcome packed = cli({"pack", turtle, "--out", out, option, "films.pdf"});
+            QCOMPARE(packed.exitCode, 2);
+            QVERIFY2(packed.err.contains("has no effect"), packed.err);
+        }
+        QVERIFY(!QFile::exists(out));
+    }
+
     void pack_pieces_equalTheirSheets() {
         const QString out = folder_.filePath("films");
         const Outcome packed =

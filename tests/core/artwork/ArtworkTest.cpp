@@ -126,6 +126,7 @@ class ArtworkTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void layerNotes_oneSpotInkInTwoOrders_saysWhichCounts();
     void unwrapped_charts_coverEachTriangleOnceWithoutOverlap_data();
     void unwrapped_charts_coverEachTriangleOnceWithoutOverlap();
     void unwrapped_fineTexel_staysWithinTheAllowedPixels();
@@ -578,6 +579,21 @@ void ArtworkTest::paintArtwork_twice_givesTheSameBits() {
     const TexturedMesh other = paintArtwork(model, artwork, 0.2, Progress());
     QCOMPARE(one.textures.front(), other.textures.front());
     QVERIFY(one.textureCoordinates == other.textureCoordinates);
+}
+
+void ArtworkTest::layerNotes_oneSpotInkInTwoOrders_saysWhichCounts() {
+    Artwork artwork;
+    artwork.layers.resize(2);
+    artwork.layers[0].name = QStringLiteral("Lower");
+    artwork.layers[1].name = QStringLiteral("Upper");
+    artwork.layers[0].spot = artwork.layers[1].spot = QStringLiteral("Gold");
+    QVERIFY(layerNotes(artwork).isEmpty());
+    artwork.layers[1].spotFirst = true;
+    const QStringList notes = layerNotes(artwork);
+    QCOMPARE(notes.size(), 1);
+    QVERIFY2(notes[0].contains("those of “Lower” count"), qPrintable(notes[0]));
+    artwork.layers[0].visible = false;
+    QVERIFY(layerNotes(artwork).isEmpty());
 }
 
 QTEST_MAIN(ArtworkTest)

@@ -19,7 +19,7 @@ namespace {
 constexpr int dpi = 127; // five pixels per mm
 
 // A film of 40 × 20 mm with eight columns of colours, white ink under the left half, and a red
-// spot ink on the lower half.
+// spot ink on the lower half. In a PDF, # begins an escape, and #43 is C.
 Sheet colourSheet() {
     Sheet sheet;
     sheet.filmWidth = Millimetres(40);
@@ -37,7 +37,7 @@ Sheet colourSheet() {
             red.scanLine(y)[x] = y < 50 ? 0 : 102;
         }
     }
-    sheet.plates = {{QStringLiteral("Red"), red, false, QColor(Qt::red)},
+    sheet.plates = {{QStringLiteral("Red#43"), red, false, QColor(Qt::red)},
                     {QStringLiteral("White"), white, false, {}}};
     return sheet;
 }
@@ -83,7 +83,7 @@ private slots:
         const InkFigures figures = inkFigures(plates, colour_, {40, 20}, 1.9);
         QCOMPARE(figures.plates.size(), std::size_t(6));
         QCOMPARE(figures.plates[0].plate.ink, QStringLiteral("Cyan"));
-        QCOMPARE(figures.plates[4].plate.ink, QStringLiteral("Red"));
+        QCOMPARE(figures.plates[4].plate.ink, QStringLiteral("Red#43"));
         QVERIFY(std::abs(figures.plates[4].fullTintArea - 0.4 * 400) < 1);
         QCOMPARE(figures.plates[4].inkedArea, 400.0);
         QVERIFY(figures.plates[5].plate.isWhite);
@@ -143,7 +143,7 @@ private slots:
         }
         QCOMPARE(names,
                  QStringList({"plate-1-Cyan.png", "plate-2-Magenta.png", "plate-3-Yellow.png",
-                              "plate-4-Black.png", "plate-5-Red.png", "plate-6-White.png",
+                              "plate-4-Black.png", "plate-5-Red-43.png", "plate-6-White.png",
                               "total-ink.png", "composite.png", "plates.json"}));
         const QImage white = QImage::fromData(proof.files[5].contents);
         QCOMPARE(white.size(), QSize(200, 100));
