@@ -1,5 +1,6 @@
 #include "model/MeshRepair.h"
 
+#include "geometry/JoinedPositions.h"
 #include "geometry/SurfaceQuery.h"
 
 #include <QCoreApplication>
@@ -194,33 +195,6 @@ void forEachDoubled(const std::vector<CornerSet>& sets, const Use& use) {
         same = next;
     }
 }
-
-// Groups of positions that triangles connect; each group is identified by one of its positions.
-class JoinedPositions {
-public:
-    explicit JoinedPositions(const TriangleMesh& mesh) : parent_(mesh.positions.size()) {
-        std::iota(parent_.begin(), parent_.end(), 0U);
-        for (const auto& [a, b, c] : mesh.triangles) {
-            join(a, b);
-            join(b, c);
-        }
-    }
-
-    std::uint32_t pieceOf(std::uint32_t position) {
-        while (parent_[position] != position) {
-            position = parent_[position] = parent_[parent_[position]];
-        }
-        return position;
-    }
-
-private:
-    void join(std::uint32_t one, std::uint32_t other) {
-        const auto [lower, higher] = std::minmax({pieceOf(one), pieceOf(other)});
-        parent_[higher] = lower;
-    }
-
-    std::vector<std::uint32_t> parent_;
-};
 
 // Returns for each position whether all triangles of its connected piece are in `chosen`.
 std::vector<bool> areAllChosen(const TriangleMesh& mesh, const std::vector<bool>& chosen) {

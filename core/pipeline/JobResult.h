@@ -69,15 +69,16 @@ struct JobTolerances {
 };
 
 struct JobResult {
-    Project project;                             // the project that was computed
-    QString wantedSolver, chosenSolver;          // requested: "auto" or an id; chosen: an id
-    SolverInfo solver;                           // the solver that simulated the last dip
-    FieldInputs fieldInputs;                     // inputs of `field`
-    std::shared_ptr<const DistanceField> field;  // null when no dip needed it
-    QString thinParts;                           // thinPartNote() of the model and `fieldInputs`
-    PaintInputs paintInputs;                     // inputs of `painted`
-    std::shared_ptr<const TexturedMesh> painted; // the model with texture and artwork
-    std::shared_ptr<const SurfaceMask> mask;     // surface without film; null: none
+    Project project;                              // the project that was computed
+    QString wantedSolver, chosenSolver;           // requested: "auto" or an id; chosen: an id
+    SolverInfo solver;                            // the solver that simulated the last dip
+    FieldInputs fieldInputs;                      // inputs of `field`
+    std::shared_ptr<const DistanceField> field;   // null when no dip needed it
+    QString thinParts;                            // thinPartNote() of the model and `fieldInputs`
+    PaintInputs paintInputs;                      // inputs of `painted`
+    std::shared_ptr<const TexturedMesh> painted;  // the model with texture and artwork
+    std::shared_ptr<const SurfaceMask> mask;      // surface without film; null: none
+    std::shared_ptr<const SeparateBodies> bodies; // of the model; null: one body
     std::vector<ImmersionResult> immersions;
     std::shared_ptr<const BodyShare> share; // null: each dip paints every place that it reaches
     // Prepared from the model or from `painted`, for further results with the same inputs. Null if

@@ -46,23 +46,33 @@ constexpr double leastInk = 0.1;
 constexpr double leastContrastKept = 0.3, contrastLost = 0.15;
 constexpr double contrastSamples = 5'000; // number of points on the body
 
-// Adds reasons for marked zones that are not painted. Kind::Unreached judges the rest of the body.
-void addBareZones(ReasonList& found, const JobResult& result, const ZonedBody& zoned) {
+// Adds reasons for marked zones and separate bodies that are not painted. Kind::Unreached judges
+// the rest. `zoned`: null if no zones are marked.
+void addBarePlaces(ReasonList& found, const JobResult& result, const ZonedBody* zoned) {
+    if (!zoned && !result.bodies) {
+        return;
+    }
     const TriangleMesh& mesh = result.project.model->mesh;
     std::vector<SurfacePoint> places = evenSamples(mesh, surfaceArea(mesh) / bareSamples);
     if (result.mask) {
         std::erase_if(places, [&](const auto& place) { return result.mask->covers(place); });
     }
-    std::vector<Zone> zones;
-    std::transform(places.begin(), places.end(), std::back_inserter(zones),
-                   [&](const SurfacePoint& place) { return zoned.at(place); });
     std::vector<std::uint8_t> isPainted(places.size());
     parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
         for (const ImmersionResult& dip : result.immersions) {
             isPainted[i] |= dip.laid->place(places[i]).has_value();
         }
     });
-    addBareZoneReasons(found, zones, isPainted, result.project.verdict.zoneBare);
+    const VerdictSettings& limits = result.project.verdict;
+    if (result.bodies) {
+        addBareBodyReasons(found, *result.bodies, places, isPainted, limits.leastPainted);
+    }
+    if (zoned) {
+        std::vector<Zone> zones;
+        std::ranges::transform(places, std::back_inserter(zones),
+                               [&](const SurfacePoint& place) { return zoned->at(place); });
+        addBareZoneReasons(found, zones, isPainted, limits.zoneBare);
+    }
 }
 
 void addHandlingReasons(ReasonList& found, const JobTolerances& tolerances) {
@@ -274,13 +284,13 @@ void addAmountReasons(ReasonList& found, const JobResult& result) {
 
 } // namespace
 
-Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones,
-                   const SurfaceMask* mask) {
+Verdict dipVerdict(const ImmersionResult& dip, const Project& project,
+                   const JudgedSurface& surface) {
     return verdict({*dip.laid, *dip.coverage, dip.numericalError.get(),
-                    dip.inkShortfall.value_or(dip.texture->shortfallArea), zones,
+                    dip.inkShortfall.value_or(dip.texture->shortfallArea), surface,
                     tankFaults(project.profiles.tank, project.film, project.process, dip.immersion,
                                dip.body->mesh, dip.body->path),
-                    mask, project.immersions.size() == 1, takesInk(dip, project),
+                    project.immersions.size() == 1, takesInk(dip, project),
                     dip.lostPlates.join(QStringLiteral(". ")), dip.inputs.built,
                     dip.unusualCorrection, dip.coveredPicture},
                    project.tolerance, project.verdict);
@@ -289,9 +299,7 @@ Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const Zon
 Verdict allDipsVerdict(const JobResult& result, const ZonedBody* zones) {
     ReasonList found;
     addAmountReasons(found, result);
-    if (zones) {
-        addBareZones(found, result, *zones);
-    }
+    addBarePlaces(found, result, zones);
     if (result.tolerances) {
         addHandlingReasons(found, *result.tolerances);
     }

@@ -5,10 +5,9 @@
 
 namespace dipwright {
 
-// Returns the verdict on a dip. Its film must be laid and measured, and its sheet made. `zones` is
-// the result of markedZones(), `mask` that of surfaceMask().
-Verdict dipVerdict(const ImmersionResult& dip, const Project& project, const ZonedBody* zones,
-                   const SurfaceMask* mask);
+// Returns the verdict on a dip. Its film must be laid and measured, and its sheet made.
+Verdict dipVerdict(const ImmersionResult& dip, const Project& project,
+                   const JudgedSurface& surface);
 
 // Returns the verdict on all dips together, for JobResult::verdict. `zones` is the result of
 // markedZones().

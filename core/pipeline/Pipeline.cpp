@@ -67,8 +67,9 @@ struct Run {
     const JobOptions& options;
     const JobResult* previous; // may be null
     CancelToken user;
-    std::shared_ptr<const ZonedBody> zones;  // null: no zones are marked
-    std::shared_ptr<const SurfaceMask> mask; // null: nothing is masked
+    std::shared_ptr<const ZonedBody> zones;       // null: no zones are marked
+    std::shared_ptr<const SurfaceMask> mask;      // null: nothing is masked
+    std::shared_ptr<const SeparateBodies> bodies; // null: one body
     // For each immersion, whether this run has refined its film, so that nothing made from the
     // earlier film is taken over.
     std::vector<char> isRefined = {};
@@ -76,6 +77,7 @@ struct Run {
     // refined, so that no result mixes solvers.
     bool isDippedElsewhere = false;
 
+    JudgedSurface surface() const { return {zones.get(), mask.get(), bodies.get()}; }
     const ImmersionResult* earlier(std::size_t number) const {
         return previous && number < previous->immersions.size() && !isRefined[number]
                    ? &previous->immersions[number]
@@ -406,9 +408,8 @@ void refine(ImmersionResult& now, Run& run, std::size_t number, JobResult& job,
     SolverChoice solver = dipping.solver; // a failure here must not change the other dips' solver
     const Dipping finer{solver, dipping.comparison, dipping.left};
     const auto next = [&] {
-        const Verdict verdict =
-            numericalVerdict(*now.laid, now.numericalError.get(), run.zones.get(), run.mask.get(),
-                             run.project.tolerance);
+        const Verdict verdict = numericalVerdict(*now.laid, now.numericalError.get(), run.surface(),
+                                                 run.project.tolerance);
         return nextRefinement(now, verdict, run.project.film);
     };
     double done = 0;
@@ -562,7 +563,7 @@ void finish(ImmersionResult& now, const Run& run, std::size_t number, Comparison
     }
     measuring.wait();
     judge(now, run, comparison);
-    now.verdict = dipVerdict(now, run.project, run.zones.get(), run.mask.get());
+    now.verdict = dipVerdict(now, run.project, run.surface());
     now.finer =
         run.options.refines ? std::nullopt : nextRefinement(now, now.verdict, run.project.film);
     if (!now.finer) {
@@ -808,11 +809,13 @@ JobResult runJob(const Project& project, const SolverRegistry& registry, const J
             previous,
             progress.cancelToken,
             markedZones(project.model, project.tolerance.marks),
-            surfaceMask(project.model, project.masks, previous ? previous->mask : nullptr)};
+            surfaceMask(project.model, project.masks, previous ? previous->mask : nullptr),
+            separateBodies(*project.model)};
     run.isRefined.resize(project.immersions.size());
     JobResult result;
     result.project = project;
     result.mask = run.mask;
+    result.bodies = run.bodies;
     result.wantedSolver = options.solver.isEmpty() ? project.process.solver : options.solver;
     SolverChoice solver = solverOf(run, result.wantedSolver);
     result.chosenSolver = run.isDippedElsewhere ? previous->chosenSolver : solver.solver.id;

@@ -68,6 +68,9 @@ QJsonArray reasonsJson(const JobResult& result) {
         if (why.zone) {
             one["zone"] = zoneName(*why.zone);
         }
+        if (!why.body.isEmpty()) {
+            one["body"] = why.body;
+        }
         json.append(one);
     }
     return json;

@@ -62,8 +62,8 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
                        const std::array<double, zoneCount>& zoneWeights,
                        const SurfaceColours& appearance)
     : model_(subject.model), zoned_(markedZones(subject.model, subject.tolerance.marks)),
-      tolerance_(subject.tolerance), ink_(subject.ink), area_(surfaceArea(model_->mesh)),
-      openArea_(area_) {
+      bodies_(separateBodies(*subject.model)), tolerance_(subject.tolerance), ink_(subject.ink),
+      area_(surfaceArea(model_->mesh)), openArea_(area_) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
     if (subject.mask) {
         const auto all = double(samples_.size());
@@ -272,6 +272,9 @@ Verdict JudgedBody::unpainted(const std::vector<const JudgedPose*>& dips,
     }
     if (zoned_) {
         addBareZoneReasons(reasons, zones_, painters(dips), limits.zoneBare);
+    }
+    if (bodies_) {
+        addBareBodyReasons(reasons, *bodies_, samples_, painters(dips), limits.leastPainted);
     }
     return std::move(reasons).verdict();
 }

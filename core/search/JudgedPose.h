@@ -66,7 +66,9 @@ public:
 
     std::size_t places() const { return samples_.size(); }
     double equator() const { return equator_; } // mm: circumference of a ball of equal surface
-    const ZonedBody* zoned() const { return zoned_.get(); } // null if no zones are marked
+    JudgedSurface surface(const SurfaceMask* mask) const {
+        return {zoned_.get(), mask, bodies_.get()};
+    }
 
     // Measures one dip.
     JudgedPose judged(const LaidFilm& laid, const Immersion& immersion) const;
@@ -109,8 +111,9 @@ private:
     std::shared_ptr<const TexturedMesh> model_;
     std::vector<SurfacePoint> samples_;
     std::vector<float> weights_;
-    std::shared_ptr<const ZonedBody> zoned_; // null if no zones are marked
-    std::vector<Zone> zones_;                // per place
+    std::shared_ptr<const ZonedBody> zoned_;       // null if no zones are marked
+    std::shared_ptr<const SeparateBodies> bodies_; // null: one body
+    std::vector<Zone> zones_;                      // per place
     ToleranceSettings tolerance_;
     InkCompensation ink_;
     std::vector<LinearColour> wanted_; // per place: the colour that the body should show

@@ -432,7 +432,7 @@ PoseDips::refinedAlone(const std::vector<std::shared_ptr<const JudgedPose>>& dip
 Verdict PoseDips::verdictOf(const LaidFilm& laid, const Coverage& covered,
                             const NumericalErrorEstimate* error,
                             const std::vector<TankFault>& tankFaults) const {
-    return verdict({laid, covered, error, 0, body_.zoned(), tankFaults, subject_.mask.get()},
+    return verdict({laid, covered, error, 0, body_.surface(subject_.mask.get()), tankFaults},
                    subject_.tolerance, subject_.verdict);
 }
 

@@ -19,4 +19,23 @@ void addBareZoneReasons(ReasonList& found, std::span<const Zone> zones,
     }
 }
 
+void addBareBodyReasons(ReasonList& found, const SeparateBodies& bodies,
+                        std::span<const SurfacePoint> places, std::span<const std::uint8_t> painted,
+                        double least) {
+    std::vector<double> all(std::size_t(bodies.names.size())), covered(all.size());
+    for (std::size_t place = 0; place < places.size(); ++place) {
+        const std::uint32_t body = bodies.ofTriangle[places[place].triangle];
+        all[body] += 1;
+        covered[body] += painted[place] ? 1 : 0;
+    }
+    for (std::size_t body = 0; body < all.size(); ++body) {
+        const double share = all[body] > 0 ? covered[body] / all[body] : 1;
+        if (share < least) {
+            ReasonList own;
+            own.add({VerdictReason::Kind::BodyBare, Advice::CheckFirst, share, least});
+            found.add(std::move(own), {}, bodies.names[qsizetype(body)]);
+        }
+    }
+}
+
 } // namespace dipwright

@@ -41,6 +41,18 @@ struct Piece {
     double offBy = 0, area = 0;
 };
 
+// The painted film in one zone of one body.
+struct ZoneFilm {
+    std::vector<Piece> pieces; // whose error is known
+    double unknown = 0;        // mm²
+
+    void add(const ZoneFilm& other) {
+        pieces.insert(pieces.end(), other.pieces.begin(), other.pieces.end());
+        unknown += other.unknown;
+    }
+    bool isEmpty() const { return pieces.empty() && unknown == 0; }
+};
+
 // A triangle of painted film that needs a check.
 struct PieceToCheck {
     FilmTriangle corners;
@@ -49,22 +61,41 @@ struct PieceToCheck {
 
 class PaintedFilm {
 public:
-    PaintedFilm(const LaidFilm& laid, const std::vector<float>& pointErrors, const ZonedBody* zones,
-                const SurfaceMask* mask, const ToleranceSettings& settings)
-        : laid_(laid), offBy_(pointErrors), zones_(zones), settings_(settings),
-          parts_(laid.film().positions.size()) {
+    PaintedFilm(const LaidFilm& laid, const std::vector<float>& pointErrors,
+                const JudgedSurface& surface, const ToleranceSettings& settings)
+        : laid_(laid), offBy_(pointErrors), surface_(surface), settings_(settings),
+          parts_(laid.film().positions.size()),
+          films_(surface.bodies ? std::size_t(surface.bodies->names.size()) : 1) {
         for (std::size_t triangle = 0; triangle < laid.triangles().size(); ++triangle) {
-            if (laid.contact().painted[triangle] && !isMasked(laid, triangle, mask)) {
+            if (laid.contact().painted[triangle] && !isMasked(laid, triangle, surface.mask)) {
                 add(std::uint32_t(triangle));
             }
         }
     }
 
-    std::vector<ZoneError> zoneErrors() {
+    std::vector<ZoneError> zoneErrors() const {
         std::vector<ZoneError> errors;
         for (std::size_t zone = 0; zone < zoneCount; ++zone) {
-            if (!pieces_[zone].empty() || unknown_[zone] > 0) {
-                errors.push_back(errorOf(Zone(zone)));
+            ZoneFilm all;
+            for (const auto& zones : films_) {
+                all.add(zones[zone]);
+            }
+            if (!all.isEmpty()) {
+                errors.push_back(errorOf(Zone(zone), std::move(all)));
+            }
+        }
+        return errors;
+    }
+
+    std::vector<ZoneError> zoneErrorsOfBodies() const {
+        std::vector<ZoneError> errors;
+        for (std::size_t body = 0; surface_.bodies && body < films_.size(); ++body) {
+            for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+                ZoneError error = errorOf(Zone(zone), films_[body][zone]);
+                if (error.area + films_[body][zone].unknown >= leastPlaceArea) {
+                    error.body = surface_.bodies->names[qsizetype(body)];
+                    errors.push_back(std::move(error));
+                }
             }
         }
         return errors;
@@ -123,10 +154,11 @@ private:
             worst = std::max(worst, offBy(point));
             isKnown = isKnown || (!offBy_.empty() && !std::isnan(offBy_[point]));
         }
+        ZoneFilm& film = films_[bodyOf(corners)][std::size_t(zone)];
         if (isKnown) {
-            pieces_[std::size_t(zone)].push_back({worst, here});
+            film.pieces.push_back({worst, here});
         } else {
-            unknown_[std::size_t(zone)] += here;
+            film.unknown += here;
         }
         if (worst > limit || has(laid_.marks(triangle), solver::PointMark::Unbalanced)) {
             uncertain_.push_back({corners, worst, here, limit});
@@ -135,21 +167,19 @@ private:
         }
     }
 
-    ZoneError errorOf(Zone zone) {
-        std::vector<Piece>& pieces = pieces_[std::size_t(zone)];
-        std::sort(pieces.begin(), pieces.end(),
-                  [](const Piece& a, const Piece& b) { return a.offBy < b.offBy; });
-        ZoneError error{zone, settings_.limits[std::size_t(zone)].value()};
-        for (const Piece& piece : pieces) {
+    ZoneError errorOf(Zone zone, ZoneFilm film) const {
+        std::ranges::sort(film.pieces, {}, &Piece::offBy);
+        ZoneError error{zone, {}, settings_.limits[std::size_t(zone)].value()};
+        for (const Piece& piece : film.pieces) {
             error.area += piece.area;
             error.far += piece.offBy > error.limit ? piece.area : 0;
         }
-        const double unknown = unknown_[std::size_t(zone)];
+        const double unknown = film.unknown;
         error.unknown = unknown > 0 ? unknown / (error.area + unknown) : 0;
         const double within =
             zoneShareWithin * (error.area + (error.unknown > mostUnknownArea ? 0 : unknown));
         double below = 0;
-        for (const Piece& piece : pieces) {
+        for (const Piece& piece : film.pieces) {
             below += piece.area;
             error.percentile95 = piece.offBy;
             if (below >= within) {
@@ -163,11 +193,21 @@ private:
     Zone zoneOf(const FilmTriangle& corners) const {
         for (const std::uint32_t point : corners) {
             const SurfacePoint& place = laid_.contact().surface[point];
-            if (zones_ && place.isValid()) {
-                return zones_->at(place);
+            if (surface_.zones && place.isValid()) {
+                return surface_.zones->at(place);
             }
         }
         return Zone::C;
+    }
+
+    std::size_t bodyOf(const FilmTriangle& corners) const {
+        for (const std::uint32_t point : corners) {
+            const SurfacePoint& place = laid_.contact().surface[point];
+            if (surface_.bodies && place.isValid()) {
+                return surface_.bodies->ofTriangle[place.triangle];
+            }
+        }
+        return 0;
     }
 
     // An unknown error counts as 0. At the border of the paint, Kind::Border judges it; if it is
@@ -182,21 +222,19 @@ private:
 
     const LaidFilm& laid_;
     const std::vector<float>& offBy_;
-    const ZonedBody* zones_;
+    const JudgedSurface& surface_;
     const ToleranceSettings& settings_;
     Parts parts_;
-    std::array<std::vector<Piece>, zoneCount> pieces_;
-    std::array<double, zoneCount> unknown_{}; // mm²
+    std::vector<std::array<ZoneFilm, zoneCount>> films_; // of each body
     std::vector<PieceToCheck> uncertain_;
 };
 
 } // namespace
 
 PlacesToCheck placesToCheck(const LaidFilm& laid, const std::vector<float>& pointErrors,
-                            const ZonedBody* zones, const SurfaceMask* mask,
-                            const ToleranceSettings& settings) {
-    PaintedFilm film(laid, pointErrors, zones, mask, settings);
-    return {film.zoneErrors(), film.places(), film.areaToCheck()};
+                            const JudgedSurface& surface, const ToleranceSettings& settings) {
+    const PaintedFilm film(laid, pointErrors, surface, settings);
+    return {film.zoneErrors(), film.zoneErrorsOfBodies(), film.places(), film.areaToCheck()};
 }
 
 } // namespace dipwright

@@ -10,9 +10,10 @@
 
 namespace dipwright {
 
-// The numerical error of the painted film in a zone.
+// The numerical error of the painted film in a zone, of all bodies or of one.
 struct ZoneError {
     Zone zone = Zone::C;
+    QString body = {};  // name of the one body; empty: of all
     double limit = 0;   // limit of the zone, mm
     double area = 0;    // mm² of the zone that are painted and compared
     double unknown = 0; // share of the painted zone that is not compared
@@ -24,14 +25,16 @@ struct ZoneError {
 
 struct PlacesToCheck {
     std::vector<ZoneError> zones; // only painted zones, A first
+    // The same zones of each separate body of which at least leastPlaceArea is painted there; empty
+    // if the model has only one body.
+    std::vector<ZoneError> zonesOfBodies;
     std::vector<PlaceToCheck> places;
     double area = 0; // total area of all places to check, mm²
 };
 
 // Finds the places to check. `pointErrors` is NumericalErrorEstimate::pointErrors; empty if the
-// error is not known. `zones` is null if the whole body is in zone C, `mask` if nothing is masked.
+// error is not known.
 PlacesToCheck placesToCheck(const LaidFilm& laid, const std::vector<float>& pointErrors,
-                            const ZonedBody* zones, const SurfaceMask* mask,
-                            const ToleranceSettings& settings);
+                            const JudgedSurface& surface, const ToleranceSettings& settings);
 
 } // namespace dipwright

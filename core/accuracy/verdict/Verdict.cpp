@@ -36,38 +36,45 @@ VerdictReason numericalErrorReason(const ZoneError& error, const NumericalErrorE
     return reason;
 }
 
-// Adds the reasons that follow from the numerical error in a zone.
-void addZoneReasons(ReasonList& found, const ZoneError& error,
+// Adds the reasons that follow from the numerical error in a zone. Returns whether there are any.
+bool addZoneReasons(ReasonList& found, const ZoneError& error,
                     const NumericalErrorEstimate& estimate, const solver::FilmGrid& grid,
                     std::optional<Zone> named) {
+    ReasonList own;
     if (error.percentile95 > numericalShare * error.limit) {
-        VerdictReason reason = numericalErrorReason(error, estimate, grid);
-        reason.zone = named;
-        found.add(std::move(reason));
+        own.add(numericalErrorReason(error, estimate, grid));
     }
-    found.addShare(Kind::UnknownError, error.unknown, mostUnknownArea, named);
+    own.addShare(Kind::UnknownError, error.unknown, mostUnknownArea);
     if (error.percentile95 <= error.limit && error.far > mostFarOffArea) {
-        found.add({Kind::FarOffPlaces,
-                   error.far > doNotPrintFactor * mostFarOffArea ? Advice::DoNotPrint
-                                                                 : Advice::CheckFirst,
-                   error.far,
-                   error.limit,
-                   {},
-                   0,
-                   named});
+        own.add({Kind::FarOffPlaces,
+                 error.far > doNotPrintFactor * mostFarOffArea ? Advice::DoNotPrint
+                                                               : Advice::CheckFirst,
+                 error.far, error.limit});
     }
+    const bool hasReason = !own.isEmpty();
+    found.add(std::move(own), named, error.body);
+    return hasReason;
 }
 
 void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimate,
-                        const std::vector<ZoneError>& zones, const solver::FilmGrid& grid,
+                        const PlacesToCheck& checked, const solver::FilmGrid& grid,
                         bool namesZones) {
+    const std::vector<ZoneError>& zones = checked.zones;
     if (!estimate.isKnown() || zones.empty()) {
         found.add({Kind::NothingAlike, Advice::DoNotPrint});
         return;
     }
     for (const ZoneError& zone : zones) {
-        addZoneReasons(found, zone, estimate, grid,
-                       namesZones ? std::optional(zone.zone) : std::nullopt);
+        const auto named = namesZones ? std::optional(zone.zone) : std::nullopt;
+        if (addZoneReasons(found, zone, estimate, grid, named)) {
+            continue;
+        }
+        // A small body hardly changes the figures of all bodies together.
+        for (const ZoneError& body : checked.zonesOfBodies) {
+            if (body.zone == zone.zone) {
+                addZoneReasons(found, body, estimate, grid, named);
+            }
+        }
     }
     // The border moves by about one film cell, and the compared films have double cells.
     const double once = halfSpacingShare * std::max(estimate.doubleSpacing.paintedOnce,
@@ -98,16 +105,17 @@ void addBalanceReason(ReasonList& found, const LaidFilm& laid) {
 
 // Adds the reasons about the numerical error. Returns the places to check.
 PlacesToCheck addNumericalReasons(ReasonList& found, const LaidFilm& laid,
-                                  const NumericalErrorEstimate* estimate, const ZonedBody* zones,
-                                  const SurfaceMask* mask, const ToleranceSettings& tolerance) {
-    PlacesToCheck uncertain = placesToCheck(laid, estimate ? estimate->pointErrors : nothingKnown,
-                                            zones, mask, tolerance);
+                                  const NumericalErrorEstimate* estimate,
+                                  const JudgedSurface& surface,
+                                  const ToleranceSettings& tolerance) {
+    PlacesToCheck uncertain =
+        placesToCheck(laid, estimate ? estimate->pointErrors : nothingKnown, surface, tolerance);
     if (!estimate) {
         found.add({Kind::NotAsked, Advice::NotJudged});
     } else if (!estimate->failure.isEmpty()) {
         found.add({Kind::NotCompared, Advice::CheckFirst, 0, 0, estimate->failure});
     } else {
-        addEstimateReasons(found, *estimate, uncertain.zones, laid.film().grid, zones != nullptr);
+        addEstimateReasons(found, *estimate, uncertain, laid.film().grid, surface.zones != nullptr);
     }
     return uncertain;
 }
@@ -131,7 +139,7 @@ void addSentence(ReasonList& found, Kind kind, const QString& sentence) {
 void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSettings& limits) {
     const double painted = dip.coverage.paintedArea;
     if (painted <= 0) {
-        const bool isMasked = dip.mask && coverage(dip.laid).paintedArea > 0;
+        const bool isMasked = dip.surface.mask && coverage(dip.laid).paintedArea > 0;
         found.add({isMasked ? Kind::AllMasked : Kind::Unpainted, Advice::DoNotPrint});
         return;
     }
@@ -178,6 +186,14 @@ void ReasonList::add(VerdictReason reason) {
     reasons_.push_back(std::move(reason));
 }
 
+void ReasonList::add(ReasonList reasons, std::optional<Zone> zone, const QString& body) {
+    for (VerdictReason& reason : reasons.reasons_) {
+        reason.zone = zone;
+        reason.body = body;
+        add(std::move(reason));
+    }
+}
+
 void ReasonList::addShare(Kind kind, double share, double limit, std::optional<Zone> zone,
                           double most) {
     if (share > limit) {
@@ -220,8 +236,8 @@ Verdict verdict(const JudgedDip& dip, const ToleranceSettings& tolerance,
     addBalanceReason(found, dip.laid);
     PlacesToCheck uncertain;
     if (dip.coverage.paintedArea > 0) {
-        uncertain = addNumericalReasons(found, dip.laid, dip.numericalError, dip.zones, dip.mask,
-                                        tolerance);
+        uncertain =
+            addNumericalReasons(found, dip.laid, dip.numericalError, dip.surface, tolerance);
     }
     addPaintReasons(found, dip, limits);
     addBuiltReasons(found, dip.built);
@@ -244,11 +260,10 @@ std::optional<VerdictReason> riseReason(const solver::BodyPath& path, const Tria
 }
 
 Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
-                         const ZonedBody* zones, const SurfaceMask* mask,
-                         const ToleranceSettings& tolerance) {
+                         const JudgedSurface& surface, const ToleranceSettings& tolerance) {
     ReasonList found;
     addBalanceReason(found, laid);
-    addNumericalReasons(found, laid, estimate, zones, mask, tolerance);
+    addNumericalReasons(found, laid, estimate, surface, tolerance);
     return std::move(found).verdict();
 }
 
@@ -306,6 +321,7 @@ constexpr std::array kindWords{KindWords{"not_asked", ""},
                                KindWords{"narrow_seam", "share.overlap_mm"},
                                KindWords{"misassigned", "share.marks"},
                                KindWords{"zone_bare", "verdict.zone_bare"},
+                               KindWords{"body_bare", "verdict.least_painted"},
                                KindWords{"zone_exceeded", "tolerance.limits_mm"},
                                KindWords{"no_picture", "verdict.no_picture"},
                                KindWords{"hidden_inks", ""},

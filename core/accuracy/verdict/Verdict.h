@@ -7,6 +7,7 @@
 #include "accuracy/tolerance/Zones.h"
 #include "dip/Coverage.h"
 #include "dip/TankFit.h"
+#include "model/SeparateBodies.h"
 #include "settings/AsBuilt.h"
 #include "settings/VerdictSettings.h"
 
@@ -57,6 +58,7 @@ struct VerdictReason {
         NarrowSeam,   // half of the overlap is at most `value` mm wide; the user wants `limit` mm
         Misassigned,  // one dip paints the share `value` of the area that marks give to the other
         ZoneBare,     // the share `value` of the zone is not painted
+        BodyBare,     // only the share `value` of the separate body is painted, less than `limit`
         ZoneExceeded, // handling and numerical error together: 95 % of the zone's painted area is
                       // within `value` mm, which exceeds `limit`
         NoPicture,    // the model has one plain colour
@@ -87,6 +89,7 @@ struct VerdictReason {
     QString text = {};
     double most = 0;
     std::optional<Zone> zone = {}; // set if the reason is about one zone
+    QString body = {};             // name of the separate body that the reason is about; or empty
     bool isOnlyDip = false;        // the job has no other dip, so a second one is possible
 };
 
@@ -147,15 +150,21 @@ inline constexpr double largestCellNamed = 0.7937; // 2^(−1/3)
 inline constexpr std::size_t mostPlaces = 12;
 inline constexpr double leastPlaceArea = 1; // mm²: smaller places cannot be inspected
 
+// What distinguishes places of the body for its verdict.
+struct JudgedSurface {
+    const ZonedBody* zones = nullptr;       // null: the whole body is in zone C
+    const SurfaceMask* mask = nullptr;      // masked surface is not judged; null: none
+    const SeparateBodies* bodies = nullptr; // null: one body
+};
+
 // A dip and everything that its verdict needs.
 struct JudgedDip {
     const LaidFilm& laid;
     const Coverage& coverage;
     const NumericalErrorEstimate* numericalError = nullptr; // null: not requested
     double paleArea = 0;                                    // mm² of the body with too little ink
-    const ZonedBody* zones = nullptr;                       // null: the whole body is in zone C
+    JudgedSurface surface = {};
     std::vector<TankFault> tankFaults = {}; // limits of the tank that the dip exceeds
-    const SurfaceMask* mask = nullptr;      // masked surface is not judged; null: none
     bool isOnlyDip = false;                 // the job has no other dip
     bool takesInk = true;                   // the sheet's picture has ink
     QString lostPlates = {}; // sentences on plates that the printer cannot print; empty: none
@@ -175,13 +184,14 @@ std::optional<VerdictReason> riseReason(const solver::BodyPath& path, const Tria
 
 // Returns the part of the verdict that is about the numerical error; without places.
 Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
-                         const ZonedBody* zones, const SurfaceMask* mask,
-                         const ToleranceSettings& tolerance);
+                         const JudgedSurface& surface, const ToleranceSettings& tolerance);
 
 // Collects reasons; the verdict is the worst of them.
 class ReasonList {
 public:
     void add(VerdictReason reason);
+    // Adds reasons that are about one zone or one separate body.
+    void add(ReasonList reasons, std::optional<Zone> zone, const QString& body);
     // Adds a reason if the share exceeds its limit. The advice is CheckFirst, or DoNotPrint if the
     // share exceeds doNotPrintFactor times the limit.
     void addShare(VerdictReason::Kind kind, double share, double limit,
@@ -190,6 +200,7 @@ public:
     // Coverage::tornBareShare(). Of two dips, the other may paint it, so Kind::Unreached decides.
     void addTornBare(double share);
     bool isEmpty() const { return reasons_.empty(); }
+    std::size_t size() const { return reasons_.size(); }
     // Returns the verdict. Its reasons are sorted, the worst first; equally bad ones keep the order
     // in which they were added. Without reasons the advice is `Print`.
     // `isOnlyDip`: VerdictReason::isOnlyDip of all reasons.

@@ -192,6 +192,12 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
                    "%1 % of the zone is not painted; the limit is %2 %. Turn the part so that film "
                    "reaches it.")
             .arg(shares[0], shares[1]);
+    case Kind::BodyBare:
+        return Text::tr(
+                   "Only %1 % of this body is painted; the limit is %2 %. Move or turn it, dip "
+                   "deeper, or set smaller cells if it is small. If it is to stay bare, mask "
+                   "it.")
+            .arg(shares[0], shares[1]);
     case Kind::ZoneExceeded:
         return Text::tr("Handling and numerical error together: at most ±%1 on 95 % of the painted "
                         "area; the limit is ±%2. Reduce the largest cause that the results list "
@@ -295,7 +301,10 @@ QString reasonText(const VerdictReason& reason, const LengthText& length) {
     if (reason.isOnlyDip && secondDipHelps(reason.kind)) {
         text += QLatin1Char(' ') + Text::tr("A second dip may help, too.");
     }
-    return reason.zone ? Text::tr("Zone %1: %2").arg(zoneName(*reason.zone), text) : text;
+    if (reason.zone) {
+        text = Text::tr("Zone %1: %2").arg(zoneName(*reason.zone), text);
+    }
+    return reason.body.isEmpty() ? text : Text::tr("%1: %2").arg(reason.body, text);
 }
 
 QString placeText(const PlaceToCheck& place, const LengthText& length, const LengthText& area) {

@@ -1,5 +1,6 @@
 // Tests verdicts on films whose positions the test sets, with and without an estimate of the
 // numerical error.
+#include "accuracy/verdict/BareZones.h"
 #include "accuracy/verdict/FinerFilm.h"
 
 #include "DippedByHand.h"
@@ -44,7 +45,7 @@ NumericalErrorEstimate movedBy(const LaidFilm& laid, double change) {
 
 Verdict judged(const LaidFilm& laid, const NumericalErrorEstimate* estimate,
                const ZonedBody* zones = nullptr, const ToleranceSettings& tolerance = {}) {
-    return verdict({laid, coverage(laid), estimate, 0, zones}, tolerance, {});
+    return verdict({laid, coverage(laid), estimate, 0, {zones}}, tolerance, {});
 }
 
 // Sets the error of the first `share` of the film's points on the body.
@@ -313,6 +314,60 @@ private slots:
         }
     }
 
+    // The small box is 1 % of the painted area. Its error is unknown.
+    void verdict_smallBodyBesideLargeOne_isJudgedByItself() {
+        TexturedMesh model = test::plainModel(boxMesh(boxSize), Qt::white);
+        const TriangleMesh small = boxMesh({4, boxSize.y(), 4});
+        const auto first = std::uint32_t(model.mesh.positions.size());
+        for (const Eigen::Vector3f& position : small.positions) {
+            model.mesh.positions.push_back(position + Eigen::Vector3f(25, 0, 0));
+        }
+        for (const auto& [a, b, c] : small.triangles) {
+            model.mesh.triangles.push_back({first + a, first + b, first + c});
+        }
+        model.materials.push_back({QStringLiteral("Knob: brass"), Qt::white});
+        model.material.resize(model.mesh.triangles.size(), 1);
+        const auto bodies = separateBodies(model);
+        QVERIFY(bodies);
+        QCOMPARE(bodies->names.size(), 2);
+        QCOMPARE(bodies->names[1], QStringLiteral("“Knob”"));
+
+        DippedFilm film = test::flatUnderBox({61, 61, 60, 60}, boxSize);
+        const auto isUnderSmall = [&](std::size_t point) {
+            const Eigen::Vector2f rest = restPosition(film.grid, point);
+            return std::abs(rest.x() - 25) <= 2 && std::abs(rest.y()) <= 2;
+        };
+        for (std::size_t point = 0; point < film.states.size(); ++point) {
+            if (isUnderSmall(point)) {
+                film.states[point] = solver::PointState::Adhered;
+            }
+        }
+        const auto laid = test::laid(model.mesh, film);
+        NumericalErrorEstimate estimate = agreement(*laid);
+        for (std::size_t point = 0; point < film.states.size(); ++point) {
+            if (isUnderSmall(point)) {
+                estimate.pointErrors[point] = std::numeric_limits<float>::quiet_NaN();
+            }
+        }
+        const Coverage covered = coverage(*laid);
+        VerdictSettings limits;
+        limits.edge = Millimetres(0);
+        QCOMPARE(verdict({*laid, covered, &estimate}, {}, limits).advice, Advice::Print);
+        const Verdict found =
+            verdict({*laid, covered, &estimate, 0, {nullptr, nullptr, bodies.get()}}, {}, limits);
+        QCOMPARE(found.advice, Advice::DoNotPrint);
+        QCOMPARE(found.reasons.front().kind, VerdictReason::Kind::UnknownError);
+        QCOMPARE(found.reasons.front().body, bodies->names[1]);
+
+        ReasonList bare;
+        const std::vector<std::uint8_t> painted{1, 0, 0};
+        addBareBodyReasons(bare, {{0, 0, 1}, {"Large", "Small"}},
+                           std::vector{middleOf(0), middleOf(1), middleOf(2)}, painted, 0.1);
+        const Verdict ofBare = std::move(bare).verdict();
+        QCOMPARE(ofBare.reasons.size(), std::size_t(1));
+        QVERIFY(reasonText(ofBare.reasons[0], millimetres).startsWith(QStringLiteral("Small: ")));
+    }
+
     void verdict_unpaintedBody_doNotPrint() {
         const Verdict bare = changedBy([](Coverage& painted, double) { painted.paintedArea = 0; });
         QCOMPARE(bare.advice, Advice::DoNotPrint);
@@ -328,8 +383,7 @@ private slots:
         whole.extent = MarkExtent::Material;
         const auto mask = surfaceMask(model, {whole});
         const Coverage covered = coverage(*laid, mask.get());
-        const Verdict bare =
-            verdict({*laid, covered, &estimate, 0, nullptr, {}, mask.get()}, {}, {});
+        const Verdict bare = verdict({*laid, covered, &estimate, 0, {nullptr, mask.get()}}, {}, {});
         QCOMPARE(bare.advice, Advice::DoNotPrint);
         QCOMPARE(bare.reasons.size(), std::size_t(1)); // nothing on the numerical error
         QCOMPARE(bare.reasons.front().kind, VerdictReason::Kind::AllMasked);

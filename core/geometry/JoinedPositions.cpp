@@ -1,0 +1,28 @@
+#include "geometry/JoinedPositions.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace dipwright {
+
+JoinedPositions::JoinedPositions(const TriangleMesh& mesh) : parent_(mesh.positions.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    for (const auto& [a, b, c] : mesh.triangles) {
+        join(a, b);
+        join(b, c);
+    }
+}
+
+std::uint32_t JoinedPositions::pieceOf(std::uint32_t position) {
+    while (parent_[position] != position) {
+        position = parent_[position] = parent_[parent_[position]];
+    }
+    return position;
+}
+
+void JoinedPositions::join(std::uint32_t one, std::uint32_t other) {
+    const auto [lower, higher] = std::minmax({pieceOf(one), pieceOf(other)});
+    parent_[higher] = lower;
+}
+
+} // namespace dipwright
