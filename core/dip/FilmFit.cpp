@@ -37,7 +37,8 @@ QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& fil
             .arg(film.height.value())
             .arg(film.width.value());
     }
-    return least ? Text::tr("choose a film of at least %1 × %2 mm")
+    return least ? Text::tr("choose a film that is clearly larger than %1 × %2 mm, because film "
+                            "also covers the part's sides")
                        .arg(std::max(least->width, film.width.value()))
                        .arg(std::max(least->height, film.height.value()))
                  : Text::tr("check the model's size and unit, because no film is larger than %1 mm")
