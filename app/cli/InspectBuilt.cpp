@@ -78,7 +78,8 @@ void requireDips(const std::vector<PrintedPlace>& places, const Project& project
 void addPart(Project& project, const QStringList& files, const QCommandLineParser& parser,
              const std::optional<Lens>& lens,
              const std::function<QString(const std::optional<QDateTime>&)>& dateOf,
-             const Progress& progress) {
+             Console& console) {
+    const Progress progress = console.progress();
     const std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));
     const QSize picture = photos.front().picture.size();
     const std::vector<PlacePair> pairs = partPairs(parser, photos);
@@ -86,7 +87,8 @@ void addPart(Project& project, const QStringList& files, const QCommandLineParse
     requireOnBody(pairs, surface, parser.value(pairsOption));
     const PartView camera =
         fitPartCamera(pairs, int(photos.size()), picture, parser.value(pairsOption), lens);
-    const auto places = placesOnPart(photos, pairs, parser, lens, progress.part(0.1, 0.5));
+    const auto places =
+        placesOnPart(photos, pairs, parser, lens, progress.part(0.1, 0.5), console.out());
     const QString table = parser.value(parser.isSet(placesOption) ? placesOption : projectOption);
     requireDips(places, project, table);
     requireOnBody(places, surface, table);
@@ -140,11 +142,10 @@ void inspectBuilt(const QStringList& files, const QCommandLineParser& parser,
         file.emplace(path);
     }
     Project project = loadProject(path);
-    const Progress progress = console.progress();
-    addPart(project, files, parser, lens, dateOf, progress);
+    addPart(project, files, parser, lens, dateOf, console);
     setCorrection(project.asBuilt, parser);
     const QStringList sentences = writePictures(project, parser.value(QStringLiteral("out")));
-    progress(1, QStringLiteral("Done"));
+    console.progress()(1, QStringLiteral("Done"));
     const BuiltPart& part = project.asBuilt.parts.back();
     console.out() << QStringLiteral("Part %1: root mean square error %2 mm on the sheet\n")
                          .arg(project.asBuilt.parts.size())

@@ -31,13 +31,14 @@ FitRequest fitRequest(const QCommandLineParser& parser, const std::optional<Lens
 }
 
 FitPairs pairsOf(const std::vector<PartPhoto>& photos, const QCommandLineParser& parser,
-                 const std::optional<Lens>& lens, const Progress& progress) {
+                 const std::optional<Lens>& lens, const Progress& progress, QTextStream& out) {
     FitPairs pairs;
     pairs.photos = int(photos.size());
     pairs.picture = photos.front().picture.size();
     pairs.body = partPairs(parser, photos);
     pairs.where = parser.value(pairsOption);
-    pairs.printed = onJobsSheet(placesOnPart(photos, pairs.body, parser, lens, progress), parser);
+    pairs.printed =
+        onJobsSheet(placesOnPart(photos, pairs.body, parser, lens, progress, out), parser);
     return pairs;
 }
 
@@ -82,7 +83,7 @@ FittedPart fitPart(const QStringList& files, const QCommandLineParser& parser,
     const Project& project = part.project;
     const Progress progress = console.progress();
     std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.1));
-    part.pairs = pairsOf(photos, parser, lens, progress.part(0.1, 0.3));
+    part.pairs = pairsOf(photos, parser, lens, progress.part(0.1, 0.3), console.out());
     part.taken = photos.front().taken;
     for (const PartPhoto& photo : photos) {
         part.photos.push_back({photo.where, photo.sha256});

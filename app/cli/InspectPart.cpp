@@ -70,12 +70,6 @@ void printFoundCorners(const FoundPrint& print, QTextStream& out) {
                    .arg(found)
                    .arg(print.expected[photo]);
     }
-    if (!print.expected.empty()) {
-        out << (print.followsPrint
-                    ? QStringLiteral("The camera was fitted to the print, so a shift or rotation "
-                                     "of the whole print does not show\n")
-                    : QStringLiteral("The camera was fitted to the given pairs\n"));
-    }
 }
 
 } // namespace
@@ -146,11 +140,15 @@ FoundPrint searchPrint(const std::vector<PartPhoto>& photos, const std::vector<P
 std::vector<PrintedPlace> placesOnPart(const std::vector<PartPhoto>& photos,
                                        const std::vector<PlacePair>& clicked,
                                        const QCommandLineParser& parser,
-                                       const std::optional<Lens>& lens, const Progress& progress) {
+                                       const std::optional<Lens>& lens, const Progress& progress,
+                                       QTextStream& out) {
     const QString path = parser.value(placesOption);
-    return path.isEmpty()
-               ? searchPrint(photos, clicked, parser, lens, progress).places
-               : readPlaces(readSmallFile(path, mostTableBytes), int(photos.size()), path);
+    if (!path.isEmpty()) {
+        return readPlaces(readSmallFile(path, mostTableBytes), int(photos.size()), path);
+    }
+    FoundPrint print = searchPrint(photos, clicked, parser, lens, progress);
+    printFoundCorners(print, out);
+    return std::move(print.places);
 }
 
 std::vector<PrintedPlace> onJobsSheet(std::vector<PrintedPlace> places,
@@ -201,7 +199,13 @@ void inspectPart(const QStringList& files, const QCommandLineParser& parser,
     }
     writePartView(photos, pairs, print.view, print.places, parser.value(QStringLiteral("out")));
     progress(1, QStringLiteral("Done"));
-    printFoundCorners(print, console.out());
+    if (parser.isSet(projectOption)) {
+        printFoundCorners(print, console.out());
+        console.out() << (print.followsPrint
+                              ? QStringLiteral("The camera was fitted to the print, so a shift or "
+                                               "rotation of the whole print does not show\n")
+                              : QStringLiteral("The camera was fitted to the given pairs\n"));
+    }
     printAccuracy(pairs, print.view, console.out());
 }
 

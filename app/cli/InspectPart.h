@@ -25,11 +25,12 @@ std::vector<PartPhoto> readPartPhotos(const QStringList& files, const Progress& 
 // Simulates the dips of the project and returns the films as they lie on the body.
 std::vector<std::shared_ptr<const LaidFilm>> dippedFilms(Project project, const Progress& progress);
 // Returns the places of --places or, without this option, the corners of the print that were found
-// in the photos. The places are on the uncorrected sheet.
+// in the photos, and prints how many. The places are on the uncorrected sheet.
 std::vector<PrintedPlace> placesOnPart(const std::vector<PartPhoto>& photos,
                                        const std::vector<PlacePair>& clicked,
                                        const QCommandLineParser& parser,
-                                       const std::optional<Lens>& lens, const Progress& progress);
+                                       const std::optional<Lens>& lens, const Progress& progress,
+                                       QTextStream& out);
 // Converts the places to those on the sheet that was printed: the job's corrected sheet, or the
 // film image of the options.
 std::vector<PrintedPlace> onJobsSheet(std::vector<PrintedPlace> places,

@@ -2,6 +2,7 @@
 
 #include "base/Error.h"
 #include "base/NumberText.h"
+#include "inspection/SamePhoto.h"
 #include "project/Profiles.h"
 #include "sheet/page/WatchPage.h"
 
@@ -9,8 +10,8 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
+#include <span>
 
 namespace dipwright {
 
@@ -68,14 +69,8 @@ void requireBeginSeen(const FilmWatch& watch, double beyond) {
 
 // A photo that is given several times would look like film that does not grow.
 void requireDifferent(const std::vector<WatchedPhoto>& photos) {
-    std::map<QString, QString> known; // the photo of each hash
-    for (const WatchedPhoto& photo : photos) {
-        const auto [other, isNew] = known.emplace(photo.sha256, photo.where);
-        if (!isNew && !photo.sha256.isEmpty()) {
-            throw Error(Text::tr("The photo is the same as %1; give each photo only once")
-                            .arg(other->second),
-                        photo.where);
-        }
+    for (std::size_t i = 0; i < photos.size(); ++i) {
+        requireNewPhoto(std::span(photos).first(i), photos[i]);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "base/NumberText.h"
 #include "base/Png.h"
 #include "disk/FolderTransaction.h"
+#include "inspection/SamePhoto.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -230,6 +231,7 @@ std::vector<PrintedPlace> readPlaces(const QByteArray& table, int photos, const 
 }
 
 void addPartPhoto(std::vector<PartPhoto>& photos, PartPhoto photo) {
+    requireNewPhoto(photos, photo);
     const QSize size = photo.picture.size();
     if (!photos.empty() && photos.front().picture.size() != size) {
         throw Error(

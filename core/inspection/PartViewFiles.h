@@ -31,8 +31,8 @@ struct PartPhoto {
 // pixel.
 inline constexpr qint64 mostPartPixels = 400'000'000;
 
-// Adds a photo of the part. Throws Error, without changing `photos`, if its size differs from the
-// others' or if all together exceed mostPartPixels.
+// Adds a photo of the part. Throws Error, without changing `photos`, if it is the same as another,
+// if its size differs from the others', or if all together exceed mostPartPixels.
 void addPartPhoto(std::vector<PartPhoto>& photos, PartPhoto photo);
 
 // Returns the photo with a line from each expected place towards the seen place, as in the paper's

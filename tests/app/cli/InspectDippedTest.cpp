@@ -64,7 +64,26 @@ private slots:
         writeFile(path("places.csv"), places);
         QImage photo(pairs.picture, QImage::Format_Grayscale8);
         photo.fill(128);
-        QVERIFY(photo.save(path("1.png")) && photo.save(path("2.png")));
+        QVERIFY(photo.save(path("1.png")));
+        photo.fill(129); // the same photo twice is refused
+        QVERIFY(photo.save(path("2.png")));
+    }
+
+    // Each place of a copied photo would count twice.
+    void inspect_samePhotoTwice_isRefused() {
+        QVERIFY(QFile::copy(path("1.png"), path("copy.png")));
+        for (const QStringList& with :
+             {words("part", {"--keep-camera"}), words("fit", {"--fit", "shift_x"}),
+              words("built", {"--accepted-by", "Ada"})}) {
+            QStringList copied = with;
+            copied.replaceInStrings(path("2.png"), path("copy.png"));
+            const Outcome outcome = cli(copied);
+            QCOMPARE(outcome.exitCode, 1);
+            QCOMPARE(outcome.errorLines().size(), 1);
+            QVERIFY2(outcome.err.contains("The photo is the same as"), outcome.err.constData());
+            QVERIFY2(outcome.err.contains("1.png") && outcome.err.contains("copy.png"),
+                     outcome.err.constData());
+        }
     }
 
     void inspect_invalidInput_isRefusedInOneSentence() {
