@@ -111,7 +111,8 @@ std::vector<TextureCorner> cornersIn(const QImage& texture) {
     const Eigen::Vector2d scale(double(full.cols) / grey.cols, double(full.rows) / grey.rows);
     cv::Mat blurred;
     cv::GaussianBlur(grey, blurred, {}, 1);
-    const GreyLevels levels = levelsOf(grey);
+    // The edges of a generated picture are too sharp to be refined; blur does not move corners.
+    const GreyLevels levels = levelsOf(blurred);
     std::vector<TextureCorner> corners;
     for (const CornerGrid& grid : findGrids(blurred, findSaddles(blurred))) {
         for (const auto& [at, place] : grid.corners) {

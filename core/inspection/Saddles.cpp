@@ -15,8 +15,9 @@ namespace {
 
 constexpr double leastStrength = 0.02;
 constexpr double leastContrast = 0.02;
-constexpr double saddleBlur = 2; // pixels
-constexpr int ringRadius = 5;    // pixels; squares must be at least twice as large
+constexpr double saddleBlur = 2;   // pixels
+constexpr int strongestWithin = 3; // pixels to each side, less than ringRadius
+constexpr int ringRadius = 5;      // pixels; squares must be at least twice as large
 constexpr int ringPlaces = 48;
 constexpr std::size_t mostSaddles = 20'000;
 
@@ -35,6 +36,33 @@ cv::Mat saddleStrength(const cv::Mat& grey) {
     cv::Mat strength;
     cv::divide(xy.mul(xy) - xx.mul(yy), variance, strength, std::pow(saddleBlur, 4));
     return strength;
+}
+
+// If a corner lies on the boundary between pixels, the pixels beside it are equally strong. Returns
+// whether the pixel is the first of them, in the order of rows.
+bool isFirstOfEqual(const cv::Mat& strength, int row, int column) {
+    const float here = strength.at<float>(row, column);
+    for (int y = row - strongestWithin; y <= row; ++y) {
+        const int last = y < row ? column + strongestWithin : column - 1;
+        for (int x = column - strongestWithin; x <= last; ++x) {
+            if (strength.at<float>(y, x) == here) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+// Returns the place of the peak, from parabolas through the pixels beside the strongest.
+Eigen::Vector2d peakNear(const cv::Mat& strength, int row, int column) {
+    const auto offset = [](double before, double here, double after) {
+        const double curvature = before - 2 * here + after;
+        return curvature < 0 ? (before - after) / (2 * curvature) : 0;
+    };
+    const auto at = [&](int y, int x) { return double(strength.at<float>(y, x)); };
+    const double here = at(row, column);
+    return {column + 0.5 + offset(at(row, column - 1), here, at(row, column + 1)),
+            row + 0.5 + offset(at(row - 1, column), here, at(row + 1, column))};
 }
 
 struct Ring {
@@ -131,14 +159,16 @@ double greyAt(const cv::Mat& grey, const Eigen::Vector2d& place) {
 std::vector<Saddle> findSaddles(const cv::Mat& blurred) {
     const cv::Mat strength = saddleStrength(blurred);
     cv::Mat highest;
-    cv::dilate(strength, highest, cv::getStructuringElement(cv::MORPH_RECT, {7, 7}));
+    constexpr int side = 2 * strongestWithin + 1;
+    cv::dilate(strength, highest, cv::getStructuringElement(cv::MORPH_RECT, {side, side}));
     std::vector<Saddle> saddles;
     for (int row = ringRadius; row < strength.rows - ringRadius; ++row) {
         const auto* line = strength.ptr<float>(row);
         const auto* top = highest.ptr<float>(row);
         for (int column = ringRadius; column < strength.cols - ringRadius; ++column) {
-            if (line[column] > float(leastStrength) && line[column] == top[column]) {
-                saddles.push_back({{column + 0.5, row + 0.5}, double(line[column]), 0, {}});
+            if (line[column] > float(leastStrength) && line[column] == top[column] &&
+                isFirstOfEqual(strength, row, column)) {
+                saddles.push_back({peakNear(strength, row, column), double(line[column]), 0, {}});
             }
         }
     }
