@@ -70,6 +70,9 @@ void printFoundCorners(const FoundPrint& print, QTextStream& out) {
                    .arg(found)
                    .arg(print.expected[photo]);
     }
+    if (!print.doubt.isEmpty()) {
+        out << print.doubt << '\n';
+    }
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "inspection/FindPrint.h"
 
 #include "base/Error.h"
+#include "base/NumberText.h"
 #include "geometry/SurfaceQuery.h"
 #include "inspection/RefineCorner.h"
 #include "inspection/Saddles.h"
@@ -32,7 +33,17 @@ constexpr double leastAlike = 0.75;    // correlation with the pattern of four s
 constexpr double neighbours = 1.6;     // squares within which corners are neighbours
 constexpr double mostDeviation = 0.35; // steps from the place that the neighbours suggest
 constexpr double leastShare = 0.25;    // share of the expected corners that a photo must show
-constexpr int rounds = 3; // repetitions of finding corners and fitting the camera to them
+constexpr double mostSwapped = 0.5; // of the expected corners, if black and white are not swapped
+constexpr int rounds = 3;           // repetitions of finding corners and fitting the camera to them
+
+double median(std::vector<double> values) {
+    if (values.empty()) {
+        return 0;
+    }
+    const auto half = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), half, values.end());
+    return *half;
+}
 
 // A corner at the place where the camera should see it.
 struct Expected {
@@ -109,10 +120,11 @@ public:
     }
 
     // Returns the best match within `reach` steps of `place`.
-    Alike bestNear(const Expected& at, const Eigen::Vector2d& place, double reach) const {
+    Alike bestNear(const Expected& at, const Eigen::Vector2d& place, double reach,
+                   bool isSwapped) const {
         constexpr double step = 0.05;
         const int count = int(std::ceil(reach / step));
-        const bool isDark = corners_[at.corner].isDark;
+        const bool isDark = corners_[at.corner].isDark != isSwapped;
         Alike best;
         for (int i = -count; i <= count; ++i) {
             for (int j = -count; j <= count; ++j) {
@@ -127,13 +139,9 @@ public:
         return best;
     }
 
-    bool isMirrored(const Expected& at) const {
-        return alike(blurred_, at, at.pixel, corners_[at.corner].isDark) < -leastAlike;
-    }
-
     std::optional<Eigen::Vector2d> found(const Expected& at, const Eigen::Vector2d& place,
-                                         double reach) const {
-        const Alike best = bestNear(at, place, reach);
+                                         double reach, bool isSwapped) const {
+        const Alike best = bestNear(at, place, reach, isSwapped);
         if (best.correlation < leastAlike) {
             return std::nullopt;
         }
@@ -158,12 +166,13 @@ private:
     QSize size_;
 };
 
-// Finds the corners of one photo, spreading from found corners to their neighbours.
+// Finds the corners of one photo, spreading from found corners to their neighbours. If `isSwapped`,
+// finds those of a print with black and white swapped.
 class PhotoCorners {
 public:
     PhotoCorners(const PhotoSearch& search, const std::vector<PrintedCorner>& corners,
-                 std::vector<Expected> expected)
-        : search_(search), corners_(corners), expected_(std::move(expected)),
+                 std::vector<Expected> expected, bool isSwapped = false)
+        : search_(search), corners_(corners), expected_(std::move(expected)), isSwapped_(isSwapped),
           found_(expected_.size()) {}
 
     void find() {
@@ -181,6 +190,21 @@ public:
     std::size_t count() const {
         return std::size_t(std::count_if(found_.begin(), found_.end(),
                                          [](const auto& place) { return place.has_value(); }));
+    }
+    // Returns the distances of the found corners from their expected places, in steps.
+    std::vector<double> distances() const {
+        std::vector<double> all;
+        for (std::size_t i = 0; i < found_.size(); ++i) {
+            if (found_[i]) {
+                all.push_back(inSteps(i).norm());
+            }
+        }
+        return all;
+    }
+    double distance() const { return median(distances()); }
+    bool isEnough() const {
+        return count() >= std::size_t(leastPairs) &&
+               double(count()) >= leastShare * double(expected_.size());
     }
 
 private:
@@ -204,8 +228,8 @@ private:
         parallelFor(std::size_t(0), which.size(), [&](std::size_t i) {
             const Expected& at = expected_[which[i]];
             const Eigen::Vector2d move = moved(which[i]).value_or(Eigen::Vector2d::Zero());
-            places[i] =
-                search_.found(at, at.pixel + move.x() * at.right + move.y() * at.down, reach);
+            places[i] = search_.found(at, at.pixel + move.x() * at.right + move.y() * at.down,
+                                      reach, isSwapped_);
         });
         for (std::size_t i = 0; i < which.size(); ++i) {
             found_[which[i]] = places[i];
@@ -229,12 +253,7 @@ private:
         if (right.empty()) {
             return std::nullopt;
         }
-        const auto middle = [](std::vector<double>& values) {
-            const auto half = values.begin() + std::ptrdiff_t(values.size() / 2);
-            std::nth_element(values.begin(), half, values.end());
-            return *half;
-        };
-        return Eigen::Vector2d(middle(right), middle(down));
+        return Eigen::Vector2d(median(right), median(down));
     }
 
     Eigen::Vector2d inSteps(std::size_t which) const {
@@ -263,22 +282,33 @@ private:
     const PhotoSearch& search_;
     const std::vector<PrintedCorner>& corners_;
     std::vector<Expected> expected_;
+    bool isSwapped_;
     std::vector<std::optional<Eigen::Vector2d>> found_; // per expected corner
 };
 
-// Returns the error text for a photo that does not show the expected corners.
-QString notSeen(const PhotoSearch& search, const PhotoCorners& corners, int photo) {
-    std::size_t mirrored = 0;
-    for (const Expected& at : corners.expected()) {
-        mirrored += search.isMirrored(at);
+// Tells whether the corners of a print with black and white swapped match the photo better: they
+// are found, and lie less than half as far from their expected places. In an inverted photo, the
+// search finds most corners at the places of their neighbours.
+bool isSwapped(const PhotoSearch& search, const std::vector<PrintedCorner>& corners,
+               const PhotoCorners& found) {
+    if (found.isEnough() && found.distance() < mostClearSteps) {
+        return false;
     }
+    PhotoCorners swapped(search, corners, found.expected(), true);
+    swapped.find();
+    return double(swapped.count()) > mostSwapped * double(found.expected().size()) &&
+           (!found.isEnough() || 2 * swapped.distance() < found.distance());
+}
+
+// Returns the error text for a photo that does not show the expected corners.
+QString notSeen(const PhotoCorners& corners, bool isSwapped, int photo) {
     const std::size_t should = corners.expected().size();
     if (should == 0) {
         return Text::tr("According to the places given for it, photo %1 shows none of the print; "
                         "give the places again, or photograph the dipped side")
             .arg(photo + 1);
     }
-    if (double(mirrored) > 0.5 * double(should)) {
+    if (isSwapped) {
         return Text::tr("In photo %1, black and white are swapped; the film was laid with its ink "
                         "side down, or shifted by one square")
             .arg(photo + 1);
@@ -288,6 +318,19 @@ QString notSeen(const PhotoSearch& search, const PhotoCorners& corners, int phot
         .arg(should)
         .arg(photo + 1)
         .arg(corners.count());
+}
+
+// Returns a sentence if corners with these distances from their expected places, in squares, may be
+// others than they are taken for.
+QString confusion(std::vector<double> distances) {
+    const double distance = median(distances);
+    return distance <= mostClearSteps
+               ? QString()
+               : Text::tr(
+                     "The corners found are %1 of a square from their expected places (median). "
+                     "Above %2, a corner may be confused with the one a diagonal away, so check "
+                     "one corner on the part by hand, or use larger squares")
+                     .arg(numberText(distance, 2), numberText(mostClearSteps, 2));
 }
 
 void append(const PhotoCorners& found, const std::vector<PrintedCorner>& corners, int photo,
@@ -319,6 +362,7 @@ FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& mode
     const SurfaceQuery body(model);
     FoundPrint print;
     print.view = fitPartCamera(clicked, count, size, where, settings.lens);
+    std::vector<double> distances;
     for (int round = 0; round < rounds; ++round) {
         print.places.clear();
         print.expected.clear();
@@ -328,9 +372,13 @@ FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& mode
             const PhotoSearch search(photos[std::size_t(photo)], corners); // large: one at a time
             PhotoCorners found(search, corners, search.expected(print.view, photo, body));
             found.find();
-            if (found.count() < std::size_t(leastPairs) ||
-                double(found.count()) < leastShare * double(found.expected().size())) {
-                throw Error(notSeen(search, found, photo), where);
+            const bool swapped = isSwapped(search, corners, found);
+            if (swapped || !found.isEnough()) {
+                throw Error(notSeen(found, swapped, photo), where);
+            }
+            if (round == 0) { // later cameras may follow the print
+                const std::vector<double> own = found.distances();
+                distances.insert(distances.end(), own.begin(), own.end());
             }
             print.expected.push_back(int(found.expected().size()));
             append(found, corners, photo, print.places);
@@ -345,6 +393,7 @@ FoundPrint findPrint(const std::vector<QImage>& photos, const TriangleMesh& mode
             break; // the corners do not determine a camera, for example if all lie on one face
         }
     }
+    print.doubt = confusion(distances);
     print.view = viewOf(print.view, pairsOf(print.places), size);
     return print;
 }

@@ -9,6 +9,7 @@
 #include "inspection/PrintedPlace.h"
 
 #include <QImage>
+#include <QString>
 
 namespace dipwright {
 
@@ -20,11 +21,18 @@ struct FindPrintSettings {
     std::optional<Lens> lens; // known from an earlier measurement of the camera
 };
 
+// Squares. Corners of the same colours are a diagonal apart, 1.41 squares. A corner that is found
+// nearer than this would have to be off by a whole square if it were another one.
+inline constexpr double mostClearSteps = 0.35;
+
 struct FoundPrint {
     std::vector<PrintedPlace> places; // photo by photo
     std::vector<int> expected;        // per photo: the number of corners that should be visible
-    bool followsPrint = false;        // whether the camera is fitted to the found places
-    PartView view;                    // camera; PartView::off is the error at the found places
+    // Set if the median distance of the corners from where the camera of the clicked pairs should
+    // see them is more than mostClearSteps: each may be a neighbour of the corner it is taken for.
+    QString doubt;
+    bool followsPrint = false; // whether the camera is fitted to the found places
+    PartView view;             // camera; PartView::off is the error at the found places
 };
 
 // Returns the corners of the print that the photos show. `clicked` holds at least six pairs per

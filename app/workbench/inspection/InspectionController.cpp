@@ -79,6 +79,7 @@ MeasuredPart ofCorners(std::vector<PartPhoto> photos, const Project& project,
             pairsOf(print.places),
             print.places,
             print.expected,
+            print.doubt,
             print.followsPrint,
             print.view,
             dips};

@@ -16,6 +16,7 @@ struct MeasuredPart {
     std::vector<PlacePair> pairs;
     std::vector<PrintedPlace> places; // the corners that were found
     std::vector<int> expected;        // number of corners in each photo
+    QString doubt;                    // see FoundPrint
     bool followsPrint = false;
     PartView view;
     std::vector<std::shared_ptr<const LaidFilm>> dips; // the simulated films for comparison

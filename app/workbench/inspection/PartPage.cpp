@@ -321,6 +321,9 @@ void PartPage::say() {
                                "shift or rotation of the whole image is not "
                                "measured.")
                           : tr("The camera was fitted to the pairs."));
+            if (!measured_->doubt.isEmpty()) {
+                lines << measured_->doubt + u'.';
+            }
         }
         hint_->setText(lines.join(u' '));
         return;

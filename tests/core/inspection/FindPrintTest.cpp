@@ -125,6 +125,18 @@ Project ballJob() {
     return project;
 }
 
+// Returns a photo of the ball with its print turned about Y by a number of squares.
+QImage turnedBall(double squares) {
+    return partPhoto(ball(),
+                     [&](const SurfacePoint& point) {
+                         const Eigen::Vector3d place = position(ball(), point).cast<double>();
+                         return paintedBall(
+                             Eigen::AngleAxisd(squares * squareAngle, Eigen::Vector3d::UnitY()) *
+                             place);
+                     },
+                     camera(), {});
+}
+
 QString errorOf(const QImage& photo, const std::vector<PlacePair>& pairs) {
     try {
         foundOn(photo, pairs);
@@ -233,6 +245,24 @@ private slots:
                 away.norm() < 0.5,
                 qPrintable(QStringLiteral("the corner is %1 px from its place, expected < 0.5 px")
                                .arg(away.norm())));
+        }
+    }
+
+    // In an inverted photo, most corners of a shifted print are found at the places of their
+    // neighbours.
+    void findPrint_invertedPhotoOfShiftedPrint_isRefused() {
+        QImage photo = turnedBall(0.25);
+        photo.invertPixels();
+        const QString error = errorOf(photo, clicked(ballCorners(), camera(), 0, 40, 0, 3));
+        QVERIFY2(error.contains(QStringLiteral("swapped")), qPrintable(error));
+    }
+
+    void findPrint_printOffByNearlyHalfASquare_isTold() {
+        for (const auto& [squares, isTold] : {std::pair(0.25, false), std::pair(0.45, true)}) {
+            const FoundPrint print =
+                foundOn(turnedBall(squares), clicked(ballCorners(), camera(), 0, 40, 0, 3));
+            QVERIFY2(print.doubt.contains(QStringLiteral("diagonal")) == isTold,
+                     qPrintable(print.doubt));
         }
     }
 
