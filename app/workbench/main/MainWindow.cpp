@@ -26,6 +26,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMimeData>
@@ -82,6 +83,11 @@ MainWindow::MainWindow(Workbench& workbench)
 }
 
 MainWindow::~MainWindow() {
+    // A dialog reads a number that is being typed when it is hidden, and its destructor is too late
+    // for that.
+    for (QDialog* dialog : findChildren<QDialog*>()) {
+        dialog->hide();
+    }
     parts_.properties->setDocument(nullptr);
     parts_.tree->setDocument(nullptr);
     session_.setDocument(nullptr);

@@ -80,6 +80,22 @@ private slots:
         workbench_.reset();
     }
 
+    // A dialog's own parts are gone when its base class hides it.
+    void window_destroyedWhileNumberIsTyped_isReadByWholeDialog() {
+        WindowDriver(*window_).trigger("packJobs");
+        auto* spacing = window_->findChild<NumberBox*>(QStringLiteral("packSpacing"));
+        QVERIFY(spacing && spacing->isVisible());
+        QTest::keyClick(spacing, Qt::Key_A, Qt::ControlModifier);
+        QTest::keyClicks(spacing, QStringLiteral("12"));
+        bool isWhole = false;
+        connect(spacing, &NumberBox::valueChanged, spacing, [&] {
+            isWhole = spacing->window()->metaObject()->className() !=
+                      QDialog::staticMetaObject.className();
+        });
+        window_.reset();
+        QVERIFY(isWhole);
+    }
+
     void layout_savedByName_isRestored() {
         const WindowDriver driver(*window_);
         QVERIFY(makeProject());
