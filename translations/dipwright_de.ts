@@ -503,10 +503,6 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>choose a film of at least %1 × %2 mm</source>
-        <translation>wählen Sie einen Film von mindestens %1 × %2 mm</translation>
-    </message>
-    <message>
         <source>Torn film</source>
         <translation>Gerissener Film</translation>
     </message>
@@ -557,6 +553,14 @@
     <message>
         <source>check the model&apos;s size and unit, because no film is larger than %1 mm</source>
         <translation>prüfen Sie Größe und Einheit des Modells, weil kein Film größer als %1 mm ist</translation>
+    </message>
+    <message>
+        <source>turn the film by 90° (%1 × %2 mm)</source>
+        <translation>drehen Sie den Film um 90° (%1 × %2 mm)</translation>
+    </message>
+    <message>
+        <source>choose a film that is clearly larger than %1 × %2 mm, because film also covers the part&apos;s sides</source>
+        <translation>wählen Sie einen Film, der deutlich größer als %1 × %2 mm ist, weil Film auch die Seiten des Teils bedeckt</translation>
     </message>
 </context>
 <context>
@@ -2779,6 +2783,10 @@
         <source>as_built.places names a part that is not in as_built.parts</source>
         <translation>as_built.places nennt ein Teil, das nicht in as_built.parts steht</translation>
     </message>
+    <message>
+        <source>A layer has no such setting; its settings are %1</source>
+        <translation>Eine Ebene hat keine solche Einstellung; ihre Einstellungen sind %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -4475,6 +4483,17 @@
     </message>
 </context>
 <context>
+    <name>SeparateBodies</name>
+    <message>
+        <source>The body at X %1, Y %2, Z %3 mm</source>
+        <translation>Der Körper bei X %1, Y %2, Z %3 mm</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+</context>
+<context>
     <name>Separation</name>
     <message>
         <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
@@ -5559,6 +5578,10 @@
         <source>%1: the part moves at %2 mm/s on its path; the usual range is %3 to %4 mm/s. Check the times of the poses.</source>
         <translation>%1: Das Teil bewegt sich auf seiner Bahn mit %2 mm/s; üblich sind %3 bis %4 mm/s. Prüfen Sie die Zeiten der Posen.</translation>
     </message>
+    <message>
+        <source>Only %1 % of this body is painted; the limit is %2 %. Move or turn it, dip deeper, or set smaller cells if it is small. If it is to stay bare, mask it.</source>
+        <translation>Nur %1 % dieses Körpers werden bemalt; die Grenze ist %2 %. Verschieben oder drehen Sie ihn, tauchen Sie tiefer, oder setzen Sie kleinere Zellen, wenn er klein ist. Wenn er frei bleiben soll, maskieren Sie ihn.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -5619,6 +5642,10 @@
     <message>
         <source>The layer “%1” is %2 mm long, but a turn around its axis is only %3 mm, so its sides are cut off; make it smaller</source>
         <translation>Die Ebene „%1“ ist %2 mm lang, aber eine Umdrehung um ihre Achse nur %3 mm, daher sind ihre Seiten abgeschnitten; machen Sie sie kleiner</translation>
+    </message>
+    <message>
+        <source>The layers “%1” and “%2” are both printed in %3, but with another colour or order; those of “%1” count. Give both layers the same</source>
+        <translation>Die Ebenen „%1“ und „%2“ werden beide in %3 gedruckt, aber mit anderer Farbe oder Reihenfolge; es gelten die von „%1“. Geben Sie beiden Ebenen die gleichen</translation>
     </message>
 </context>
 <context>
@@ -8121,10 +8148,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
         <translation>Das Modell tönt eine Textur mit der Farbe ihres Materials, was nicht gezeigt wird; wenden Sie die Farbe auf das Bild an</translation>
     </message>
     <message>
-        <source>Triangles of closed cavities that were removed: %1</source>
-        <translation>Entfernte Dreiecke geschlossener Hohlräume: %1</translation>
-    </message>
-    <message>
         <source>The model has several sets of texture coordinates, and its file does not say clearly which set its texture uses; if the texture is misplaced, delete the other sets in a modelling program</source>
         <translation>Das Modell hat mehrere Sätze von Texturkoordinaten, und seine Datei sagt nicht eindeutig, welchen Satz die Textur verwendet; wenn die Textur falsch liegt, löschen Sie die anderen Sätze in einem Modellierprogramm</translation>
     </message>
@@ -8243,6 +8266,10 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>The model has triangles that were painted in a slicer, whose paint is not shown; paint the model in a modelling program, with a texture</source>
         <translation>Das Modell hat Dreiecke, die in einem Slicer bemalt wurden; die Bemalung wird nicht gezeigt. Bemalen Sie das Modell in einem Modellierprogramm mit einer Textur</translation>
+    </message>
+    <message>
+        <source>Triangles inside the body that were removed: %1</source>
+        <translation>Entfernte Dreiecke im Inneren des Körpers: %1</translation>
     </message>
 </context>
 <context>
@@ -9426,6 +9453,10 @@ zuerst eintaucht</translation>
     <message>
         <source>Line %1 of the pairs names a place outside the photo, which has %2 × %3 pixels; correct the place</source>
         <translation>Zeile %1 der Paare nennt eine Stelle außerhalb des Fotos, das %2 × %3 Pixel hat; berichtigen Sie die Stelle</translation>
+    </message>
+    <message>
+        <source>The corners found are %1 of a square from their expected places (median). Above %2, a corner may be confused with the one a diagonal away, so check one corner on the part by hand, or use larger squares</source>
+        <translation>Die gefundenen Ecken liegen %1 eines Quadrats neben ihren erwarteten Orten (Median). Über %2 kann eine Ecke mit der diagonal benachbarten verwechselt werden; prüfen Sie deshalb eine Ecke am Teil von Hand, oder nehmen Sie größere Quadrate</translation>
     </message>
 </context>
 <context>
@@ -12097,6 +12128,14 @@ mm je mm</translation>
     <message>
         <source>The marks, the ruler or the job line cover a part of the picture, because there is no room beside it. Use larger film or paper, or do not print them</source>
         <translation>Die Marken, das Lineal oder die Auftragszeile verdecken einen Teil des Bildes, weil daneben kein Platz ist. Verwenden Sie einen größeren Film oder größeres Papier, oder drucken Sie sie nicht</translation>
+    </message>
+    <message>
+        <source>The ink %1 is a spot ink in one job and the white ink in another; rename one of them</source>
+        <translation>Die Farbe %1 ist in einem Auftrag eine Sonderfarbe und in einem anderen das Weiß; benennen Sie eine davon um</translation>
+    </message>
+    <message>
+        <source>This job&apos;s spot ink %1 is named %2 in another job; write both alike, with the same capital letters</source>
+        <translation>Die Sonderfarbe %1 dieses Auftrags heißt in einem anderen %2; schreiben Sie beide gleich, mit denselben Großbuchstaben</translation>
     </message>
 </context>
 <context>

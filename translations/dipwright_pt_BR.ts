@@ -503,10 +503,6 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>choose a film of at least %1 × %2 mm</source>
-        <translation>escolha uma película de pelo menos %1 × %2 mm</translation>
-    </message>
-    <message>
         <source>Torn film</source>
         <translation>Película rasgada</translation>
     </message>
@@ -557,6 +553,14 @@
     <message>
         <source>check the model&apos;s size and unit, because no film is larger than %1 mm</source>
         <translation>verifique o tamanho e a unidade do modelo, porque nenhuma película é maior que %1 mm</translation>
+    </message>
+    <message>
+        <source>turn the film by 90° (%1 × %2 mm)</source>
+        <translation>gire a película 90° (%1 × %2 mm)</translation>
+    </message>
+    <message>
+        <source>choose a film that is clearly larger than %1 × %2 mm, because film also covers the part&apos;s sides</source>
+        <translation>escolha uma película bem maior que %1 × %2 mm, porque ela também cobre os lados da peça</translation>
     </message>
 </context>
 <context>
@@ -2779,6 +2783,10 @@
         <source>as_built.places names a part that is not in as_built.parts</source>
         <translation>as_built.places indica uma peça que não está em as_built.parts</translation>
     </message>
+    <message>
+        <source>A layer has no such setting; its settings are %1</source>
+        <translation>Uma camada não tem essa configuração; suas configurações são %1</translation>
+    </message>
 </context>
 <context>
     <name>ProjectDifferences</name>
@@ -4475,6 +4483,17 @@
     </message>
 </context>
 <context>
+    <name>SeparateBodies</name>
+    <message>
+        <source>The body at X %1, Y %2, Z %3 mm</source>
+        <translation>O corpo em X %1, Y %2, Z %3 mm</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+</context>
+<context>
     <name>Separation</name>
     <message>
         <source>The white layer is left out: it needs a printer profile with an ICC profile in CMYK</source>
@@ -5559,6 +5578,10 @@
         <source>%1: the part moves at %2 mm/s on its path; the usual range is %3 to %4 mm/s. Check the times of the poses.</source>
         <translation>%1: a peça se move a %2 mm/s em seu percurso; a faixa usual é de %3 a %4 mm/s. Verifique os tempos das poses.</translation>
     </message>
+    <message>
+        <source>Only %1 % of this body is painted; the limit is %2 %. Move or turn it, dip deeper, or set smaller cells if it is small. If it is to stay bare, mask it.</source>
+        <translation>Apenas %1 % deste corpo são pintados; o limite é %2 %. Mova-o ou gire-o, imerja mais fundo ou ponha células menores se ele for pequeno. Se ele deve ficar sem pintura, mascare-o.</translation>
+    </message>
 </context>
 <context>
     <name>VerdictPanel</name>
@@ -5619,6 +5642,10 @@
     <message>
         <source>The layer “%1” is %2 mm long, but a turn around its axis is only %3 mm, so its sides are cut off; make it smaller</source>
         <translation>A camada “%1” tem %2 mm de comprimento, mas uma volta em torno de seu eixo tem só %3 mm, por isso seus lados são cortados; diminua-a</translation>
+    </message>
+    <message>
+        <source>The layers “%1” and “%2” are both printed in %3, but with another colour or order; those of “%1” count. Give both layers the same</source>
+        <translation>As camadas “%1” e “%2” são ambas impressas em %3, mas com outra cor ou ordem; valem as de “%1”. Dê as mesmas às duas camadas</translation>
     </message>
 </context>
 <context>
@@ -8121,10 +8148,6 @@ impresso em papel-cartão rígido e impermeável</translation>
         <translation>O modelo tinge uma textura com a cor do material, o que não é mostrado; aplique a cor à imagem</translation>
     </message>
     <message>
-        <source>Triangles of closed cavities that were removed: %1</source>
-        <translation>Triângulos de cavidades fechadas que foram removidos: %1</translation>
-    </message>
-    <message>
         <source>The model has several sets of texture coordinates, and its file does not say clearly which set its texture uses; if the texture is misplaced, delete the other sets in a modelling program</source>
         <translation>O modelo tem vários conjuntos de coordenadas de textura, e o arquivo não diz claramente qual conjunto a textura usa; se a textura estiver fora do lugar, exclua os outros conjuntos em um programa de modelagem</translation>
     </message>
@@ -8243,6 +8266,10 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>The model has triangles that were painted in a slicer, whose paint is not shown; paint the model in a modelling program, with a texture</source>
         <translation>O modelo tem triângulos pintados em um fatiador, cuja pintura não é mostrada; pinte o modelo em um programa de modelagem, com uma textura</translation>
+    </message>
+    <message>
+        <source>Triangles inside the body that were removed: %1</source>
+        <translation>Triângulos no interior do corpo que foram removidos: %1</translation>
     </message>
 </context>
 <context>
@@ -9426,6 +9453,10 @@ desce primeiro</translation>
     <message>
         <source>Line %1 of the pairs names a place outside the photo, which has %2 × %3 pixels; correct the place</source>
         <translation>A linha %1 dos pares indica um lugar fora da foto, que tem %2 × %3 pixels; corrija o lugar</translation>
+    </message>
+    <message>
+        <source>The corners found are %1 of a square from their expected places (median). Above %2, a corner may be confused with the one a diagonal away, so check one corner on the part by hand, or use larger squares</source>
+        <translation>Os cantos encontrados estão a %1 de um quadrado de seus lugares esperados (mediana). Acima de %2, um canto pode ser confundido com o vizinho na diagonal; por isso, verifique um canto na peça à mão ou use quadrados maiores</translation>
     </message>
 </context>
 <context>
@@ -12097,6 +12128,14 @@ mm por mm</translation>
     <message>
         <source>The marks, the ruler or the job line cover a part of the picture, because there is no room beside it. Use larger film or paper, or do not print them</source>
         <translation>As marcas, a régua ou a linha do trabalho cobrem uma parte da imagem, porque não há espaço ao lado dela. Use película ou papel maior, ou não as imprima</translation>
+    </message>
+    <message>
+        <source>The ink %1 is a spot ink in one job and the white ink in another; rename one of them</source>
+        <translation>A tinta %1 é uma tinta especial em um trabalho e o branco em outro; renomeie uma delas</translation>
+    </message>
+    <message>
+        <source>This job&apos;s spot ink %1 is named %2 in another job; write both alike, with the same capital letters</source>
+        <translation>A tinta especial %1 deste trabalho chama-se %2 em outro; escreva as duas da mesma forma, com as mesmas maiúsculas</translation>
     </message>
 </context>
 <context>
