@@ -81,7 +81,8 @@ void FilmUnderBodyTest::adviceOnFilm_filmFitsTurned_isToTurnIt() {
         return adviceOnFilm({-half, half}, film);
     };
     QCOMPARE(adviceOn(250, 100), QStringLiteral("turn the film by 90° (297 × 210 mm)"));
-    QVERIFY(adviceOn(250, 220).startsWith(QStringLiteral("choose a film that is clearly larger than ")));
+    QVERIFY(adviceOn(250, 220).startsWith(
+        QStringLiteral("choose a film that is clearly larger than ")));
 }
 
 void FilmUnderBodyTest::automaticCell_thinBody_isFiner() {
