@@ -15,13 +15,13 @@ PicturePanel::PicturePanel(const QString& name, const QString& hint, QWidget* pa
       zoomLabel_(new QLabel), legend_(new QLabel) {
     view_->setAccessibleName(name);
     bar_->setIconSize({18, 18});
-    bar_->addAction(icon(QStringLiteral("fit")), tr("Whole picture"), view_,
-                    &PictureView::zoomToFit);
-    bar_->addAction(icon(QStringLiteral("zoom-in")), tr("Zoom in"), this,
-                    [this] { view_->zoomBy(1.25); });
-    bar_->addAction(icon(QStringLiteral("zoom-out")), tr("Zoom out"), this,
-                    [this] { view_->zoomBy(0.8); });
-    for (QAction* button : bar_->actions()) {
+    zoomButtons_ = {bar_->addAction(icon(QStringLiteral("fit")), tr("Whole picture"), view_,
+                                    &PictureView::zoomToFit),
+                    bar_->addAction(icon(QStringLiteral("zoom-in")), tr("Zoom in"), this,
+                                    [this] { view_->zoomBy(1.25); }),
+                    bar_->addAction(icon(QStringLiteral("zoom-out")), tr("Zoom out"), this,
+                                    [this] { view_->zoomBy(0.8); })};
+    for (QAction* button : zoomButtons_) {
         takeFocus(button);
     }
     auto* layout = new QVBoxLayout(this);
@@ -44,7 +44,7 @@ PicturePanel::PicturePanel(const QString& name, const QString& hint, QWidget* pa
 
 void PicturePanel::setPicture(const QImage& picture, QSizeF millimetres) {
     view_->setPicture(picture, millimetres);
-    for (QAction* button : bar_->actions()) {
+    for (QAction* button : zoomButtons_) {
         button->setEnabled(true);
     }
     emit view_->zoomChanged();
@@ -54,7 +54,7 @@ void PicturePanel::clear() {
     view_->clear(hint_);
     zoomLabel_->clear();
     setLegend({});
-    for (QAction* button : bar_->actions()) {
+    for (QAction* button : zoomButtons_) {
         button->setEnabled(false);
     }
 }
@@ -65,18 +65,19 @@ void PicturePanel::setLegend(const QString& text) {
 }
 
 void PicturePanel::addButton(QAction* action) {
-    if (buttons_.isEmpty()) {
+    if (!hasOtherButtons_) {
         bar_->addSeparator();
     }
-    buttons_.append(action);
+    hasOtherButtons_ = true;
     bar_->addAction(action);
     takeFocus(action);
-    action->setEnabled(!view_->isEmpty());
 }
 
 void PicturePanel::offerTrueSize() {
-    takeFocus(bar_->addAction(icon(QStringLiteral("true-size")), tr("True size"), view_,
-                              &PictureView::zoomToTrueSize));
+    zoomButtons_ << bar_->addAction(icon(QStringLiteral("true-size")), tr("True size"), view_,
+                                    &PictureView::zoomToTrueSize);
+    takeFocus(zoomButtons_.last());
+    zoomButtons_.last()->setEnabled(!view_->isEmpty());
     bar_->addWidget(zoomLabel_);
 }
 

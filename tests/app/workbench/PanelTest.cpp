@@ -15,6 +15,7 @@
 #include "workbench/widgets/HeatScale.h"
 #include "workbench/widgets/Languages.h"
 #include "workbench/widgets/NumberBox.h"
+#include "workbench/widgets/PicturePanel.h"
 #include "workbench/widgets/PictureView.h"
 #include "workbench/widgets/PlainTexts.h"
 #include "workbench/widgets/Theme.h"
@@ -741,6 +742,17 @@ private slots:
         panel.resize(320, 240);
         QTRY_VERIFY(text->verticalScrollBar()->maximum() > 0);
         QCOMPARE(text->horizontalScrollBar()->maximum(), 0);
+    }
+
+    void picturePanel_buttonOfTheWindow_isNotEnabledByPicture() {
+        PicturePanel panel(QStringLiteral("Sheet"), {});
+        QAction exportSheet(QStringLiteral("Export"));
+        exportSheet.setEnabled(false);
+        panel.addButton(&exportSheet);
+        QImage picture(4, 4, QImage::Format_RGB32);
+        picture.fill(Qt::white);
+        panel.setPicture(picture, {4, 4});
+        QVERIFY(!exportSheet.isEnabled());
     }
 
     void pictureView_hover_reportsMillimetres() {

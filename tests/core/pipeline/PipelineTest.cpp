@@ -606,18 +606,18 @@ private slots:
             return QString();
         };
         const auto validate = [&] { validateJob(job, *registry_); };
-        QVERIFY2(refusalOf(validate).contains("at least 230 × 150 mm"),
+        QVERIFY2(refusalOf(validate).contains("larger than 230 × 150 mm"),
                  qPrintable(refusalOf(validate)));
         QVERIFY(refusalOf([&] {
                     runJob(job, *registry_, {}, nullptr, {});
-                }).contains("at least 230 × 150 mm"));
+                }).contains("larger than 230 × 150 mm"));
         job.film.swellX = 1.2;
-        QVERIFY(refusalOf(validate).contains("at least 190 × 150 mm"));
+        QVERIFY(refusalOf(validate).contains("larger than 190 × 150 mm"));
         job.model = plain(boxMesh({5000, 5000, 5000}));
         QVERIFY2(refusalOf(validate).contains("size and unit"), qPrintable(refusalOf(validate)));
         job.film.swellX = 1;
         job.model = plain(boxMesh({80, 30, 130})); // larger than the film in one direction
-        QVERIFY(validateJob(job, *registry_).join('\n').contains("at least 100 × 150 mm"));
+        QVERIFY(validateJob(job, *registry_).join('\n').contains("larger than 100 × 150 mm"));
     }
 
     void validateJob_importRepairs_areReported() {
