@@ -41,14 +41,16 @@ ExportController::ExportController(const WindowActions& actions, const StretchPa
 }
 
 void ExportController::exportResults() {
+    // A reloaded model may drop the result while the user chooses a folder.
+    const JobResult result =
+        withCostsOf(*session_.outcome().result, session_.document()->project());
     const QString folder =
         QFileDialog::getExistingDirectory(&window_, tr("Export results to a folder"));
     if (folder.isEmpty()) {
         return;
     }
     writeFiles(jobs_, messages_, tr("Export results"), tr("Wrote the results to %1"), folder,
-               [result = withCostsOf(*session_.outcome().result, session_.document()->project())](
-                   const QString& target, const Progress& progress) {
+               [result](const QString& target, const Progress& progress) {
                    writeResults(result.project, result, target, progress);
                });
 }
@@ -96,6 +98,7 @@ void ExportController::exportCosts() {
 }
 
 void ExportController::exportCradles() {
+    const std::shared_ptr<const JobResult> result = session_.outcome().result; // as above
     const QString title = tr("Export cradles");
     const QString folder =
         QFileDialog::getExistingDirectory(&window_, tr("Export cradles to a folder"));
@@ -104,7 +107,7 @@ void ExportController::exportCradles() {
     }
     startJob(
         jobs_, messages_, title, title,
-        [result = session_.outcome().result, folder](const Progress& progress) {
+        [result, folder](const Progress& progress) {
             return writeCradles(*result, folder, progress);
         },
         [this, folder](const std::vector<Cradle>& cradles) {
