@@ -4488,10 +4488,6 @@
         <source>The body at X %1, Y %2, Z %3 mm</source>
         <translation>Der Körper bei X %1, Y %2, Z %3 mm</translation>
     </message>
-    <message>
-        <source>“%1”</source>
-        <translation>„%1“</translation>
-    </message>
 </context>
 <context>
     <name>Separation</name>
@@ -5579,8 +5575,12 @@
         <translation>%1: Das Teil bewegt sich auf seiner Bahn mit %2 mm/s; üblich sind %3 bis %4 mm/s. Prüfen Sie die Zeiten der Posen.</translation>
     </message>
     <message>
-        <source>Only %1 % of this body is painted; the limit is %2 %. Move or turn it, dip deeper, or set smaller cells if it is small. If it is to stay bare, mask it.</source>
-        <translation>Nur %1 % dieses Körpers werden bemalt; die Grenze ist %2 %. Verschieben oder drehen Sie ihn, tauchen Sie tiefer, oder setzen Sie kleinere Zellen, wenn er klein ist. Wenn er frei bleiben soll, maskieren Sie ihn.</translation>
+        <source>%1 more bodies</source>
+        <translation>%1 weitere Körper</translation>
+    </message>
+    <message>
+        <source>Only %1 % is painted; the limit is %2 %. Move or turn the body, dip deeper, or set smaller cells if it is small. If it is to stay bare, mask it.</source>
+        <translation>Nur %1 % sind bemalt; die Grenze ist %2 %. Verschieben oder drehen Sie den Körper, tauchen Sie tiefer, oder setzen Sie kleinere Zellen, wenn er klein ist. Wenn er frei bleiben soll, maskieren Sie ihn.</translation>
     </message>
 </context>
 <context>

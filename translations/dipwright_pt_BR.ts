@@ -4488,10 +4488,6 @@
         <source>The body at X %1, Y %2, Z %3 mm</source>
         <translation>O corpo em X %1, Y %2, Z %3 mm</translation>
     </message>
-    <message>
-        <source>“%1”</source>
-        <translation>“%1”</translation>
-    </message>
 </context>
 <context>
     <name>Separation</name>
@@ -5579,8 +5575,12 @@
         <translation>%1: a peça se move a %2 mm/s em seu percurso; a faixa usual é de %3 a %4 mm/s. Verifique os tempos das poses.</translation>
     </message>
     <message>
-        <source>Only %1 % of this body is painted; the limit is %2 %. Move or turn it, dip deeper, or set smaller cells if it is small. If it is to stay bare, mask it.</source>
-        <translation>Apenas %1 % deste corpo são pintados; o limite é %2 %. Mova-o ou gire-o, imerja mais fundo ou ponha células menores se ele for pequeno. Se ele deve ficar sem pintura, mascare-o.</translation>
+        <source>%1 more bodies</source>
+        <translation>Mais %1 corpos</translation>
+    </message>
+    <message>
+        <source>Only %1 % is painted; the limit is %2 %. Move or turn the body, dip deeper, or set smaller cells if it is small. If it is to stay bare, mask it.</source>
+        <translation>Apenas %1 % são pintados; o limite é %2 %. Mova ou gire o corpo, imerja mais fundo ou ponha células menores se ele for pequeno. Se ele deve ficar sem pintura, mascare-o.</translation>
     </message>
 </context>
 <context>

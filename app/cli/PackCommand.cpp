@@ -117,7 +117,12 @@ public:
         }
         printWarnings(filmsWarnings(films), console.out());
         if (!folder.isEmpty()) {
-            printWarnings(lostInFiles(films), console.out());
+            QStringList lost = lostInFiles(films);
+            if (!lost.isEmpty()) {
+                lost << QStringLiteral("Films in a folder are in sRGB; --to FILE writes them with "
+                                       "the inks of a profile");
+            }
+            printWarnings(lost, console.out());
             writeFilms(films, folder, progress.part(0.9, 1));
             console.out() << QStringLiteral("Wrote %1\n").arg(folder);
         } else {

@@ -81,11 +81,12 @@ void refuseOthersFiles(const QString& folder, const QStringList& names,
 
 } // namespace
 
-void checkPlatesFolder(const QString& folder, std::size_t dips) {
+void checkPlatesFolder(const QString& folder, const std::vector<std::size_t>& dips,
+                       std::size_t count) {
     QStringList names;
-    for (std::size_t dip = 0; dip < dips; ++dip) {
+    for (const std::size_t dip : dips) {
         for (const QString& name : fixedFiles) {
-            names << prefixOf(dip, dips) + name;
+            names << prefixOf(dip, count) + name;
         }
     }
     refuseOthersFiles(folder, names, earlierPlates(folder));

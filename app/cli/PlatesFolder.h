@@ -15,8 +15,9 @@ namespace dipwright::cli {
 
 // Checks before a job runs whether plates can be written: throws Error if the folder cannot be
 // written, or if it has a file of one of their names that no earlier call has listed in
-// plates.json. `dips` is the project's number of dips.
-void checkPlatesFolder(const QString& folder, std::size_t dips);
+// plates.json. `dips` are the indices of the dips, `count` is the project's number of dips.
+void checkPlatesFolder(const QString& folder, const std::vector<std::size_t>& dips,
+                       std::size_t count);
 
 // Writes the plates of the dips with these indices, and prints their figures. If the project has
 // several dips, the plates of each lie in the folder immersion-N. Removes the plates of the same

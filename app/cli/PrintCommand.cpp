@@ -297,8 +297,11 @@ public:
         const QString plates = parser.value(platesOption);
         const bool isProofOnly = !plates.isEmpty() && !namesTarget(parser);
         if (isProofOnly) {
-            refuseOptions(parser, {copiesOption, tileOption, tilePaperOption, clippingOption},
-                          QStringLiteral("with --plates alone, which prints nothing"));
+            const QString when = QStringLiteral("with --plates alone, which prints nothing");
+            refuseOptions(parser,
+                          {copiesOption, tileOption, tilePaperOption, clippingOption, greyOption},
+                          when);
+            refuseTarget(parser, when);
         }
         const PrintTarget target = isProofOnly ? PrintTarget() : printTarget(parser);
         const PrintRequest request = requestOf(parser, target, project);
@@ -309,7 +312,7 @@ public:
             proofFile(parser, !dip && project.immersions.size() > 1, target, request);
         if (!plates.isEmpty()) {
             plateColour(request, plates);
-            checkPlatesFolder(plates, project.immersions.size());
+            checkPlatesFolder(plates, chosenDips(dip, project), project.immersions.size());
         }
         std::unique_ptr<PrintSystem> system;
         if (!target.printer.isEmpty()) {

@@ -433,23 +433,54 @@ std::pair<Pieces, Pieces> innerAndOuter(const TriangleMesh& mesh, const Pieces& 
     return {inner, outer};
 }
 
-// Whether a closed piece lies inside the body of `query`: one of its points is inside, and no edge
-// reaches the body's surface. Points less than `clear` mm from it count as on it.
-bool isEnclosed(const SurfaceQuery& query, const TriangleMesh& mesh, const Piece& piece,
-                float clear, const std::function<void()>& goOn) {
-    return query.isInside(mesh.positions[mesh.triangles[piece.triangles[0]][0]]) &&
-           std::ranges::none_of(piece.triangles, [&](std::uint32_t triangle) {
-               goOn();
-               const auto& corners = mesh.triangles[triangle];
-               for (int i = 0; i < 3; ++i) {
-                   const Eigen::Vector3f &from = mesh.positions[corners[i]],
-                                         &to = mesh.positions[corners[(i + 1) % 3]];
-                   if (query.isNear(from, clear) || query.isHit(from, to - from, 1)) {
-                       return true;
-                   }
-               }
-               return false;
-           });
+// Whether an edge of these triangles reaches the surface of `query`. Points less than `clear` mm
+// from it count as on it.
+bool reaches(const SurfaceQuery& query, const TriangleMesh& mesh,
+             const std::vector<std::uint32_t>& triangles, float clear,
+             const std::function<void()>& goOn) {
+    return std::ranges::any_of(triangles, [&](std::uint32_t triangle) {
+        goOn();
+        const auto& corners = mesh.triangles[triangle];
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eigen::Vector3f &from = mesh.positions[corners[i]],
+                                  &to = mesh.positions[corners[(i + 1) % 3]];
+            if (query.isNear(from, clear) || query.isHit(from, to - from, 1)) {
+                return true;
+            }
+        }
+        return false;
+    });
+}
+
+// A body and the search for places on its surface.
+struct SearchedBody {
+    TriangleMesh mesh;
+    SurfaceQuery query;
+};
+
+SearchedBody searchedBody(const TriangleMesh& mesh, const Pieces& pieces) {
+    TriangleMesh body;
+    for (const Piece* piece : pieces) {
+        append(body, mesh, *piece);
+    }
+    body.positions = mesh.positions;
+    SurfaceQuery query(body);
+    return {std::move(body), std::move(query)};
+}
+
+// Whether a closed piece lies inside the body: one of its points is inside, and neither surface
+// reaches the other.
+bool isEnclosed(const SearchedBody& body, const TriangleMesh& mesh, const Piece& piece, float clear,
+                const std::function<void()>& goOn) {
+    if (!body.query.isInside(mesh.positions[mesh.triangles[piece.triangles[0]][0]]) ||
+        reaches(body.query, mesh, piece.triangles, clear, goOn)) {
+        return false;
+    }
+    const BoundingBox box = boxOf(mesh, piece);
+    const std::vector<std::uint32_t> around =
+        body.query.trianglesNear(box.center(), box.diagonal().norm() / 2);
+    return around.empty() ||
+           !reaches(searchedBody(mesh, {&piece}).query, body.mesh, around, clear, goOn);
 }
 
 // Marks the triangles of the pieces that lie inside the body of the solid pieces.
@@ -458,15 +489,10 @@ void markEnclosed(std::vector<bool>& marked, const TriangleMesh& mesh, const Pie
     if (pieces.empty() || solid.empty()) {
         return;
     }
-    TriangleMesh body;
-    for (const Piece* piece : solid) {
-        append(body, mesh, *piece);
-    }
-    body.positions = mesh.positions;
-    const SurfaceQuery query(body);
+    const SearchedBody body = searchedBody(mesh, solid);
     const float clear = clearOf(mesh);
     for (const Piece* piece : pieces) {
-        const bool enclosed = isEnclosed(query, mesh, *piece, clear, goOn);
+        const bool enclosed = isEnclosed(body, mesh, *piece, clear, goOn);
         for (const std::uint32_t triangle : piece->triangles) {
             marked[triangle] = enclosed;
         }

@@ -86,9 +86,8 @@ QStringList namesOf(const TexturedMesh& model, const SeparateBodies& bodies,
     QStringList names;
     for (std::size_t body = 0; body < boxes.size(); ++body) {
         const QString& part = parts[qsizetype(body)];
-        names << (isMixed[body] || part.isEmpty() || parts.count(part) > 1
-                      ? placeText(boxes[body])
-                      : Text::tr("“%1”").arg(part));
+        names << (isMixed[body] || part.isEmpty() || parts.count(part) > 1 ? placeText(boxes[body])
+                                                                           : part);
     }
     return names;
 }

@@ -1,6 +1,9 @@
 #include "accuracy/verdict/BareZones.h"
 
+#include <algorithm>
 #include <array>
+#include <functional>
+#include <numeric>
 
 namespace dipwright {
 
@@ -28,14 +31,18 @@ void addBareBodyReasons(ReasonList& found, const SeparateBodies& bodies,
         all[body] += 1;
         covered[body] += painted[place] ? 1 : 0;
     }
-    for (std::size_t body = 0; body < all.size(); ++body) {
+    std::vector<std::size_t> largestFirst(all.size());
+    std::iota(largestFirst.begin(), largestFirst.end(), std::size_t(0));
+    std::ranges::stable_sort(largestFirst, std::greater(), [&](std::size_t i) { return all[i]; });
+    std::vector<VerdictReason> bare;
+    for (const std::size_t body : largestFirst) {
         const double share = all[body] > 0 ? covered[body] / all[body] : 1;
         if (share < least) {
-            ReasonList own;
-            own.add({VerdictReason::Kind::BodyBare, Advice::CheckFirst, share, least});
-            found.add(std::move(own), {}, bodies.names[qsizetype(body)]);
+            bare.push_back({VerdictReason::Kind::BodyBare, Advice::CheckFirst, share, least});
+            bare.back().body = bodies.names[qsizetype(body)];
         }
     }
+    found.addOfBodies(std::move(bare));
 }
 
 } // namespace dipwright

@@ -3,6 +3,8 @@
 #include "accuracy/verdict/PlacesToCheck.h"
 #include "dip/BodyPath.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 
@@ -36,24 +38,45 @@ VerdictReason numericalErrorReason(const ZoneError& error, const NumericalErrorE
     return reason;
 }
 
-// Adds the reasons that follow from the numerical error in a zone. Returns whether there are any.
-bool addZoneReasons(ReasonList& found, const ZoneError& error,
-                    const NumericalErrorEstimate& estimate, const solver::FilmGrid& grid,
-                    std::optional<Zone> named) {
-    ReasonList own;
+// Returns the reasons that follow from the numerical error in a zone.
+std::vector<VerdictReason> zoneReasons(const ZoneError& error,
+                                       const NumericalErrorEstimate& estimate,
+                                       const solver::FilmGrid& grid, bool namesZone) {
+    ReasonList found;
     if (error.percentile95 > numericalShare * error.limit) {
-        own.add(numericalErrorReason(error, estimate, grid));
+        found.add(numericalErrorReason(error, estimate, grid));
     }
-    own.addShare(Kind::UnknownError, error.unknown, mostUnknownArea);
+    found.addShare(Kind::UnknownError, error.unknown, mostUnknownArea);
     if (error.percentile95 <= error.limit && error.far > mostFarOffArea) {
-        own.add({Kind::FarOffPlaces,
-                 error.far > doNotPrintFactor * mostFarOffArea ? Advice::DoNotPrint
-                                                               : Advice::CheckFirst,
-                 error.far, error.limit});
+        found.add({Kind::FarOffPlaces,
+                   error.far > doNotPrintFactor * mostFarOffArea ? Advice::DoNotPrint
+                                                                 : Advice::CheckFirst,
+                   error.far, error.limit});
     }
-    const bool hasReason = !own.isEmpty();
-    found.add(std::move(own), named, error.body);
-    return hasReason;
+    std::vector<VerdictReason> reasons = found.reasons();
+    for (VerdictReason& reason : reasons) {
+        reason.zone = namesZone ? std::optional(error.zone) : std::nullopt;
+        reason.body = error.body;
+    }
+    return reasons;
+}
+
+// Returns the worst reason about each separate body in a zone that is worse than `known`.
+std::vector<VerdictReason> bodyReasons(const std::vector<ZoneError>& bodies, Zone zone,
+                                       Advice known, const NumericalErrorEstimate& estimate,
+                                       const solver::FilmGrid& grid, bool namesZone) {
+    std::vector<VerdictReason> worse;
+    for (const ZoneError& body : bodies) {
+        if (body.zone != zone) {
+            continue;
+        }
+        const std::vector<VerdictReason> own = zoneReasons(body, estimate, grid, namesZone);
+        const auto worst = std::ranges::max_element(own, {}, &VerdictReason::advice);
+        if (worst != own.end() && worst->advice > known) {
+            worse.push_back(*worst);
+        }
+    }
+    return worse;
 }
 
 void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimate,
@@ -65,16 +88,14 @@ void addEstimateReasons(ReasonList& found, const NumericalErrorEstimate& estimat
         return;
     }
     for (const ZoneError& zone : zones) {
-        const auto named = namesZones ? std::optional(zone.zone) : std::nullopt;
-        if (addZoneReasons(found, zone, estimate, grid, named)) {
-            continue;
+        Advice advice = Advice::Print;
+        for (VerdictReason& reason : zoneReasons(zone, estimate, grid, namesZones)) {
+            advice = worst(advice, reason.advice);
+            found.add(std::move(reason));
         }
         // A small body hardly changes the figures of all bodies together.
-        for (const ZoneError& body : checked.zonesOfBodies) {
-            if (body.zone == zone.zone) {
-                addZoneReasons(found, body, estimate, grid, named);
-            }
-        }
+        found.addOfBodies(
+            bodyReasons(checked.zonesOfBodies, zone.zone, advice, estimate, grid, namesZones));
     }
     // The border moves by about one film cell, and the compared films have double cells.
     const double once = halfSpacingShare * std::max(estimate.doubleSpacing.paintedOnce,
@@ -186,12 +207,14 @@ void ReasonList::add(VerdictReason reason) {
     reasons_.push_back(std::move(reason));
 }
 
-void ReasonList::add(ReasonList reasons, std::optional<Zone> zone, const QString& body) {
-    for (VerdictReason& reason : reasons.reasons_) {
-        reason.zone = zone;
-        reason.body = body;
-        add(std::move(reason));
+void ReasonList::addOfBodies(std::vector<VerdictReason> reasons) {
+    std::ranges::stable_sort(reasons, std::greater(), &VerdictReason::advice);
+    if (reasons.size() > mostNamedBodies) {
+        reasons[mostNamedBodies].body = QCoreApplication::translate("Verdict", "%1 more bodies")
+                                            .arg(reasons.size() - mostNamedBodies);
+        reasons.resize(mostNamedBodies + 1);
     }
+    std::ranges::move(reasons, std::back_inserter(reasons_));
 }
 
 void ReasonList::addShare(Kind kind, double share, double limit, std::optional<Zone> zone,

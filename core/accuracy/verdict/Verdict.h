@@ -148,6 +148,7 @@ inline constexpr double finestCellNamed = 0.15;
 // larger one would hardly change the sheet.
 inline constexpr double largestCellNamed = 0.7937; // 2^(−1/3)
 inline constexpr std::size_t mostPlaces = 12;
+inline constexpr std::size_t mostNamedBodies = 3;
 inline constexpr double leastPlaceArea = 1; // mm²: smaller places cannot be inspected
 
 // What distinguishes places of the body for its verdict.
@@ -190,8 +191,9 @@ Verdict numericalVerdict(const LaidFilm& laid, const NumericalErrorEstimate* est
 class ReasonList {
 public:
     void add(VerdictReason reason);
-    // Adds reasons that are about one zone or one separate body.
-    void add(ReasonList reasons, std::optional<Zone> zone, const QString& body);
+    // Adds reasons about separate bodies: the first mostNamedBodies of the worst by name, and the
+    // next one for all others together.
+    void addOfBodies(std::vector<VerdictReason> reasons);
     // Adds a reason if the share exceeds its limit. The advice is CheckFirst, or DoNotPrint if the
     // share exceeds doNotPrintFactor times the limit.
     void addShare(VerdictReason::Kind kind, double share, double limit,
@@ -200,7 +202,7 @@ public:
     // Coverage::tornBareShare(). Of two dips, the other may paint it, so Kind::Unreached decides.
     void addTornBare(double share);
     bool isEmpty() const { return reasons_.empty(); }
-    std::size_t size() const { return reasons_.size(); }
+    const std::vector<VerdictReason>& reasons() const { return reasons_; }
     // Returns the verdict. Its reasons are sorted, the worst first; equally bad ones keep the order
     // in which they were added. Without reasons the advice is `Print`.
     // `isOnlyDip`: VerdictReason::isOnlyDip of all reasons.

@@ -194,9 +194,8 @@ QString jobText(const VerdictReason& reason, const LengthText& length) {
             .arg(shares[0], shares[1]);
     case Kind::BodyBare:
         return Text::tr(
-                   "Only %1 % of this body is painted; the limit is %2 %. Move or turn it, dip "
-                   "deeper, or set smaller cells if it is small. If it is to stay bare, mask "
-                   "it.")
+                   "Only %1 % is painted; the limit is %2 %. Move or turn the body, dip deeper, or "
+                   "set smaller cells if it is small. If it is to stay bare, mask it.")
             .arg(shares[0], shares[1]);
     case Kind::ZoneExceeded:
         return Text::tr("Handling and numerical error together: at most ±%1 on 95 % of the painted "

@@ -205,6 +205,13 @@ private slots:
         QCOMPARE(removed({cube(20), boxMesh({19, 19, 21})}), std::size_t(0));   // sticks out
         QCOMPARE(removed({cube(20), boxMesh({19, 19, 20})}), std::size_t(0));   // flush
         QCOMPARE(removed({torusMesh(30, 10, 40, 20), inner}), std::size_t(0));  // in the hole
+        // A plate inside a thick torus closes its hole, like glass in a window. Only the middle of
+        // the plate's faces meets the torus.
+        TriangleMesh glass = boxMesh({50, 4, 50});
+        for (Eigen::Vector3f& position : glass.positions) {
+            position.x() += 8;
+        }
+        QCOMPARE(removed({torusMesh(30, 25, 80, 80), glass}), std::size_t(0));
     }
 
     void flipInsideOutParts_cancelled_leavesTheMesh() {

@@ -330,7 +330,7 @@ private slots:
         const auto bodies = separateBodies(model);
         QVERIFY(bodies);
         QCOMPARE(bodies->names.size(), 2);
-        QCOMPARE(bodies->names[1], QStringLiteral("“Knob”"));
+        QCOMPARE(bodies->names[1], QStringLiteral("Knob"));
 
         DippedFilm film = test::flatUnderBox({61, 61, 60, 60}, boxSize);
         const auto isUnderSmall = [&](std::size_t point) {
@@ -366,6 +366,22 @@ private slots:
         const Verdict ofBare = std::move(bare).verdict();
         QCOMPARE(ofBare.reasons.size(), std::size_t(1));
         QVERIFY(reasonText(ofBare.reasons[0], millimetres).startsWith(QStringLiteral("Small: ")));
+    }
+
+    void verdict_manyBareBodies_areNamedOrCounted() {
+        ReasonList bare;
+        const std::vector<std::uint8_t> painted(6, 0);
+        std::vector<SurfacePoint> places;
+        for (std::uint32_t body = 0; body < 6; ++body) {
+            places.push_back(middleOf(body));
+        }
+        addBareBodyReasons(bare, {{0, 1, 2, 3, 4, 5}, {"A", "B", "C", "D", "E", "F"}}, places,
+                           painted, 0.1);
+        QStringList bodies;
+        for (const VerdictReason& reason : bare.reasons()) {
+            bodies << reason.body;
+        }
+        QCOMPARE(bodies, QStringList({"A", "B", "C", "3 more bodies"}));
     }
 
     void verdict_unpaintedBody_doNotPrint() {
