@@ -459,11 +459,16 @@ struct SearchedBody {
 };
 
 SearchedBody searchedBody(const TriangleMesh& mesh, const Pieces& pieces) {
-    TriangleMesh body;
+    TriangleMesh body; // with its own positions: a piece may be a small part of the mesh
     for (const Piece* piece : pieces) {
-        append(body, mesh, *piece);
+        for (const std::uint32_t triangle : piece->triangles) {
+            const auto first = std::uint32_t(body.positions.size());
+            body.triangles.push_back({first, first + 1, first + 2});
+            for (const std::uint32_t corner : mesh.triangles[triangle]) {
+                body.positions.push_back(mesh.positions[corner]);
+            }
+        }
     }
-    body.positions = mesh.positions;
     SurfaceQuery query(body);
     return {std::move(body), std::move(query)};
 }
