@@ -5644,8 +5644,8 @@
         <translation>Die Ebene „%1“ ist %2 mm lang, aber eine Umdrehung um ihre Achse nur %3 mm, daher sind ihre Seiten abgeschnitten; machen Sie sie kleiner</translation>
     </message>
     <message>
-        <source>The layers “%1” and “%2” are both printed in %3, but with another colour or order; those of “%1” count. Give both layers the same</source>
-        <translation>Die Ebenen „%1“ und „%2“ werden beide in %3 gedruckt, aber mit anderer Farbe oder Reihenfolge; es gelten die von „%1“. Geben Sie beiden Ebenen die gleichen</translation>
+        <source>The layers “%1” and “%2” use the ink %3 with different colours or printing orders. It is printed with the colour and order of “%1”. Give both layers the same colour and order</source>
+        <translation>Die Ebenen „%1“ und „%2“ verwenden die Farbe %3 mit verschiedenen Farbtönen oder Druckreihenfolgen. Gedruckt wird mit Farbton und Reihenfolge von „%1“. Geben Sie beiden Ebenen denselben Farbton und dieselbe Reihenfolge</translation>
     </message>
 </context>
 <context>

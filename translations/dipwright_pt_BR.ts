@@ -5644,8 +5644,8 @@
         <translation>A camada “%1” tem %2 mm de comprimento, mas uma volta em torno de seu eixo tem só %3 mm, por isso seus lados são cortados; diminua-a</translation>
     </message>
     <message>
-        <source>The layers “%1” and “%2” are both printed in %3, but with another colour or order; those of “%1” count. Give both layers the same</source>
-        <translation>As camadas “%1” e “%2” são ambas impressas em %3, mas com outra cor ou ordem; valem as de “%1”. Dê as mesmas às duas camadas</translation>
+        <source>The layers “%1” and “%2” use the ink %3 with different colours or printing orders. It is printed with the colour and order of “%1”. Give both layers the same colour and order</source>
+        <translation>As camadas “%1” e “%2” usam a tinta %3 com cores ou ordens de impressão diferentes. Ela é impressa com a cor e a ordem de “%1”. Dê às duas camadas a mesma cor e ordem</translation>
     </message>
 </context>
 <context>

@@ -99,18 +99,20 @@ void writePlates(const JobResult& result, const std::vector<std::size_t>& dips,
     const std::optional<PrinterProfile>& profile = result.project.profiles.printer;
     const PrintCorrection correction = printCorrection(profile, &colour);
     QStringList names, jobs;
+    std::vector<Sheet> sheets;
     for (const ImmersionResult& dip : result.immersions) {
-        jobs << numberedFor(profile, dip.sheet).job.hash;
+        sheets.push_back(numberedFor(profile, dip.sheet));
+        jobs << sheets.back().job.hash;
     }
     std::vector<ProofFile> files;
     for (const std::size_t dip : dips) {
         progress(dip == dips.front() ? 0 : 0.5, QStringLiteral("Making the plates"));
-        const Sheet sheet = numberedFor(profile, result.immersions[dip].sheet);
+        const Sheet& sheet = sheets[dip];
         SeparationProof proof = separationProof(sheet, correction);
         out << QStringLiteral("%1\n").arg(sheet.job.immersion)
             << figuresTable(proof.figures, sheet.passes);
         for (ProofFile& file : proof.files) {
-            file.name = prefixOf(dip, result.immersions.size()) + file.name;
+            file.name = prefixOf(dip, sheets.size()) + file.name;
             names << file.name;
             files.push_back(std::move(file));
         }

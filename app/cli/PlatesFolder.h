@@ -22,8 +22,8 @@ void checkPlatesFolder(const QString& folder, const std::vector<std::size_t>& di
 // Writes the plates of the dips with these indices, and prints their figures. If the project has
 // several dips, the plates of each lie in the folder immersion-N. Removes the plates of the same
 // dip and of other jobs that earlier calls have listed in plates.json, and no other file. Throws
-// Error as above. All files are written, or none. `colour` is that
-// of the project's printer profile, in CMYK.
+// Error as above. All files are written, or none. `colour` is that of the project's printer
+// profile, in CMYK.
 void writePlates(const JobResult& result, const std::vector<std::size_t>& dips,
                  const PrinterColour& colour, const QString& folder, const Progress& progress,
                  QTextStream& out);

@@ -210,8 +210,9 @@ QStringList layerNotes(const Artwork& artwork) {
         const auto ink = std::ranges::find(inks, layer.spot, &ArtworkLayer::spot);
         if (layer.visible && ink != inks.end() &&
             (ink->spotFirst != layer.spotFirst || ink->spotColour != layer.spotColour)) {
-            notes << Text::tr("The layers “%1” and “%2” are both printed in %3, but with another "
-                              "colour or order; those of “%1” count. Give both layers the same")
+            notes << Text::tr("The layers “%1” and “%2” use the ink %3 with different colours or "
+                              "printing orders. It is printed with the colour and order of “%1”. "
+                              "Give both layers the same colour and order")
                          .arg(ink->name, layer.name, layer.spot);
         }
     }

@@ -166,8 +166,8 @@ private:
     QSize size_;
 };
 
-// Finds the corners of one photo, spreading from found corners to their neighbours. If `isSwapped`,
-// finds those of a print with black and white swapped.
+// Finds the corners of one photo, spreading from found corners to their neighbours. `isSwapped`:
+// expects white where the print is black, and black where it is white.
 class PhotoCorners {
 public:
     PhotoCorners(const PhotoSearch& search, const std::vector<PrintedCorner>& corners,

@@ -681,7 +681,7 @@ std::size_t removeEnclosedParts(TexturedMesh& mesh, const std::function<void()>&
     if (!std::ranges::all_of(pieces, &Piece::isClosed)) {
         return 0;
     }
-    std::vector<const Piece*> hollow, solid;
+    Pieces hollow, solid;
     for (const Piece& piece : pieces) {
         (isHollow(mesh.mesh, piece) ? hollow : solid).push_back(&piece);
     }

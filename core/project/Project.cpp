@@ -301,6 +301,19 @@ void applyPreset(Project& project, const QString& preset) {
 
 namespace {
 
+const QString layerPictureField = QStringLiteral("picture");
+
+[[noreturn]] void throwUnknownLayerField(const QString& path) {
+    QStringList settable;
+    for (const auto& field : artworkLayerFields()) {
+        settable << field.path;
+    }
+    settable.removeAll(layerPictureField);
+    throw Error(Text::tr("A layer has no such setting; its settings are %1")
+                    .arg(settable.join(QStringLiteral(", "))),
+                path);
+}
+
 // Sets a value such as "artwork.base_colour" or "artwork.layers[0].turn_deg". A layer's picture
 // cannot be set, because its field is only an id. Returns false if the path names no value of the
 // artwork. Throws Error if it names no value of a layer.
@@ -317,17 +330,9 @@ bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
                         path);
         }
         const QString field = match.captured(2);
-        const QString picture = QStringLiteral("picture");
-        if (field == picture ||
+        if (field == layerPictureField ||
             !setFieldAt(artwork.layers[index], artworkLayerFields(), field, path, value)) {
-            QStringList settable;
-            for (const auto& known : artworkLayerFields()) {
-                settable << known.path;
-            }
-            settable.removeAll(picture);
-            throw Error(Text::tr("A layer has no such setting; its settings are %1")
-                            .arg(settable.join(QStringLiteral(", "))),
-                        path);
+            throwUnknownLayerField(path);
         }
         return true;
     }

@@ -270,11 +270,15 @@ Verdict JudgedBody::unpainted(const std::vector<const JudgedPose*>& dips,
         reasons.addShare(VerdictReason::Kind::Unreached, 1 - measures[Measure::Coverage],
                          limits.unreached);
     }
+    if (!zoned_ && !bodies_) {
+        return std::move(reasons).verdict();
+    }
+    const std::vector<std::uint8_t> painted = painters(dips);
     if (zoned_) {
-        addBareZoneReasons(reasons, zones_, painters(dips), limits.zoneBare);
+        addBareZoneReasons(reasons, zones_, painted, limits.zoneBare);
     }
     if (bodies_) {
-        addBareBodyReasons(reasons, *bodies_, samples_, painters(dips), limits.leastPainted);
+        addBareBodyReasons(reasons, *bodies_, samples_, painted, limits.leastPainted);
     }
     return std::move(reasons).verdict();
 }

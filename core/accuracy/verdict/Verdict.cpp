@@ -11,6 +11,10 @@
 namespace dipwright {
 namespace {
 
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(Verdict)
+};
+
 using Kind = VerdictReason::Kind;
 
 const std::vector<float> nothingKnown;
@@ -61,7 +65,7 @@ std::vector<VerdictReason> zoneReasons(const ZoneError& error,
     return reasons;
 }
 
-// Returns the worst reason about each separate body in a zone that is worse than `known`.
+// Returns for each separate body in the zone its worst reason, if that is worse than `known`.
 std::vector<VerdictReason> bodyReasons(const std::vector<ZoneError>& bodies, Zone zone,
                                        Advice known, const NumericalErrorEstimate& estimate,
                                        const solver::FilmGrid& grid, bool namesZone) {
@@ -210,8 +214,8 @@ void ReasonList::add(VerdictReason reason) {
 void ReasonList::addOfBodies(std::vector<VerdictReason> reasons) {
     std::ranges::stable_sort(reasons, std::greater(), &VerdictReason::advice);
     if (reasons.size() > mostNamedBodies) {
-        reasons[mostNamedBodies].body = QCoreApplication::translate("Verdict", "%1 more bodies")
-                                            .arg(reasons.size() - mostNamedBodies);
+        reasons[mostNamedBodies].body =
+            Text::tr("%1 more bodies").arg(reasons.size() - mostNamedBodies);
         reasons.resize(mostNamedBodies + 1);
     }
     std::ranges::move(reasons, std::back_inserter(reasons_));

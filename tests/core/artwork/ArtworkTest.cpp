@@ -591,7 +591,7 @@ void ArtworkTest::layerNotes_oneSpotInkInTwoOrders_saysWhichCounts() {
     artwork.layers[1].spotFirst = true;
     const QStringList notes = layerNotes(artwork);
     QCOMPARE(notes.size(), 1);
-    QVERIFY2(notes[0].contains("those of “Lower” count"), qPrintable(notes[0]));
+    QVERIFY2(notes[0].contains("with the colour and order of “Lower”"), qPrintable(notes[0]));
     artwork.layers[0].visible = false;
     QVERIFY(layerNotes(artwork).isEmpty());
 }
