@@ -21,12 +21,12 @@ std::optional<FilmSize> smallestFilm(const Eigen::AlignedBox2d& outline, const F
 
 inline constexpr double largestFilm = 3000; // mm along each side; limit of film.size_mm
 
-// Returns the advice to use a film larger than that, or to turn this film if it is then large
-// enough, as the last clause of a sentence.
+// Returns advice as the last clause of a sentence: to turn this film if it is then as large as
+// smallestFilm(), else to choose a larger one.
 QString adviceOnFilm(const Eigen::AlignedBox2d& outline, const FilmSettings& film);
 
 // Throws Error if the body reaches past the film on all four sides, because no film could then wrap
-// round it. The message says which film is too small for it.
+// round it. The message ends with adviceOnFilm().
 void requireFilmBeyondBody(const Eigen::AlignedBox2d& outline, const FilmSettings& film,
                            const Immersion& immersion);
 

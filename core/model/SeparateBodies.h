@@ -17,8 +17,8 @@ struct SeparateBodies {
 inline constexpr std::size_t mostSeparatePieces = 1000;
 
 // Finds the bodies of a model; null if it has only one. Connected pieces of the surface belong to
-// one body if their bounding boxes overlap, as those of parts on a jig do not (JigModel.h). A body
-// is named like the part on the jig or like its only material, or else by its place in mm.
+// one body if their bounding boxes overlap. The boxes of two parts on a jig never do (JigModel.h).
+// A body has the name of its part on the jig or of its only material, or else its place in mm.
 // Deterministic; takes milliseconds.
 std::shared_ptr<const SeparateBodies> separateBodies(const TexturedMesh& model);
 

@@ -65,10 +65,7 @@ void PicturePanel::setLegend(const QString& text) {
 }
 
 void PicturePanel::addButton(QAction* action) {
-    if (!hasOtherButtons_) {
-        bar_->addSeparator();
-    }
-    hasOtherButtons_ = true;
+    bar_->addSeparator();
     bar_->addAction(action);
     takeFocus(action);
 }

@@ -20,8 +20,8 @@ public:
     void clear();
     // Sets the text under the picture, which is rich text; empty: none.
     void setLegend(const QString& text);
-    // Adds a button to the right of the zoom buttons. Its owner enables it: a picture that is shown
-    // may be a draft, which must not be exported.
+    // Adds a separator and a button to the right of the others. Its owner enables it: a picture
+    // that is shown may be a draft, which must not be exported.
     void addButton(QAction* action);
     void offerTrueSize();
 
@@ -34,7 +34,6 @@ private:
     QLabel* zoomLabel_;
     QLabel* legend_;
     QList<QAction*> zoomButtons_; // enabled while there is a picture
-    bool hasOtherButtons_ = false;
 };
 
 } // namespace dipwright
