@@ -84,6 +84,10 @@ public:
         PackSettings settings = packSettings(parser);
         if (!folder.isEmpty()) {
             checkFilmsFolder(folder);
+        } else if (!target.file.isEmpty()) {
+            for (std::size_t film = 1; film <= mostPieces; ++film) {
+                requireReplaceableSheet(numbered(target.file, film));
+            }
         }
         if (!target.printer.isEmpty() && settings.film.isRoll) {
             keepToLongestPage(settings.film, target.printer);

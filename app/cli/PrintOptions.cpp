@@ -4,6 +4,7 @@
 
 #include "project/Project.h"
 
+#include <QFile>
 #include <algorithm>
 
 namespace dipwright::cli {
@@ -35,6 +36,20 @@ QString mediaWords(const PrinterMedia& media) {
         .arg(margin > 0 ? QStringLiteral(", %1 mm margins").arg(margin)
                         : QStringLiteral(", borderless"),
              media.ready ? QString() : QStringLiteral(", not loaded"));
+}
+
+// Whether this program has made the PDF or TIFF file, which begins with `begin`. Qt writes the
+// name of a PDF's creator in UTF-16, qpdf in ASCII. A TIFF names its software near its end.
+bool isOwnSheet(const QString& path, const QByteArray& begin) {
+    if (begin.startsWith("%PDF-")) {
+        return begin.contains("/Creator (Dipwright ") ||
+               begin.contains("/Creator <feff0044006900700077007200690067006800740020");
+    }
+    QFile file(path);
+    const uchar* bytes =
+        isTiff(path) && file.open(QIODevice::ReadOnly) ? file.map(0, file.size()) : nullptr;
+    return bytes && QByteArray::fromRawData(reinterpret_cast<const char*>(bytes), file.size())
+                        .contains("Dipwright ");
 }
 
 } // namespace
@@ -122,7 +137,16 @@ PrintTarget printTarget(const QCommandLineParser& parser) {
         !target.file.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) {
         throw UsageError(QStringLiteral("The file must end in .pdf, .tif or .tiff"), target.file);
     }
+    if (!target.file.isEmpty()) {
+        requireReplaceableSheet(target.file);
+    }
     return target;
+}
+
+void requireReplaceableSheet(const QString& path) {
+    requireReplaceable(
+        path, [&](const QByteArray& begin) { return isOwnSheet(path, begin); },
+        QStringLiteral("a sheet or page of this program"));
 }
 
 void useProfile(const QCommandLineParser& parser, Project& project) {

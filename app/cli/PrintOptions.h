@@ -29,8 +29,11 @@ bool namesTarget(const QCommandLineParser& parser);
 // Throws UsageError if an option of printing is given: --printer, --to or --accept-other-paper.
 // `when` ends the message.
 void refuseTarget(const QCommandLineParser& parser, const QString& when);
-// Throws UsageError unless exactly one of --printer and --to is given.
+// Throws UsageError unless exactly one of --printer and --to is given, and Error if the file of
+// --to may not be replaced.
 PrintTarget printTarget(const QCommandLineParser& parser);
+// Throws Error if a file exists that is not a PDF or TIFF file of this program.
+void requireReplaceableSheet(const QString& path);
 // Puts the profile of --profile into a project, so that its verdict is that of this printer. Throws
 // Error for an unknown profile.
 void useProfile(const QCommandLineParser& parser, Project& project);

@@ -271,6 +271,14 @@ private slots:
             << QStringList{"new", path("kept.png"), "--model", path("ball.obj")} << "kept.png";
         QTest::newRow("wedge beside filled-in readings")
             << QStringList{"calibrate", "wedge", "--to", path("kept.pdf")} << "kept.csv";
+        for (const QString file : {"kept.pdf", "kept.tif"}) {
+            QTest::newRow(qPrintable("sheet onto " + file))
+                << QStringList{"print", ball, "--to", path(file)} << file;
+        }
+        QTest::newRow("second film onto a file")
+            << QStringList{"pack", ball + ":3", "--to", path("films.pdf")} << "films-2.pdf";
+        QTest::newRow("rulers onto a file")
+            << QStringList{"calibrate", "--profile", "P", "--to", path("kept.pdf")} << "kept.pdf";
     }
 
     void cli_fileOfAnotherKind_isKept() {

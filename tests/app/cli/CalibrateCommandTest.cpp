@@ -21,10 +21,12 @@ private slots:
     }
 
     void calibrate_otherPaper_hintRepeatsThePaper() {
-        const Outcome outcome =
-            cli({"calibrate", "--profile", "Hint", "--to", in("l.pdf"), "--paper", "Letter"});
-        QVERIFY2(outcome.exitCode == 0, outcome.err);
-        QVERIFY2(outcome.out.contains("--paper Letter --measured 180x210"), outcome.out);
+        for (int time = 0; time < 2; ++time) { // the second page replaces the first
+            const Outcome outcome =
+                cli({"calibrate", "--profile", "Hint", "--to", in("l.pdf"), "--paper", "Letter"});
+            QVERIFY2(outcome.exitCode == 0, outcome.err);
+            QVERIFY2(outcome.out.contains("--paper Letter --measured 180x210"), outcome.out);
+        }
     }
 
     void calibrate_lengthsOfAnotherPaper_areRefused() {

@@ -193,6 +193,9 @@ void PrintCommandTest::print_toFile_writesSheet() {
         QVERIFY2(outcome.exitCode == 0, outcome.err);
         QVERIFY(QFileInfo(path).size() > 10000);
         QVERIFY(cli({"print", "--history"}).out.split('\n')[0].contains(path.toUtf8()));
+        const Outcome again = cli({"print", turtle, "--immersion", "1", "--to", path, "--copies",
+                                   "2"}); // the sheet itself may be replaced
+        QVERIFY2(again.err.contains("once"), again.err);
     }
     QVERIFY(std::abs(rulerLength(folder_.filePath("sheet.pdf")) - 100) < 0.02);
     QCOMPARE(cli({"print", turtle, "--to", folder_.filePath("both.pdf")}).exitCode, 2);
