@@ -18,6 +18,7 @@
 #include <QHash>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QScopeGuard>
 
 #include <algorithm>
 
@@ -118,6 +119,11 @@ QStringList writePrintFiles(const JobResult& result, Output output, const Output
     file.acceptClipping = request.acceptsClipping;
     file.source = printSource(result.project, request.projectFile);
     const QStringList names = outputFiles(output);
+    const auto removeEmptyFolders = qScopeGuard([&] {
+        for (const QString& name : names) {
+            QDir(request.folder).rmdir(QFileInfo(name).path()); // fails unless it is empty
+        }
+    });
     QStringList notes;
     for (std::size_t i = 0; i < result.immersions.size(); ++i) {
         const ImmersionResult& dip = result.immersions[i];

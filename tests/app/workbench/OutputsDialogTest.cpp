@@ -184,6 +184,19 @@ private slots:
         document_->undoStack().undo();
     }
 
+    // The printer reaches nothing of the sheet.
+    void printFileThatFails_leavesNoEmptyFolder() {
+        OutputRequest request;
+        request.folder = target("unreached");
+        request.outputs = {Output::PrintPdf};
+        JobResult result = *result_;
+        result.project.profiles.printer = PrinterProfile{};
+        result.project.profiles.printer->margins.fill(Millimetres(140));
+        QVERIFY(QDir().mkpath(request.folder));
+        QCOMPARE(makeOutputs(result, request, {}).front().state, OutputState::Failed);
+        QVERIFY(QDir(request.folder).isEmpty());
+    }
+
     // The project has no hash of its model until it is saved, and then only one of the mesh.
     void changedTexture_outputsAreOutOfDate() {
         OutputRequest request;
