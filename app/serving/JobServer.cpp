@@ -16,6 +16,7 @@
 #include <array>
 #include <atomic>
 #include <httplib.h>
+#include <regex>
 #include <thread>
 
 namespace dipwright {
@@ -38,6 +39,7 @@ enum Status {
     BadRequest = 400,
     Unauthorized = 401,
     NotFound = 404,
+    NotAllowed = 405,
     Conflict = 409,
     LengthRequired = 411,
     TooLarge = 413,
@@ -45,6 +47,25 @@ enum Status {
     TooMany = 429,
     Failed = 500
 };
+
+const char* const statusPath = "/v1/status";
+const char* const jobsPath = "/v1/jobs";
+const char* const jobPath = "/v1/jobs/([^/]+)";
+const char* const cancelPath = "/v1/jobs/([^/]+)/cancel";
+const char* const filePath = "/v1/jobs/([^/]+)/files/(.+)";
+
+// Returns the methods of an address as in the header Allow; empty if there is nothing.
+std::string methodsOf(const std::string& address) {
+    static const std::vector<std::pair<std::regex, std::string>> all{
+        {std::regex(statusPath), "GET, HEAD"},
+        {std::regex(jobsPath), "GET, HEAD, POST"},
+        {std::regex(jobPath), "DELETE, GET, HEAD"},
+        {std::regex(cancelPath), "POST"},
+        {std::regex(filePath), "GET, HEAD"}};
+    const auto found = std::ranges::find_if(
+        all, [&](const auto& one) { return std::regex_match(address, one.first); });
+    return found == all.end() ? std::string() : found->second;
+}
 
 void answer(Response& response, int status, const QJsonObject& json) {
     response.status = status;
@@ -124,24 +145,22 @@ struct JobServer::Data {
     Data(const ServerAddress& where, const QByteArray& secret, JobSpool& jobs, CheckUpload uploads)
         : address(where), token(secret), spool(jobs), check(std::move(uploads)) {
         configure();
-        server.Get("/v1/status", [this](const Request&, Response& response) { status(response); });
-        server.Get("/v1/jobs", [this](const Request&, Response& response) { list(response); });
-        server.Post("/v1/jobs",
+        server.Get(statusPath, [this](const Request&, Response& response) { status(response); });
+        server.Get(jobsPath, [this](const Request&, Response& response) { list(response); });
+        server.Post(jobsPath,
                     [this](const Request& request, Response& response,
                            const ContentReader& content) { submit(request, response, content); });
-        server.Get("/v1/jobs/([^/]+)",
+        server.Get(jobPath,
                    [this](const Request& request, Response& response) { show(request, response); });
         // Without reading a body: httplib waits for one even if the request has no length.
-        server.Post("/v1/jobs/([^/]+)/cancel",
-                    [this](const Request& request, Response& response, const ContentReader&) {
-                        cancel(request, response);
-                    });
-        server.Delete("/v1/jobs/([^/]+)", [this](const Request& request, Response& response) {
+        server.Post(cancelPath, [this](const Request& request, Response& response,
+                                       const ContentReader&) { cancel(request, response); });
+        server.Delete(jobPath, [this](const Request& request, Response& response) {
             remove(request, response);
         });
-        server.Get(
-            "/v1/jobs/([^/]+)/files/(.+)",
-            [this](const Request& request, Response& response) { fetch(request, response); });
+        server.Get(filePath, [this](const Request& request, Response& response) {
+            fetch(request, response);
+        });
         const auto nothing = [](const Request&, Response& response, const ContentReader&) {
             response.status = NotFound;
         };
@@ -165,8 +184,14 @@ struct JobServer::Data {
                 QStringLiteral("The token is missing or wrong; send Authorization: Bearer TOKEN"));
             return httplib::Server::HandlerResponse::Handled;
         });
-        server.set_error_handler([](const Request&, Response& response) {
-            if (response.body.empty()) {
+        server.set_error_handler([](const Request& request, Response& response) {
+            const std::string methods = methodsOf(request.path);
+            if (response.body.empty() && response.status == NotFound && !methods.empty()) {
+                response.set_header("Allow", methods);
+                refuse(response, NotAllowed,
+                       QStringLiteral("This address does not accept the method; use %1")
+                           .arg(QString::fromStdString(methods)));
+            } else if (response.body.empty()) {
                 refuse(response, response.status,
                        response.status == NotFound
                            ? QStringLiteral("There is nothing at this address")

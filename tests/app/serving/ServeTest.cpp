@@ -192,7 +192,7 @@ private slots:
         };
         QVERIFY(answered("POST /v1/jobs?name=ball.dipw").contains(" 411 "));
         QVERIFY(answered("POST /v1/jobs/1/cancel").contains("no job of this id"));
-        for (const char* line : {"PUT /v1/jobs", "PATCH /v1/jobs", "POST /v1/nothing"}) {
+        for (const char* line : {"PUT /v1/nothing", "PATCH /v1/nothing", "POST /v1/nothing"}) {
             QVERIFY(answered(line).contains("nothing at this address"));
         }
         requireNothing();
@@ -359,6 +359,21 @@ private slots:
             QVERIFY2(talk(socket_, request(line, token, "\r\n")).contains(" 404 "), name);
         }
         QVERIFY(talk(socket_, request("GET /v1/jobs/..", token, "\r\n")).contains(" 404 "));
+    }
+
+    void otherMethod_knownAddress_isNotAllowed() {
+        start();
+        const std::pair<QByteArray, QByteArray> allowed[]{
+            {"PUT /v1/jobs", "GET, HEAD, POST"},
+            {"DELETE /v1/status", "GET, HEAD"},
+            {"PATCH /v1/jobs/1", "DELETE, GET, HEAD"},
+            {"GET /v1/jobs/1/cancel", "POST"},
+            {"OPTIONS /v1/jobs/1/files/a", "GET, HEAD"}};
+        for (const auto& [line, methods] : allowed) {
+            const QByteArray answer = talk(socket_, request(line, token, "\r\n"));
+            QVERIFY2(answer.contains(" 405 "), answer);
+            QVERIFY2(answer.contains("Allow: " + methods + "\r\n"), answer);
+        }
     }
 
     void socket_otherUser_cannotConnect() {
