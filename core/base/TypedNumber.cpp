@@ -86,9 +86,10 @@ QString digitsOf(QString number) {
     return number.remove(others);
 }
 
-// Returns the possible values of digits with separators, the decimal one first. Empty if the text
-// is not a number.
-std::vector<double> readings(const QString& number, const QLocale& locale) {
+// Returns the possible values of digits with separators and an exponent such as "e3", the decimal
+// one first. Empty if the text is not a number.
+std::vector<double> readings(const QString& number, const QString& exponent,
+                             const QLocale& locale) {
     static const QRegularExpression whole(QStringLiteral("^\\d+$"));
     const auto sign =
         std::max(number.lastIndexOf(u'.'), number.lastIndexOf(u',')); // decimal, if there is one
@@ -100,14 +101,14 @@ std::vector<double> readings(const QString& number, const QLocale& locale) {
         const bool areGroups = isGrouped(before) && !before.contains(number[sign]);
         if ((isPlain || areGroups) &&
             (after.isEmpty() ? isPlain && !before.isEmpty() : whole.match(after).hasMatch())) {
-            values.push_back((digitsOf(before) + u'.' + after).toDouble());
+            values.push_back((digitsOf(before) + u'.' + after + exponent).toDouble());
         }
     } else if (whole.match(number).hasMatch()) {
-        values.push_back(number.toDouble());
+        values.push_back((number + exponent).toDouble());
     }
     const bool isDecimal = !values.empty() && (sign < 0 || locale.decimalPoint() == number[sign]);
     if (!isDecimal && isGrouped(number) && !number.startsWith(u'0')) {
-        values.push_back(digitsOf(number).toDouble());
+        values.push_back((digitsOf(number) + exponent).toDouble());
     }
     return values;
 }
@@ -191,10 +192,15 @@ private:
     double digits() {
         static const QRegularExpression number(
             QStringLiteral("^\\s*(?:\\d(?:[\\d.,]|['’ \\x{00a0}\\x{202f}](?=\\d))*|[.,]\\d+)"));
+        static const QRegularExpression power(QStringLiteral("^[eE][+-]?\\d+"));
+        const QString mantissa = takeMatch(number).value_or(QString()).trimmed();
         const std::vector<double> values =
-            readings(takeMatch(number).value_or(QString()).trimmed(), rules_.locale);
+            readings(mantissa, takeMatch(power).value_or(QString()), rules_.locale);
         if (values.empty()) {
             throw Unreadable{Fault::NotANumber};
+        }
+        if (std::isinf(values.front())) {
+            throw Unreadable{Fault::TooLarge};
         }
         return rules_.takesGroups ? values.back() : values.front();
     }

@@ -16,6 +16,7 @@ struct TypedNumber {
     enum class Fault {
         None,
         NotANumber,   // not a calculation with a finite result
+        TooLarge,     // a number beyond 1.8e308
         UnknownUnit,  // of `unit`
         OtherQuantity // the units do not fit each other or the field
     };
@@ -27,7 +28,8 @@ struct TypedNumber {
 
 // `unit`: the field's unit, such as "mm" or "°/s"; empty if it has none.
 //
-// Numbers, + − * / and brackets. Units: mm, cm, m, µm, in, ft; ms, s, min, h; °, deg, rad, turn;
+// Numbers, such as 12.5 and 2e-3, + − * / and brackets. Units: mm, cm, m, µm, in, ft; ms, s, min,
+// h; °, deg, rad, turn;
 // %, ‰; dpi; rpm; quotients and powers of them, such as cm/min and mm/s². Other units, such as
 // "cells", are read only in fields of that unit. A number without a unit is in the field's unit:
 // alone, as the whole result, or as the term of a sum. In products and quotients it is a plain

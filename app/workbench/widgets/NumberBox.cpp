@@ -103,6 +103,9 @@ QString NumberBox::refusalOf(const QString& own, const TypedNumber& typed) const
     if (typed.fault == TypedNumber::Fault::NotANumber) {
         return tr("“%1” is not a number").arg(own);
     }
+    if (typed.fault == TypedNumber::Fault::TooLarge) {
+        return outsideRange(own);
+    }
     if (unit.isEmpty()) {
         return tr("“%1” has a unit, but this field has none; type only the number").arg(own);
     }
@@ -113,14 +116,22 @@ QString NumberBox::refusalOf(const QString& own, const TypedNumber& typed) const
                      .arg(own, unit);
 }
 
+QString NumberBox::shown(double value) const {
+    QLocale plain = locale();
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    return plain.toString(value, 'g', 12);
+}
+
+QString NumberBox::outsideRange(const QString& own) const {
+    return tr("“%1” is outside the range %2 to %3%4")
+        .arg(own, shown(minimum()), shown(maximum()), suffix());
+}
+
 // Chooses among `values`, the possible meanings of the typed text `own`, the one that the field
 // accepts.
 NumberBox::Reading NumberBox::readingOf(const QString& own,
                                         const std::vector<double>& values) const {
     constexpr double rounding = 1e-9; // of units and calculations
-    QLocale plain = locale();
-    plain.setNumberOptions(QLocale::OmitGroupSeparator);
-    const auto shown = [&plain](double value) { return plain.toString(value, 'g', 12); };
     std::vector<double> within;
     for (const double value : values) {
         const double bound = qBound(minimum(), value, maximum());
@@ -129,9 +140,7 @@ NumberBox::Reading NumberBox::readingOf(const QString& own,
         }
     }
     if (within.empty()) {
-        return {{},
-                tr("“%1” is outside the range %2 to %3%4")
-                    .arg(own, shown(minimum()), shown(maximum()), suffix())};
+        return {{}, outsideRange(own)};
     }
     if (within.size() > 1) {
         return {{},

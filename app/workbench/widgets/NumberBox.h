@@ -45,6 +45,8 @@ private:
     QString ownText(const QString& text) const;
     Reading read(const QString& text) const;
     QString refusalOf(const QString& own, const TypedNumber& typed) const;
+    QString shown(double value) const;
+    QString outsideRange(const QString& own) const; // the refusal
     Reading readingOf(const QString& own, const std::vector<double>& values) const;
     void showReading();
     bool isShortcut(const QKeyEvent& key);

@@ -262,6 +262,10 @@ private slots:
                                                 << "1,23.4";
         QTest::newRow("beyond the limits") << "9000"
                                            << "5000";
+        QTest::newRow("far beyond the limits") << "1e308"
+                                               << "range 0 to 5000";
+        QTest::newRow("beyond every number") << "1e400"
+                                             << "range 0 to 5000";
         QTest::newRow("beyond the limits in another unit") << "9 m"
                                                            << "5000";
         QTest::newRow("empty text") << ""

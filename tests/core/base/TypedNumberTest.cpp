@@ -24,6 +24,7 @@ private slots:
         row("mm", "1 + 2 * 3 - 4/2", 5);
         row("mm", "-(2 − 5) × 4", 12);
         row("mm", "8/4/2", 1);
+        row("mm", "1.5e3 - 2E-1*5", 1499);
         row("mm", "2in", 50.8);
         row("mm", "2 cm", 20);
         row("mm", "1/2in", 12.7);
@@ -112,6 +113,7 @@ private slots:
         row("mm", "2 furlongs", Fault::UnknownUnit);
         row("mm", "3 cells", Fault::UnknownUnit);
         row("mm", "1/0", Fault::NotANumber);
+        row("mm", "1e400", Fault::TooLarge);
         row("mm", "2*", Fault::NotANumber);
         row("mm", "(2", Fault::NotANumber);
         row("mm", "2)", Fault::NotANumber);
