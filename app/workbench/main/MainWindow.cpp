@@ -189,8 +189,15 @@ void MainWindow::connectPanels() {
     connect(&marks_, &MarkTool::refused, &messages_,
             [this](const QString& sentence) { messages_.say(sentence); });
     connect(&marks_, &MarkTool::ended, this, [this] { dip_.setHeld(false); });
-    connect(parts_.properties, &PropertyPanel::failed, &messages_,
-            [this](const QString& sentence) { messages_.say(sentence); });
+    connect(parts_.properties, &PropertyPanel::failed, &messages_, [this](const QString& sentence) {
+        messages_.say(sentence);
+        refusal_ = sentence;
+    });
+    connect(parts_.properties, &PropertyPanel::edited, this, [this] {
+        if (statusBar()->currentMessage() == refusal_) {
+            statusBar()->clearMessage();
+        }
+    });
 }
 
 void MainWindow::connectSession() {

@@ -80,6 +80,7 @@ private:
     WindowActions actions_;
     WindowMessages shownMessages_;
     StatusLine* status_;
+    QString refusal_; // what the status bar says on a refused value; the next accepted one hides it
     PlaceWarning placeWarning_;
 
     DipScene scene_;

@@ -236,6 +236,7 @@ void PropertyPanel::edit(const QString& text, const QString& mergeKey,
             change(project);
             checkEditedSpots(document_->project(), project);
         });
+        emit edited();
     } catch (const Error& error) {
         emit failed(error.sentence());
         refresh();

@@ -38,6 +38,7 @@ signals:
     // Emitted before the panel's minimum width becomes `width`, because of another page.
     void leastWidthChanging(int width);
     void failed(const QString& sentence);
+    void edited(); // a value was accepted
     void reloadModelAsked();
     void tessellationAsked(dipwright::Millimetres tolerance);
     void replaceModelAsked();

@@ -17,6 +17,7 @@
 #include "workbench/preferences/PreferencesDialog.h"
 #include "workbench/project/NewProjectDialog.h"
 #include "workbench/project/ProjectTree.h"
+#include "workbench/project/PropertyPanel.h"
 #include "workbench/results/StretchPanel.h"
 #include "workbench/widgets/NoticeBar.h"
 #include "workbench/widgets/NumberBox.h"
@@ -42,6 +43,7 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSlider>
+#include <QStatusBar>
 #include <QTableWidget>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -94,6 +96,24 @@ private slots:
         });
         window_.reset();
         QVERIFY(isWhole);
+    }
+
+    void refusedNumber_laterOneIsAccepted_messageGoes() {
+        QVERIFY(makeProject());
+        const auto* panel = window_->findChild<PropertyPanel*>();
+        const auto boxes = panel->findChildren<NumberBox*>();
+        const auto shown = std::ranges::find_if(
+            boxes, [](const NumberBox* box) { return box->isVisible() && box->isEnabled(); });
+        QVERIFY(shown != boxes.end());
+        const auto enter = [&](double number) {
+            (*shown)->selectAll();
+            QTest::keyClicks(*shown, QString::number(number));
+            QTest::keyClick(*shown, Qt::Key_Return);
+        };
+        enter(1e9);
+        QVERIFY(window_->statusBar()->currentMessage().contains("outside the range"));
+        enter(std::round(((*shown)->value() + (*shown)->maximum()) / 2));
+        QVERIFY(!window_->statusBar()->currentMessage().contains("outside the range"));
     }
 
     void layout_savedByName_isRestored() {
