@@ -14,6 +14,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 
 namespace dipwright::cli {
 namespace {
@@ -121,7 +122,18 @@ void setIccFile(Profile& profile, const QString& option, const QString& path,
     requireUsableColours(profile, path);
 }
 
+// Without this check, `set printer scale=1` would make a profile of the name scale=1.
+void refuseBareSetting(const QStringList& words) {
+    static const QRegularExpression setting(QStringLiteral("[a-z_.]+=.*"));
+    const qsizetype found = words.indexOf(setting);
+    if (found >= 0) {
+        throw UsageError(QStringLiteral("Write a setting as --set PATH=VALUE, after KIND and NAME"),
+                         words[found]);
+    }
+}
+
 void change(Words words, const QCommandLineParser& parser, QTextStream& out) {
+    refuseBareSetting(parser.positionalArguments());
     const ProfileKind kind = takeKind(words);
     const QString name = words.take(QStringLiteral("NAME"));
     words.finish();

@@ -77,7 +77,8 @@ QString shown(const QJsonValue& value) {
     case QJsonValue::Double:
         return plain(value.toDouble());
     case QJsonValue::String:
-        return QStringLiteral("“%1”").arg(value.toString().left(60));
+        return value.toString().isEmpty() ? Text::tr("An empty value")
+                                          : QStringLiteral("“%1”").arg(value.toString().left(60));
     case QJsonValue::Array:
         return Text::tr("an array");
     case QJsonValue::Object:

@@ -50,6 +50,19 @@ private slots:
         QVERIFY(!cli({"profile", "list"}).out.contains("Broken"));
     }
 
+    void set_emptyValueOrBareSetting_saysWhatToWrite() {
+        const Outcome empty = cli({"profile", "set", "printer", "Ink", "--set", "scale="});
+        QVERIFY2(empty.exitCode == 2 && empty.err.contains("An empty value is not"), empty.err);
+        for (const QStringList& words : {QStringList{"scale="}, QStringList{"printer", "scale=1"},
+                                         QStringList{"printer", "Ink", "scale=1;1"}}) {
+            const Outcome bare = cli(QStringList{"profile", "set"} + words);
+            QVERIFY2(bare.exitCode == 2 && bare.err.contains("--set PATH=VALUE"), bare.err);
+        }
+        QVERIFY(!cli({"profile", "list"}).out.contains("scale="));
+        const Outcome nameless = cli({"profile", "show", "printer"});
+        QVERIFY2(nameless.exitCode == 2 && nameless.err.contains("NAME is missing"), nameless.err);
+    }
+
     void set_damagedIccProfile_isRefused() {
         for (const char* setting : {"icc_profile=YWJj", "device_link=YWJj"}) {
             const Outcome set = cli({"profile", "set", "printer", "Inky", "--set", setting});
