@@ -136,7 +136,7 @@ public:
         letter(painter, {4, 6}, 2.6, Text::tr("Unevenness of the film"));
         letter(painter, {4, 9.5}, 1.6,
                Text::tr("Colour: growth relative to the mean swell %1 · arrows: displacement, "
-                        "enlarged %2 times")
+                        "scale %2:1")
                    .arg(numberText(mean_, 4))
                    .arg(numberText(enlarged(), 0)));
         for (const FilmCorner& corner : film_.corners) {

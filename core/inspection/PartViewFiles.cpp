@@ -274,7 +274,7 @@ QImage pairsPicture(const PartPhoto& photo, int index, const std::vector<PlacePa
     font.setPixelSize(std::max(8, int(9 * unit)));
     painter.setFont(font);
     const QString words =
-        Text::tr("Rings: expected places · lines: deviations of the seen places, enlarged %1 times")
+        Text::tr("Rings: expected places · lines: deviations of the seen places, scale %1:1")
             .arg(roundedText(times, 3));
     const QRectF band(0, 0, picture.width(), 14 * unit);
     painter.fillRect(band, QColor(255, 255, 255, 210));

@@ -88,8 +88,7 @@ void PhotoView::paintOver(QPainter& painter) {
         });
     }
     if (!residuals_.isEmpty()) {
-        const QString words =
-            tr("Lines: residuals, enlarged %1 times").arg(QLocale().toString(times));
+        const QString words = tr("Lines: residuals, scale %1:1").arg(QLocale().toString(times));
         QRectF band(0, height() - 22, width(), 22);
         painter.fillRect(band, QColor(255, 255, 255, 210));
         painter.setPen(Qt::black);

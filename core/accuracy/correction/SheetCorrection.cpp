@@ -301,7 +301,7 @@ QImage correctionPicture(const RepeatingError& error, Millimetres width, Millime
     painter.setFont(font);
     painter.setPen(QColor(40, 44, 50));
     painter.drawText(QPointF(4 * unit, 4 * unit),
-                     Text::tr("Red: mean measured error (parts: %1), enlarged %2 times")
+                     Text::tr("Red: mean measured error (parts: %1), scale %2:1")
                          .arg(error.parts())
                          .arg(numberText(times, 0)));
     painter.drawText(QPointF(4 * unit, 6.8 * unit),
