@@ -2,7 +2,9 @@
 
 #include "base/Budgets.h"
 
+#include <QSet>
 #include <algorithm>
+#include <vector>
 
 namespace dipwright {
 namespace {
@@ -47,7 +49,55 @@ Extent extentOf(const QByteArray& json) {
     return extent;
 }
 
+// An object or a list that is being read.
+struct Level {
+    bool isObject = false;
+    QSet<QByteArray> keys = {};
+    QByteArray key = {}; // of the value that is being read
+    int index = 0;       // likewise
+};
+
+QString pathOf(const std::vector<Level>& levels) {
+    QString path;
+    for (const Level& level : levels) {
+        path += level.isObject ? u'.' + QString::fromUtf8(level.key)
+                               : QStringLiteral("[%1]").arg(level.index);
+    }
+    return path.mid(1);
+}
+
 } // namespace
+
+QString repeatedKey(const QByteArray& text) {
+    std::vector<Level> levels;
+    bool isKeyNext = false;
+    for (qsizetype at = 0; at < text.size(); ++at) {
+        const char sign = text[at];
+        if (sign == '{' || sign == '[') {
+            levels.push_back({sign == '{'});
+            isKeyNext = levels.back().isObject;
+        } else if (sign == '}' || sign == ']') {
+            levels.pop_back();
+            isKeyNext = false;
+        } else if (sign == ',') {
+            ++levels.back().index;
+            isKeyNext = levels.back().isObject;
+        } else if (sign == '"') {
+            const qsizetype begin = at + 1;
+            at = endOfText(text, at);
+            if (isKeyNext) {
+                Level& level = levels.back();
+                level.key = text.mid(begin, at - begin);
+                if (level.keys.contains(level.key)) {
+                    return pathOf(levels);
+                }
+                level.keys.insert(level.key);
+                isKeyNext = false;
+            }
+        }
+    }
+    return {};
+}
 
 void requireJsonWithinLimits(const QByteArray& text, const QString& where) {
     const Extent extent = extentOf(text);

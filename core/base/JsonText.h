@@ -12,4 +12,8 @@ namespace dipwright {
 // text is valid JSON.
 void requireJsonWithinLimits(const QByteArray& text, const QString& where);
 
+// Returns the path, such as "film.points", of the first key that an object holds twice; empty if
+// there is none. The text must be valid JSON. Compares keys as they are written.
+QString repeatedKey(const QByteArray& text);
+
 } // namespace dipwright

@@ -213,6 +213,10 @@ QJsonObject readDocument(ZipReader& archive, const QString& path) {
                         .arg(error.errorString()),
                     path);
     }
+    if (const QString key = repeatedKey(bytes); !key.isEmpty()) {
+        throw Error(Text::tr("project.json holds the key %1 twice; remove one of them").arg(key),
+                    path);
+    }
     return document.object();
 }
 

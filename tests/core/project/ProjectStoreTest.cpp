@@ -258,6 +258,9 @@ private slots:
         QTest::newRow("bomb") << zip(plus("assets/zeros", QByteArray(64 << 20, 0))) << "unpack";
         QTest::newRow("many entries") << zip(crowd()) << "entries";
         QTest::newRow("not JSON") << zip(withDocument("{\"format\":")) << "damaged at character";
+        QTest::newRow("a key twice")
+            << zip(withDocument(R"({"film": {"a": [{"b": "b,"}, {"c": 1, "d": {}, "c": 2}]}})"))
+            << "film.a[1].c twice";
         QTest::newRow("an array") << zip(withDocument("[]")) << "project.json";
         QTest::newRow("wrong sha256")
             << zip(withDocument(changed("sha256", QString(64, 'a')))) << "sha256";
