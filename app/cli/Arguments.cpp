@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 
 #include "base/Error.h"
+#include "base/OneLine.h"
 #include "disk/SmallFile.h"
 #include "import/trusted/ReadPictures.h"
 #include "project/Project.h"
@@ -141,6 +142,10 @@ void setByOption(Project& project, const QString& path, const QString& value,
     } catch (const Error& error) {
         throw UsageError(error.message(), option);
     }
+}
+
+QString wrote(const QString& path) {
+    return QStringLiteral("Wrote %1\n").arg(oneLine(path));
 }
 
 void requireReplaceable(const QString& path, const std::function<bool(const QByteArray&)>& isOwn,

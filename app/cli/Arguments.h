@@ -57,6 +57,9 @@ QString pictureOption(const QCommandLineParser& parser, const QString& option,
 void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option);
 
+// Returns the line that tells of a written file or folder.
+QString wrote(const QString& path);
+
 // Throws Error if a file exists at `path` whose beginning (64 KiB) is not as `isOwn` says; an empty
 // file may be replaced. `kind` names what may be replaced, such as "a table of costs".
 void requireReplaceable(const QString& path, const std::function<bool(const QByteArray&)>& isOwn,

@@ -1,6 +1,7 @@
 #include "cli/Arguments.h"
 #include "cli/PrintOptions.h"
 
+#include "base/OneLine.h"
 #include "disk/AtomicFile.h"
 #include "printing/Calibration.h"
 #include "printing/PrintFile.h"
@@ -155,7 +156,7 @@ void writeWatchPage(const QString& kind, const QCommandLineParser& parser, const
     });
     out << QStringLiteral("Wrote %1: %2 × %3 squares of %4 mm. Print it at true size and check "
                           "that both rulers measure %5 mm\n")
-               .arg(path)
+               .arg(oneLine(path))
                .arg(board.columns)
                .arg(board.rows)
                .arg(boardSquare(page.kind))
@@ -272,7 +273,7 @@ void writeWedgePage(const QCommandLineParser& parser, const QString& path, QText
     writeAtomically(table, [&](QIODevice& device) { device.write(blank); });
     out << QStringLiteral("Wrote %1 and the table for its readings, %2. Both rulers are %3 mm long "
                           "before the film is stretched\n")
-               .arg(path, table)
+               .arg(oneLine(path), oneLine(table))
                .arg(wedgeRuler);
 }
 
@@ -364,7 +365,7 @@ public:
         if (!target.file.isEmpty()) {
             writeAtomically(target.file,
                             [&](QIODevice& device) { writeCalibrationPdf(page, device); });
-            console.out() << QStringLiteral("Wrote %1\n").arg(target.file);
+            console.out() << wrote(target.file);
         } else {
             const auto system = printSystem();
             PrintRequest request;

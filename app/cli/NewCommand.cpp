@@ -318,7 +318,7 @@ public:
             }
         }
         file.save(project);
-        console.out() << QStringLiteral("Wrote %1\n").arg(path);
+        console.out() << wrote(path);
     }
 };
 

@@ -128,7 +128,7 @@ public:
             }
             printWarnings(lost, console.out());
             writeFilms(films, folder, progress.part(0.9, 1));
-            console.out() << QStringLiteral("Wrote %1\n").arg(folder);
+            console.out() << wrote(folder);
         } else {
             print(films, target, request, progress.part(0.9, 1), console.out());
         }
@@ -206,7 +206,7 @@ private:
             const QString path =
                 sheets.size() == 1 ? target.file : numbered(target.file, number + 1);
             printWarnings(writePrintFile(sheets[number], file, path, PrintHistory()), out);
-            out << QStringLiteral("Wrote %1\n").arg(path);
+            out << wrote(path);
         }
         for (std::size_t number = sheets.size() == 1 ? 1 : sheets.size() + 1;
              QFileInfo::exists(numbered(target.file, number)); ++number) {

@@ -1,6 +1,7 @@
 #include "cli/PlatesFolder.h"
 
 #include "base/Error.h"
+#include "cli/Arguments.h"
 #include "disk/FolderTransaction.h"
 #include "printing/PrintFile.h"
 #include "sheet/page/PaperMargins.h"
@@ -131,7 +132,7 @@ void writePlates(const JobResult& result, const std::vector<std::size_t>& dips,
         transaction.write(file.name, file.contents);
     }
     transaction.commit();
-    out << QStringLiteral("Wrote %1\n").arg(folder);
+    out << wrote(folder);
 }
 
 } // namespace dipwright::cli

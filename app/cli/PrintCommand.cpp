@@ -139,7 +139,7 @@ void writeFile(const Sheet& sheet, const PrintRequest& request, const QString& p
          writePrintFile(sheet, fileRequest(request), path, PrintHistory())) {
         out << QStringLiteral("%1: %2\n").arg(sheet.job.immersion, warning);
     }
-    out << QStringLiteral("Wrote %1\n").arg(path);
+    out << wrote(path);
 }
 
 void writeProof(const Sheet& sheet, const PrintRequest& request, const QString& path) {
@@ -340,7 +340,7 @@ public:
         }
         if (!proof.isEmpty()) {
             writeProof(result.immersions.front().sheet, request, proof);
-            console.out() << QStringLiteral("Wrote %1\n").arg(proof);
+            console.out() << wrote(proof);
         }
         if (isProofOnly) {
             return;

@@ -197,7 +197,7 @@ void exportOne(Words words, QTextStream& out) {
     const ProfileLibrary library;
     library.requireOneFile(kind, name);
     exportProfile(library.profile(kind, name), path);
-    out << QStringLiteral("Wrote %1\n").arg(path);
+    out << wrote(path);
 }
 
 void remove(Words words, QTextStream& out) {

@@ -5,6 +5,7 @@
 #include "project/Profiles.h"
 
 #include "base/Error.h"
+#include "base/OneLine.h"
 #include "cost/CostText.h"
 #include "dip/FilmUnderBody.h"
 #include "marks/SurfaceMask.h"
@@ -505,7 +506,7 @@ private:
         }
         const JobResult result = runAndWrite(project, registry, options, nullptr, folder, progress);
         printSummary(result, console.out());
-        console.out() << Text::tr("Wrote %1").arg(folder) << '\n';
+        console.out() << Text::tr("Wrote %1").arg(oneLine(folder)) << '\n';
         return verdictToCompare(result);
     }
 

@@ -210,7 +210,7 @@ private:
         QString text;
         QTextStream lines(&text);
         printVerdict(result, lines);
-        lines << QStringLiteral("Wrote %1\n").arg(results);
+        lines << wrote(results);
         const QString printer = order.printer.isEmpty() ? printerName(parser_) : order.printer;
         if (!job.isReleased && required_ && isWorse(verdictToCompare(result), *required_)) {
             throw HeldError(text + QStringLiteral("The verdict is worse than required. To print "

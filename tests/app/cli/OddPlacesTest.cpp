@@ -52,6 +52,7 @@ private slots:
     void cli_nameNotUtf8_isRefused();
     void cli_escapeBytesInName_areNotPrinted_data();
     void cli_escapeBytesInName_areNotPrinted();
+    void cli_lineBreakInName_isPrintedOnOneLine();
     void run_anyLocale_writesSameFiles_data();
     void run_anyLocale_writesSameFiles();
 
@@ -156,6 +157,11 @@ void OddPlacesTest::cli_escapeBytesInName_areNotPrinted() {
     for (const char* byte : {"\x1b", "\x07", "\xc2\x9b"}) {
         QVERIFY2(!said.contains(byte), said.toPercentEncoding(" /").constData());
     }
+}
+
+void OddPlacesTest::cli_lineBreakInName_isPrintedOnOneLine() {
+    const Outcome outcome = cli({"new", path("two\nlines.dipw"), "--model", model});
+    QVERIFY2(outcome.out.contains("two lines.dipw\n"), outcome.out + outcome.err);
 }
 
 void OddPlacesTest::run_anyLocale_writesSameFiles_data() {
