@@ -103,12 +103,23 @@ void checkCollada(const ModelSource& source) {
     QHash<QString, double> lengths; // array lengths by name
     std::vector<Accessor> accessors;
     ImageCheck images;
+    double missingPolygons = 0;
     QXmlStreamReader xml(source.bytes);
     while (!xml.atEnd()) {
-        if (xml.readNext() != QXmlStreamReader::StartElement) {
+        const QXmlStreamReader::TokenType token = xml.readNext();
+        // assimp 5.2.5 ends on another number of polygons than the element declares.
+        if (token == QXmlStreamReader::EndElement && xml.name() == u"polygons" &&
+            missingPolygons != 0) {
+            source.throwDamaged(
+                Text::tr("the polygons that end in line %1 are not as many as their count says")
+                    .arg(xml.lineNumber()));
+        }
+        if (token != QXmlStreamReader::StartElement) {
             continue;
         }
         const QXmlStreamAttributes attributes = xml.attributes();
+        missingPolygons = xml.name() == u"polygons" ? number(attributes, "count", 0)
+                                                    : missingPolygons - (xml.name() == u"p");
         // assimp allocates memory for this number of values at once.
         if (number(attributes, "count", 0) > double(source.bytes.size())) {
             source.throwDamaged(Text::tr("line %1 declares more values than the file can hold")
