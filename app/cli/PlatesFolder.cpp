@@ -4,6 +4,7 @@
 #include "cli/Arguments.h"
 #include "disk/FolderTransaction.h"
 #include "printing/PrintFile.h"
+#include "project/OutputSets.h"
 #include "sheet/page/PaperMargins.h"
 #include "sheet/prepress/PlateProof.h"
 #include "sheet/prepress/PrinterColour.h"
@@ -25,7 +26,7 @@ const QStringList fixedFiles{listFile, QStringLiteral("total-ink.png"),
                              QStringLiteral("composite.png")};
 
 QString prefixOf(std::size_t dip, std::size_t dips) {
-    return dips > 1 ? QStringLiteral("immersion-%1/").arg(dip + 1) : QString();
+    return dips > 1 ? immersionFolder(int(dip) + 1) : QString();
 }
 
 QJsonObject listIn(const QString& folder, const QString& prefix) {

@@ -34,10 +34,6 @@ struct Text {
 
 constexpr int filmMapEdge = 1600; // pixels
 
-QString immersionFolder(int number) {
-    return QStringLiteral("immersion-%1").arg(number);
-}
-
 QString cradleFile(int number, const char* suffix) {
     return QStringLiteral("cradle-%1.%2").arg(number).arg(QLatin1String(suffix));
 }
@@ -63,7 +59,7 @@ QStringList resultFiles() {
     for (const int number : {1, 2}) {
         for (const char* name : {"sheet.png", "sheet.pdf", "film.vtp", "body.vtp", "stretch.png",
                                  "wrinkling.png", "certainty.png", "tolerance.png"}) {
-            files.append(immersionFolder(number) + QLatin1Char('/') + QLatin1String(name));
+            files.append(immersionFolder(number) + QLatin1String(name));
         }
     }
     return files;
@@ -150,7 +146,7 @@ void addMaps(std::vector<Piece>& pieces, const ImmersionResult& result, const QS
 // arguments.
 std::vector<Piece> immersionPieces(const Project& project, const ImmersionResult& result,
                                    std::size_t number, const FolderTransaction& folder) {
-    const QString prefix = immersionFolder(int(number) + 1) + QLatin1Char('/');
+    const QString prefix = immersionFolder(int(number) + 1);
     std::vector<Piece> pieces;
     addSheet(pieces, result, prefix, SheetFormats::Both, folder);
     addFilm(pieces, result, prefix, folder);
@@ -211,7 +207,7 @@ void addToleranceMaps(std::vector<Piece>& pieces, const JobResult& result,
         pieces.push_back({Text::tr("Writing the tolerance map of %1").arg(immersion.immersion.name),
                           [&, number = int(i) + 1, &dip = result.tolerances->dips[i]] {
                               const QString name =
-                                  immersionFolder(number) + QStringLiteral("/tolerance.png");
+                                  immersionFolder(number) + QStringLiteral("tolerance.png");
                               const double limit = result.project.tolerance.limits.back().value();
                               const QImage map =
                                   toleranceMap(*immersion.laid, dip.filmPoints, limit, filmMapEdge);
@@ -273,7 +269,7 @@ std::vector<Piece> jobPieces(const Project& project, const JobResult& result,
 void writeTicket(const JobResult& result, const FolderTransaction& folder) {
     std::vector<QStringList> files;
     for (int number = 1; number <= int(result.immersions.size()); ++number) {
-        const QString prefix = immersionFolder(number) + QLatin1Char('/');
+        const QString prefix = immersionFolder(number);
         files.push_back({prefix + QStringLiteral("sheet.png"), prefix + QStringLiteral("sheet.pdf"),
                          motionFile(number, "csv"), motionFile(number, "gcode")});
     }
@@ -323,7 +319,7 @@ namespace {
 // the job. They keep references to all other arguments.
 std::vector<Piece> dipPieces(Output output, const JobResult& result, std::size_t number,
                              const FolderTransaction& folder) {
-    const QString prefix = immersionFolder(int(number) + 1) + QLatin1Char('/');
+    const QString prefix = immersionFolder(int(number) + 1);
     const ImmersionResult& dip = result.immersions[number];
     std::vector<Piece> pieces;
     if (output == Output::SheetPdf || output == Output::SheetPng) {

@@ -101,13 +101,19 @@ QString outputText(Output output) {
     return {};
 }
 
+QString immersionFolder(int number) {
+    return QStringLiteral("immersion-%1/").arg(number);
+}
+
 QStringList outputFiles(Output output) {
     const auto inFolders = [](const QStringList& names) {
         QStringList files;
-        for (const QString& name : names) {
-            files << QStringLiteral("immersion-%1/") + name;
+        for (int dip = 1; dip <= mostDips; ++dip) {
+            for (const QString& name : names) {
+                files << immersionFolder(dip) + name;
+            }
         }
-        return ofEachDip(files);
+        return files;
     };
     switch (output) {
     case Output::SheetPdf:

@@ -34,6 +34,9 @@ inline constexpr std::array allOutputs{Output::SheetPdf,  Output::SheetPng, Outp
 QString outputWord(Output output);
 // The name of an output for the user.
 QString outputText(Output output);
+// The folder of a dip's files, relative to the folder of the results, with a slash at its end. The
+// first dip has the number 1.
+QString immersionFolder(int number);
 // The names, relative to the folder, of all files that an output may consist of.
 QStringList outputFiles(Output output);
 
