@@ -5,8 +5,12 @@
 
 namespace dipwright {
 
-JoinedPositions::JoinedPositions(const TriangleMesh& mesh) : parent_(mesh.positions.size()) {
+JoinedPositions::JoinedPositions(std::size_t positions) : parent_(positions) {
     std::iota(parent_.begin(), parent_.end(), 0U);
+}
+
+JoinedPositions::JoinedPositions(const TriangleMesh& mesh)
+    : JoinedPositions(mesh.positions.size()) {
     for (const auto& [a, b, c] : mesh.triangles) {
         join(a, b);
         join(b, c);

@@ -1,5 +1,7 @@
 #include "accuracy/verdict/PlacesToCheck.h"
 
+#include "geometry/JoinedPositions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,28 +16,6 @@ double area(const FilmContact& contact, const FilmTriangle& corners) {
     const Eigen::Vector3f c = contact.places[corners[2]];
     return double((b - a).cross(c - a).norm()) / 2;
 }
-
-// Connected sets of film points (union–find).
-class Parts {
-public:
-    explicit Parts(std::size_t points) : parent_(points) {
-        std::iota(parent_.begin(), parent_.end(), std::uint32_t(0));
-    }
-    std::uint32_t of(std::uint32_t point) const {
-        while (parent_[point] != point) {
-            point = parent_[point];
-        }
-        return point;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t one = of(a), other = of(b);
-        parent_[std::max(one, other)] = std::min(one, other);
-        parent_[a] = parent_[b] = std::min(one, other); // also shortens later searches
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 struct Piece {
     double offBy = 0, area = 0;
@@ -101,10 +81,10 @@ public:
         return errors;
     }
 
-    std::vector<PlaceToCheck> places() const {
+    std::vector<PlaceToCheck> places() {
         std::map<std::uint32_t, PlaceToCheck> byPart; // key: the set's first point
         for (const PieceToCheck& piece : uncertain_) {
-            PlaceToCheck& place = byPart[parts_.of(piece.corners[0])];
+            PlaceToCheck& place = byPart[parts_.pieceOf(piece.corners[0])];
             const bool isFirst = place.area == 0;
             place.area += piece.area;
             place.limit = isFirst ? piece.limit : std::min(place.limit, piece.limit);
@@ -224,7 +204,7 @@ private:
     const std::vector<float>& offBy_;
     const JudgedSurface& surface_;
     const ToleranceSettings& settings_;
-    Parts parts_;
+    JoinedPositions parts_;                              // of uncertain film
     std::vector<std::array<ZoneFilm, zoneCount>> films_; // of each body
     std::vector<PieceToCheck> uncertain_;
 };
@@ -233,7 +213,7 @@ private:
 
 PlacesToCheck placesToCheck(const LaidFilm& laid, const std::vector<float>& pointErrors,
                             const JudgedSurface& surface, const ToleranceSettings& settings) {
-    const PaintedFilm film(laid, pointErrors, surface, settings);
+    PaintedFilm film(laid, pointErrors, surface, settings);
     return {film.zoneErrors(), film.zoneErrorsOfBodies(), film.places(), film.areaToCheck()};
 }
 
