@@ -175,6 +175,11 @@ void ProfilesDialog::fillList() {
             item->setData(0, OwnRole, entry.isUsers());
             item->setToolTip(0, item->text(0) + QLatin1Char('\n') +
                                     (entry.isUsers() ? entry.path : tr("Comes with the program")));
+            if (const std::optional<Error> several = severalFiles(entry)) {
+                item->setIcon(0, icon(QStringLiteral("warning")));
+                item->setToolTip(0, several->message());
+                item->setData(0, Qt::AccessibleDescriptionRole, several->message());
+            }
             QFont font = item->font(0);
             font.setItalic(!entry.isUsers());
             item->setFont(0, font);

@@ -22,6 +22,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
 
 using namespace dipwright;
 
@@ -95,6 +96,21 @@ private slots:
         dialog.show();
         QTRY_VERIFY(text->width() > 0 && text->height() >= text->heightForWidth(text->width()));
         QVERIFY(!dialog.findChild<QScrollArea*>()->horizontalScrollBar()->isVisible());
+    }
+
+    void profilesDialog_severalFilesOfOneName_areMarked() {
+        const QString twin = folder_.filePath("profiles/printer/twin.json");
+        const auto mine = [this] {
+            const ProfilesDialog dialog(library_, LengthUnit::Millimetre);
+            const auto* list = dialog.findChild<QTreeWidget*>();
+            return *list->findItems("Mine", Qt::MatchExactly | Qt::MatchRecursive).first();
+        };
+        QVERIFY(mine().icon(0).isNull());
+        exportProfile(library_.profile(ProfileKind::Printer, "Mine"), twin);
+        const QTreeWidgetItem marked = mine();
+        QVERIFY(!marked.icon(0).isNull());
+        QVERIFY2(marked.toolTip(0).contains("Several files"), qPrintable(marked.toolTip(0)));
+        QVERIFY(QFile::remove(twin));
     }
 
     void profilesDialog_newName_renamesProfile() {
