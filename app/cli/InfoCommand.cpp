@@ -106,7 +106,7 @@ void printProject(const Project& project, QTextStream& out) {
                    .arg(materialNames(*project.model).join(QStringLiteral(", ")));
     }
     printFilm(project.film, out);
-    const TriangleMesh& mesh = project.model->mesh;
+    const TriangleMesh mesh = inBodyCoordinates(project.model->mesh);
     const FieldGrid field =
         fieldGrid(mesh, project.fieldResolution, thinParts(mesh, SurfaceQuery(mesh)).thickness);
     out << QStringLiteral("Process: %1 mm/s, solver %2, signed distance field of %3 × %4 × %5 "

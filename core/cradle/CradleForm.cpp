@@ -55,7 +55,7 @@ private:
 class Form {
 public:
     Form(const HeldDip& dip, const FilmSide& side, const CradleDistances& distances)
-        : body_(dip.film.body()), field_(dip.field), poseToModel_(body_.modelToPose.inverse()),
+        : body_(dip.film.body()), field_(dip.field), poseToBody_(body_.bodyToPose.inverse()),
           side_(side), distances_(distances), within_(distances.outer + 2 * dip.field.spacing) {
         if (!side.film.triangles.empty()) {
             film_.emplace(side.film);
@@ -74,7 +74,7 @@ public:
                             distances_.earlierPaint + grid.spacing);
         for (int j = grid.size[1] - 1; j >= 0; --j) {
             const Eigen::Vector3d place = grid.origin + grid.spacing * Eigen::Vector3d(i, j, k);
-            const double rough = field_.sample(poseToModel_ * place);
+            const double rough = field_.sample(poseToBody_ * place);
             // The cells of the field smooth details away, so its values may be too large.
             const double atLeast = std::max(0.0, std::abs(rough) - 2 * field_.spacing);
             const Eigen::Vector3f where = place.cast<float>();
@@ -95,7 +95,7 @@ public:
 private:
     const PosedBody& body_;
     const DistanceField& field_;
-    Eigen::Isometry3d poseToModel_;
+    Eigen::Isometry3d poseToBody_;
     const FilmSide& side_;
     CradleDistances distances_;
     double within_;

@@ -173,14 +173,14 @@ solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
     return path;
 }
 
-solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& modelToPose,
+solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& toPose,
                              const Immersion& immersion) {
     solver::BodyPath result = path;
-    const Eigen::Quaterniond model(modelToPose.linear());
-    const Eigen::Vector3d pivot = modelToPose.inverse() * vectorOf(path.pivot);
+    const Eigen::Quaterniond body(toPose.linear());
+    const Eigen::Vector3d pivot = toPose.inverse() * vectorOf(path.pivot);
     Eigen::Map<Eigen::Vector3d>(result.pivot.data()) = pivot;
     for (solver::PathPose& pose : result.poses) {
-        const Eigen::Quaterniond turn = (rotationOf(pose) * model).normalized();
+        const Eigen::Quaterniond turn = (rotationOf(pose) * body).normalized();
         pose.rotation = {turn.w(), turn.x(), turn.y(), turn.z()};
         pose.pivot[0] += immersion.offset[0].value();
         pose.pivot[2] += immersion.offset[1].value();

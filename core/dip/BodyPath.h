@@ -46,8 +46,9 @@ void measureTravel(std::vector<solver::PathPose>& poses, double radius);
 // if the path cannot be travelled.
 solver::BodyPath bodyPath(const TriangleMesh& posed, const Immersion& immersion,
                           const ProcessSettings& process);
-// Returns the same path for a body in model coordinates, at an offset on the water.
-solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& modelToPose,
+// Returns the same path, at an offset on the water, for a body in other coordinates: model or body
+// coordinates (geometry/FieldGrid.h). `toPose` maps them to the pose frame.
+solver::BodyPath pathOfModel(const solver::BodyPath& path, const Eigen::Isometry3d& toPose,
                              const Immersion& immersion);
 
 // The speed of the travel on a path, mm/s.

@@ -208,13 +208,13 @@ solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
     Eigen::Map<Eigen::Vector3d>(setup.field.origin.data()) = samples.origin;
 
     using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-    Eigen::Map<RowMajor>(setup.motion.rotation.data()) = body.modelToPose.linear();
+    Eigen::Map<RowMajor>(setup.motion.rotation.data()) = body.bodyToPose.linear();
     Eigen::Map<Eigen::Vector3d>(setup.motion.start.data()) =
-        body.modelToPose.translation() + poseToWorld(immersion, 0);
+        body.bodyToPose.translation() + poseToWorld(immersion, 0);
     setup.motion.travel = dipTravel(process, body);
     setup.motion.speed = process.dipSpeed.value();
     if (!body.path.isStraightDown()) {
-        setup.path = pathOfModel(body.path, body.modelToPose, immersion);
+        setup.path = pathOfModel(body.path, body.bodyToPose, immersion);
     }
 
     setup.settings.lattice = film.lattice;
@@ -238,7 +238,7 @@ solver::DipSetup dipSetup(const PosedBody& body, const FilledField& field,
 
 namespace {
 
-Eigen::Isometry3d modelToPose(const solver::DipSetup& setup, const Immersion& immersion) {
+Eigen::Isometry3d bodyToPose(const solver::DipSetup& setup, const Immersion& immersion) {
     using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
     Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
     result.linear() = Eigen::Map<const RowMajor>(setup.motion.rotation.data());
@@ -253,8 +253,7 @@ Eigen::Vector3d shiftAtEnd(const solver::DipSetup& setup, const Immersion& immer
     if (setup.path.isStraightDown()) {
         return poseToWorld(immersion, travel);
     }
-    return (placeOnPath(setup.path, travel) * modelToPose(setup, immersion).inverse())
-        .translation();
+    return (placeOnPath(setup.path, travel) * bodyToPose(setup, immersion).inverse()).translation();
 }
 
 // Returns, per film point, how much the film had grown when the point was touched. Assumes that
@@ -263,11 +262,11 @@ std::vector<float> grownWhenTouched(const DippedFilm& film, const solver::DipSet
                                     const Immersion& immersion) {
     std::vector<float> grown;
     const double begin = poseToWorld(immersion, 0).y();
-    const Eigen::Isometry3d toModel = modelToPose(setup, immersion).inverse();
+    const Eigen::Isometry3d toBody = bodyToPose(setup, immersion).inverse();
     for (const Eigen::Vector3f& place : film.positions) {
         double seconds = (begin + double(place.y())) / setup.motion.speed;
         if (!setup.path.isStraightDown()) {
-            const auto way = firstUnderWater(setup.path, toModel * place.cast<double>());
+            const auto way = firstUnderWater(setup.path, toBody * place.cast<double>());
             seconds = secondsOnPath(setup.path, way.value_or(setup.motion.travel));
         }
         grown.push_back(float(grownLength(std::max(seconds, 0.0), setup.settings)));

@@ -103,7 +103,7 @@ private:
     template <typename Visit>
     void forEachSample(const Visit& visit) const {
         const Eigen::AlignedBox<std::ptrdiff_t, 3> box = changedBox();
-        const Eigen::Isometry3f pose = body_.modelToPose.cast<float>();
+        const Eigen::Isometry3f pose = body_.bodyToPose.cast<float>();
         parallelFor(box.min()[2], box.max()[2] + 1, [&](std::ptrdiff_t k) {
             for (std::ptrdiff_t j = box.min()[1]; j <= box.max()[1]; ++j) {
                 for (std::ptrdiff_t i = box.min()[0]; i <= box.max()[0]; ++i) {
@@ -121,7 +121,7 @@ private:
     // end.
     Eigen::AlignedBox<std::ptrdiff_t, 3> changedBox() const {
         const double bottom = -(own_.size[0] + own_.size[1] + own_.size[2]) * own_.spacing;
-        const Eigen::Isometry3d fromPose = body_.modelToPose.inverse();
+        const Eigen::Isometry3d fromPose = body_.bodyToPose.inverse();
         Eigen::AlignedBox3d cells;
         for (const AirPocket& pocket : body_.air.all()) {
             Eigen::AlignedBox3d box(pocket.box.min().cast<double>(),

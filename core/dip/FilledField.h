@@ -14,7 +14,7 @@ namespace dipwright {
 // they are first-order accurate in the cell size. A body without pockets keeps its own field.
 class FilledField {
 public:
-    // `own` is the body's field in model coordinates. It must outlive this object if the body has
+    // `own` is the body's field in body coordinates. It must outlive this object if the body has
     // no pockets. Uses all cores; deterministic.
     FilledField(const PosedBody& body, const DistanceField& own);
     FilledField(const PosedBody& body, DistanceField&& own) = delete;

@@ -1,5 +1,7 @@
 #include "dip/Pose.h"
 
+#include "geometry/FieldGrid.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -49,18 +51,22 @@ std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
     return {rounded(nearest.x()), rounded(nearest.y()), rounded(nearest.z())};
 }
 
-Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion) {
-    const BoundingBox box = boundingBox(body);
+Eigen::Isometry3d poseTransform(const TriangleMesh& model, const Immersion& immersion) {
+    const BoundingBox box = boundingBox(model);
     const Eigen::Vector3d centre = (box.min().cast<double>() + box.max().cast<double>()) / 2;
     const Eigen::Matrix3d rotation = rotationMatrix(immersion.rotation);
     double lowest = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3f& point : body.positions) {
+    for (const Eigen::Vector3f& point : model.positions) {
         lowest = std::min(lowest, rotation.row(1).dot(point.cast<double>() - centre));
     }
     Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
     transform.linear() = rotation;
     transform.translation() = -(rotation * centre) - Eigen::Vector3d(0, lowest, 0);
     return transform;
+}
+
+Eigen::Isometry3d bodyTransform(const TriangleMesh& model, const Immersion& immersion) {
+    return poseTransform(model, immersion) * Eigen::Translation3d(bodyOrigin(model));
 }
 
 bool PosedBody::isDry(const SurfacePoint& point) const {
@@ -76,8 +82,9 @@ PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion,
     solver::BodyPath path = bodyPath(posed, immersion, process);
     AirPockets air =
         isTilting(path) ? AirPockets(posed, query, path, cells) : AirPockets(posed, query, cells);
-    return {std::move(posed), modelToPose,    height,
-            std::move(query), std::move(air), std::move(path)};
+    return {std::move(posed), modelToPose,      bodyTransform(model, immersion),
+            height,           std::move(query), std::move(air),
+            std::move(path)};
 }
 
 PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion, int cells) {

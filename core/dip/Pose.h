@@ -29,14 +29,17 @@ std::array<Degrees, 3> rotationAngles(const Eigen::Matrix3d& rotation,
 Eigen::Vector3d anglesNear(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& aim);
 
 // Maps model coordinates to the pose frame.
-Eigen::Isometry3d poseTransform(const TriangleMesh& body, const Immersion& immersion);
+Eigen::Isometry3d poseTransform(const TriangleMesh& model, const Immersion& immersion);
+// Maps body coordinates (geometry/FieldGrid.h) to the pose frame.
+Eigen::Isometry3d bodyTransform(const TriangleMesh& model, const Immersion& immersion);
 
 // The shape of a body in the pose frame of one dip, with its surface query, its path and its air
 // pockets. It depends neither on the offset on the water nor on the body's appearance.
 struct PosedBody {
-    TriangleMesh mesh; // the model's mesh in the pose frame
-    // Maps model coordinates, in which the distance field is given, to the pose frame.
-    Eigen::Isometry3d modelToPose;
+    TriangleMesh mesh;             // the model's mesh in the pose frame
+    Eigen::Isometry3d modelToPose; // maps model coordinates to the pose frame
+    // Maps body coordinates, in which distance fields are given, to the pose frame.
+    Eigen::Isometry3d bodyToPose;
     double height = 0;     // from the lowest to the highest point, mm
     SurfaceQuery query;    // searches `mesh`
     AirPockets air;        // air pockets of `mesh`

@@ -291,8 +291,9 @@ Eigen::Vector3d DistanceField::gradient(const Eigen::Vector3d& position) const {
     return result;
 }
 
-DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
+DistanceField buildDistanceField(const TriangleMesh& model, int resolution,
                                  const Progress& progress) {
+    const TriangleMesh body = inBodyCoordinates(model);
     return buildDistanceField(body, SurfaceQuery(body), cubeGrid(body, resolution), progress);
 }
 

@@ -24,20 +24,22 @@ struct DistanceField : FieldGrid {
     Eigen::Vector3d gradient(const Eigen::Vector3d& position) const;
 };
 
-// Builds the field on cubeGrid(). It is exact (up to float rounding) within three cells of the
-// surface. Farther away its magnitude is a lower bound of the distance. Uses all cores;
-// deterministic; throws Cancelled.
-DistanceField buildDistanceField(const TriangleMesh& body, int resolution,
+// Builds the field on cubeGrid(), in body coordinates (FieldGrid.h). It is exact (up to float
+// rounding) within three cells of the surface. Farther away its magnitude is a lower bound of the
+// distance. Uses all cores; deterministic; throws Cancelled.
+DistanceField buildDistanceField(const TriangleMesh& model, int resolution,
                                  const Progress& progress);
 
-// Builds the field on the given grid. `query` must have been built from `body`.
+// Builds the field on the given grid, in the coordinates of `body`. `query` must have been built
+// from `body`.
 DistanceField buildDistanceField(const TriangleMesh& body, const SurfaceQuery& query,
                                  const FieldGrid& grid, const Progress& progress);
 
-// Builds the field on fieldGrid(), whose cells are finer for bodies with thin parts. It has finer
-// fields, for which it copies the mesh. Uses a cache on disk, keyed by the content of the mesh and
-// the resolution. If the cache is damaged or cannot be written, the field is computed.
-std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
+// Builds the field on fieldGrid(), whose cells are finer for bodies with thin parts, in body
+// coordinates (FieldGrid.h). It has finer fields, for which it copies the mesh. Uses a cache on
+// disk, keyed by the content of the mesh and the resolution. If the cache is damaged or cannot be
+// written, the field is computed.
+std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& model, int resolution,
                                                          const Progress& progress);
 
 } // namespace dipwright

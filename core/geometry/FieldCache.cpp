@@ -90,15 +90,16 @@ std::shared_ptr<DistanceField> fieldFromCache(const QString& name,
     return field;
 }
 
-std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& body, int resolution,
+std::shared_ptr<const DistanceField> cachedDistanceField(const TriangleMesh& model, int resolution,
                                                          const Progress& progress) {
+    TriangleMesh body = inBodyCoordinates(model);
     const QString name = QString::fromLatin1(contentHash(body, resolution).toHex());
     const std::shared_ptr<DistanceField> field = fieldFromCache(name, [&] {
         const SurfaceQuery query(body);
         const FieldGrid grid = fieldGrid(body, resolution, thinParts(body, query).thickness);
         return buildDistanceField(body, query, grid, progress);
     });
-    field->finer = std::make_shared<const FinerFields>(body, *field, name);
+    field->finer = std::make_shared<const FinerFields>(std::move(body), *field, name);
     return field;
 }
 

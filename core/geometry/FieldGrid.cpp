@@ -125,6 +125,27 @@ bool isThick(const Thickness& at, const SurfaceQuery& query, double diameter) {
 
 } // namespace
 
+Eigen::Vector3d bodyOrigin(const TriangleMesh& model) {
+    const BoundingBox box = boundingBox(model);
+    if (box.isEmpty()) {
+        return Eigen::Vector3d::Zero();
+    }
+    const Eigen::Vector3d middle = (box.min().cast<double>() + box.max().cast<double>()) / 2;
+    const double edge = double(box.sizes().maxCoeff());
+    return middle.cwiseAbs().maxCoeff() > farFromOrigin * edge ? middle : Eigen::Vector3d::Zero();
+}
+
+TriangleMesh inBodyCoordinates(const TriangleMesh& model) {
+    const Eigen::Vector3d origin = bodyOrigin(model);
+    TriangleMesh body = model;
+    if (!origin.isZero(0)) {
+        for (Eigen::Vector3f& place : body.positions) {
+            place = (place.cast<double>() - origin).cast<float>();
+        }
+    }
+    return body;
+}
+
 std::size_t FieldGrid::sampleCount() const {
     return std::size_t(size[0]) * std::size_t(size[1]) * std::size_t(size[2]);
 }

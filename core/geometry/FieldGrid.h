@@ -7,6 +7,19 @@
 
 namespace dipwright {
 
+// How far a model lies from the origin, in longest edges of its bounding box, before its body
+// coordinates differ from the model coordinates. At this distance, a float's rounding is 1e-4 of a
+// cell if the box has 128 cells along an edge. Solvers find the surface to 1e-4 of a cell.
+inline constexpr double farFromOrigin = 8;
+
+// Returns the origin of a model's body coordinates, in model coordinates. Distance fields and
+// solvers use body coordinates, because solvers compute with floats. Body coordinates are model
+// coordinates unless the middle of the model's bounding box is farther from the origin than
+// farFromOrigin; then their origin is this middle.
+Eigen::Vector3d bodyOrigin(const TriangleMesh& model);
+// Returns the model in its body coordinates.
+TriangleMesh inBodyCoordinates(const TriangleMesh& model);
+
 // Sample (i, j, k) lies at origin + spacing·(i, j, k), in mm.
 struct FieldGrid {
     std::array<int, 3> size{};

@@ -222,13 +222,13 @@ double FittedDips::depth(const Immersion& immersion) const {
 
 void FittedDips::planPath(ChangedDip& dip, double deeper) const {
     const TriangleMesh& mesh = project_.model->mesh;
-    const Eigen::Isometry3d toPose = poseTransform(mesh, dip.immersion);
-    const TriangleMesh posed = transformed(mesh, toPose);
+    const TriangleMesh posed = transformed(mesh, poseTransform(mesh, dip.immersion));
     ProcessSettings process = project_.process;
     if (deeper != 0) {
         process.depth = Millimetres(std::max(depth(dip.immersion) + deeper, 0.0));
     }
-    dip.setup.path = pathOfModel(bodyPath(posed, dip.immersion, process), toPose, dip.immersion);
+    dip.setup.path = pathOfModel(bodyPath(posed, dip.immersion, process),
+                                 bodyTransform(mesh, dip.immersion), dip.immersion);
     dip.setup.motion.travel = dip.setup.path.poses.back().travelled;
 }
 

@@ -7,6 +7,7 @@
 #include "dip/FilmUnderBody.h"
 #include "disk/AtomicFile.h"
 #include "disk/ZipWriter.h"
+#include "geometry/FieldGrid.h"
 #include "model/ModelHash.h"
 #include "pipeline/CachedDip.h"
 #include "pipeline/SolverChoice.h"
@@ -58,6 +59,9 @@ public:
                    {QStringLiteral("film"), values[QLatin1String("film")]},
                    {QStringLiteral("process"), process},
                    {QStringLiteral("field"), project.fieldResolution}};
+        if (!bodyOrigin(project.model->mesh).isZero(0)) {
+            common_[QStringLiteral("far_from_origin")] = true;
+        }
         if (isRefinable(project.film)) { // RefinementInputs
             const QJsonObject tolerance = values[QLatin1String("tolerance")].toObject();
             for (const char* key : {"limits_mm", "marks"}) {

@@ -68,6 +68,7 @@ private slots:
     void productionFilm_growingPinnedAtTwoSides_growsAcross();
     void productionFilm_pinnedEdge_holds();
     void productionFilm_smallFirstContact_doesNotRotateTheFilm();
+    void productionFilm_bodyFarFromOrigin_isTheSame();
     void productionFilm_pastOverhang_releasesFilm();
     void productionFilm_pastEquator_matchesClosedForm();
 };
@@ -262,6 +263,49 @@ void ProductionFilmTest::productionFilm_smallFirstContact_doesNotRotateTheFilm()
     }
     qInfo("turned by %g degrees", turn);
     QVERIFY(std::abs(turn) < 0.5);
+}
+
+// Solvers compute with floats, so they see a far body in coordinates near the origin.
+void ProductionFilmTest::productionFilm_bodyFarFromOrigin_isTheSame() {
+    FilmSettings film;
+    film.width = film.height = Millimetres(90);
+    film.columns = film.rows = 61;
+    Immersion straight;
+    straight.rotation = {Degrees(12), Degrees(25), Degrees(0)};
+    Immersion tilted = straight;
+    tilted.path.kind = PathKind::Tilt;
+    tilted.path.angle = Degrees(20);
+    const auto filmAt = [&](const Eigen::Vector3f& place, const Immersion& immersion) {
+        TriangleMesh mesh = ellipsoidMesh({20, 16, 24}, 32, 64);
+        for (Eigen::Vector3f& position : mesh.positions) {
+            // Every place is then exact 100 m away.
+            position = (position * 64).array().round().matrix() / 64 + place;
+        }
+        const PosedBody posed = posedBody(mesh, immersion, ProcessSettings());
+        const DistanceField own = buildDistanceField(mesh, 64, {});
+        const FilledField field(posed, own);
+        solver::BatchItem item;
+        item.setup = dipSetup(posed, field, immersion, film, {});
+        const Ending ending = dipOnCpu(item.setup);
+        item.positions = ending.positions;
+        item.states = ending.states;
+        return dippedFilm(item, immersion);
+    };
+    for (const Immersion& immersion : {straight, tilted}) {
+        const DippedFilm near = filmAt({0, 0, 0}, immersion);
+        QVERIFY(near.adheresAnywhere());
+        for (const float away : {2300.f, 10'000.f, 100'000.f}) {
+            const DippedFilm far = filmAt({away, away / 4, -away / 2}, immersion);
+            double most = 0;
+            for (std::size_t point = 0; point < near.states.size(); ++point) {
+                most =
+                    std::max(most, double((far.positions[point] - near.positions[point]).norm()));
+            }
+            qInfo("%g m away: %g mm", double(away) / 1000, most);
+            QVERIFY(far.states == near.states);
+            QVERIFY(most < 0.01);
+        }
+    }
 }
 
 void ProductionFilmTest::productionFilm_pastOverhang_releasesFilm() {

@@ -17,7 +17,7 @@ Degrees changedAngle(const DipPath& path, double degrees);
 
 class ChangedPath {
 public:
-    // `path` has poses. It and `body` are in model coordinates. Keeps a reference to `body`.
+    // `path` has poses. It and `body` are in body coordinates. Keeps a reference to `body`.
     ChangedPath(solver::BodyPath path, const TriangleMesh& body);
 
     // The machine carries out the same motion, `speed` times as fast. The film moves with the

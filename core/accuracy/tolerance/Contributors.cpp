@@ -4,7 +4,7 @@
 #include "dip/BodyPath.h"
 #include "dip/Pose.h"
 #include "film/Growth.h"
-#include "geometry/TriangleMesh.h"
+#include "geometry/FieldGrid.h"
 
 #include <QCoreApplication>
 
@@ -39,9 +39,9 @@ void scale(solver::FilmGrid& grid, double factor) {
 }
 
 // Moves the body that goes straight down, or lies at the end of its path, to the immersion's pose.
-// Returns its poseTransform().
-Eigen::Isometry3d placeBody(ChangedDip& dip, const TriangleMesh& body) {
-    const Eigen::Isometry3d toPose = poseTransform(body, dip.immersion);
+// Returns its bodyTransform().
+Eigen::Isometry3d placeBody(ChangedDip& dip, const TriangleMesh& model) {
+    const Eigen::Isometry3d toPose = bodyTransform(model, dip.immersion);
     using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
     Eigen::Map<RowMajor>(dip.setup.motion.rotation.data()) = toPose.linear();
     Eigen::Map<Eigen::Vector3d>(dip.setup.motion.start.data()) =
@@ -49,19 +49,24 @@ Eigen::Isometry3d placeBody(ChangedDip& dip, const TriangleMesh& body) {
     return toPose;
 }
 
+// Returns the centre of the model's bounding box, in body coordinates.
+Eigen::Vector3d centreOf(const TriangleMesh& model) {
+    const BoundingBox box = boundingBox(model);
+    return (box.min().cast<double>() + box.max().cast<double>()) / 2 - bodyOrigin(model);
+}
+
 // Turns the body about the centre of its bounding box. The centre keeps its path. The dip therefore
 // begins earlier if the turn lowers the body's lowest point, and later if the turn raises it.
-void turn(ChangedDip& dip, const TriangleMesh& body, const Eigen::Vector3d& degrees) {
+void turn(ChangedDip& dip, const TriangleMesh& model, const Eigen::Vector3d& degrees) {
     const double angle = degrees.norm() * pi / 180;
     if (angle == 0) {
         return;
     }
-    const BoundingBox box = boundingBox(body);
-    const Eigen::Vector3d centre = (box.min().cast<double>() + box.max().cast<double>()) / 2;
-    const double before = (poseTransform(body, dip.immersion) * centre).y();
+    const Eigen::Vector3d centre = centreOf(model);
+    const double before = (bodyTransform(model, dip.immersion) * centre).y();
     const Eigen::AngleAxisd by(angle, degrees.normalized());
     dip.immersion.rotation = turned(dip.immersion.rotation, by.toRotationMatrix());
-    dip.setup.motion.travel += (placeBody(dip, body) * centre).y() - before;
+    dip.setup.motion.travel += (placeBody(dip, model) * centre).y() - before;
 }
 
 // Returns the rotation of a dip that the turned film sees.
@@ -78,7 +83,7 @@ std::array<Length, 2> turned(const std::array<Length, 2>& place, const Eigen::Qu
 }
 
 // Turns the immersion with its whole path, as the turned film sees it.
-void turnFilm(ChangedDip& dip, const TriangleMesh& body, const DipChange& change) {
+void turnFilm(ChangedDip& dip, const TriangleMesh& model, const DipChange& change) {
     const double degrees = of(change, Freedom::FilmTurn);
     if (degrees == 0) {
         return;
@@ -97,7 +102,7 @@ void turnFilm(ChangedDip& dip, const TriangleMesh& body, const DipChange& change
             anglesNear(turn * rotationMatrix(key.turn) * turn.transpose(), was) * 180 / pi;
         key.turn = {Degrees(angles.x()), Degrees(angles.y()), Degrees(angles.z())};
     }
-    placeBody(dip, body);
+    placeBody(dip, model);
 }
 
 Eigen::Vector3d turnOf(const DipChange& change) {
@@ -111,28 +116,29 @@ Eigen::Isometry3d heldWrong(const NominalDip& dip, const Eigen::Vector3d& degree
     if (angle == 0) {
         return Eigen::Isometry3d::Identity();
     }
-    const BoundingBox box = boundingBox(dip.model.mesh);
-    const Eigen::Vector3d centre = (box.min().cast<double>() + box.max().cast<double>()) / 2;
+    const Eigen::Vector3d centre = centreOf(dip.model.mesh);
     const Eigen::Matrix3d toPose = rotationMatrix(dip.immersion.rotation);
     const Eigen::Vector3d axis = toPose.transpose() * degrees.normalized();
     return Eigen::Translation3d(centre) * Eigen::AngleAxisd(angle, axis) *
            Eigen::Translation3d(-centre);
 }
 
-// Returns the path with its angle changed by `degrees`, in model coordinates.
+// Returns the path with its angle changed by `degrees`, in body coordinates.
 solver::BodyPath withAngle(const NominalDip& dip, double degrees) {
     if (degrees == 0) {
         return dip.setup.path;
     }
     Immersion immersion = dip.immersion;
     immersion.path.angle = changedAngle(immersion.path, degrees);
-    const Eigen::Isometry3d toPose = poseTransform(dip.model.mesh, immersion);
-    const TriangleMesh posed = transformed(dip.model.mesh, toPose);
-    return pathOfModel(bodyPath(posed, immersion, dip.process), toPose, immersion);
+    const TriangleMesh& mesh = dip.model.mesh;
+    const TriangleMesh posed = transformed(mesh, poseTransform(mesh, immersion));
+    return pathOfModel(bodyPath(posed, immersion, dip.process), bodyTransform(mesh, immersion),
+                       immersion);
 }
 
 solver::BodyPath changedPath(const NominalDip& dip, const DipChange& change) {
-    ChangedPath path(withAngle(dip, of(change, Freedom::PathAngle)), dip.model.mesh);
+    const TriangleMesh body = inBodyCoordinates(dip.model.mesh);
+    ChangedPath path(withAngle(dip, of(change, Freedom::PathAngle)), body);
     path.speedUp(1 + of(change, Freedom::Speed), waterVelocity(dip.immersion.path));
     path.holdDifferently(heldWrong(dip, turnOf(change)));
     path.move(of(change, Freedom::X), of(change, Freedom::Z));

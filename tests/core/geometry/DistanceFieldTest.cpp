@@ -95,6 +95,8 @@ private Q_SLOTS:
 
     void buildDistanceField_grid_isACubeAroundTheBody();
     void buildDistanceField_box_isExact();
+    void bodyOrigin_nearModel_isTheModelsOrigin();
+    void cachedDistanceField_farModel_isThatOfTheModelAtTheOrigin();
     void buildDistanceField_facesOnSamples_isExact();
     void buildDistanceField_sphere_isAsExactAsItsMesh();
     void sampleAndGradient_sphere_matchClosedForm();
@@ -143,6 +145,31 @@ void DistanceFieldTest::buildDistanceField_grid_isACubeAroundTheBody() {
     QVERIFY((field.origin.array() <= (Eigen::Vector3d(-5, -10, -15) - padding).array()).all());
     QVERIFY((last.array() >= (Eigen::Vector3d(5, 10, 15) + padding).array()).all());
     QVERIFY((field.origin + last).norm() < 1e-9);
+}
+
+void DistanceFieldTest::bodyOrigin_nearModel_isTheModelsOrigin() {
+    const auto boxAt = [](double x) {
+        return transformed(boxMesh({10, 20, 30}), Eigen::Isometry3d(Eigen::Translation3d(x, 3, 4)));
+    };
+    const TriangleMesh near = boxAt(-farFromOrigin * 30), far = boxAt(-farFromOrigin * 30 - 1);
+    QVERIFY(bodyOrigin(near).isZero(0));
+    QVERIFY(inBodyCoordinates(near).positions == near.positions);
+    QVERIFY((bodyOrigin(far) - Eigen::Vector3d(-farFromOrigin * 30 - 1, 3, 4)).norm() < 1e-9);
+    QVERIFY(bodyOrigin(inBodyCoordinates(far)).isZero(0));
+    QVERIFY(bodyOrigin(TriangleMesh()).isZero(0));
+}
+
+// Rays and closest points would be too inexact far away, so that the plate would be missed.
+void DistanceFieldTest::cachedDistanceField_farModel_isThatOfTheModelAtTheOrigin() {
+    const TriangleMesh plate = boxMesh({30, 20, 0.5});
+    const Eigen::Isometry3d shift(Eigen::Translation3d(100'000, -2'000, 30'000));
+    const auto near = cachedDistanceField(plate, 48, {});
+    const auto far = cachedDistanceField(transformed(plate, shift), 48, {});
+    QCOMPARE(far->size, near->size);
+    QVERIFY(far->spacing < 0.3);
+    QVERIFY((far->origin - near->origin).norm() < 1e-9);
+    QVERIFY(far->distance == near->distance);
+    QCOMPARE(far->finer->count(), near->finer->count());
 }
 
 void DistanceFieldTest::buildDistanceField_box_isExact() {

@@ -130,8 +130,27 @@ private slots:
 
     // A fit is worth something only if the job then repeats the fitted dip. On a path, turning the
     // part or dipping it deeper changes its motion.
-    void fittedDips_changedTiltedDip_isTheDipOfTheFittedProject() {
-        const Project egg = tiltedEgg();
+    void fittedDips_changedDip_isTheDipOfTheFittedProject_data() {
+        QTest::addColumn<bool>("isTilted");
+        QTest::addColumn<float>("away"); // mm from the origin; solvers use other coordinates there
+        QTest::newRow("straight") << false << 0.f;
+        QTest::newRow("tilted") << true << 0.f;
+        QTest::newRow("straight, far from the origin") << false << 10'000.f;
+        QTest::newRow("tilted, far from the origin") << true << 10'000.f;
+    }
+
+    void fittedDips_changedDip_isTheDipOfTheFittedProject() {
+        QFETCH(bool, isTilted);
+        QFETCH(float, away);
+        Project egg = tiltedEgg();
+        if (!isTilted) {
+            egg.immersions.front().path = {};
+        }
+        auto moved = std::make_shared<TexturedMesh>(*egg.model);
+        for (Eigen::Vector3f& position : moved->mesh.positions) {
+            position += Eigen::Vector3f(away, 0, -away);
+        }
+        egg.model = moved;
         const TriangleMesh& mesh = egg.model->mesh;
         const auto field = cachedDistanceField(mesh, 32, {});
         const auto setupOf = [&](const Project& project) {
@@ -150,6 +169,10 @@ private slots:
         QCOMPARE(changed.immersion.offset[0].value(), 1.5);
         QVERIFY(std::abs(changed.immersion.rotation[1].value() - 4) < 1e-9);
         QVERIFY(std::abs(changed.setup.motion.travel - wanted.motion.travel) < 1e-6);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            QVERIFY(std::abs(changed.setup.motion.start[axis] - wanted.motion.start[axis]) < 1e-6);
+            QVERIFY(std::abs(changed.setup.path.pivot[axis] - wanted.path.pivot[axis]) < 1e-6);
+        }
         QCOMPARE(changed.setup.path.poses.size(), wanted.path.poses.size());
         for (std::size_t pose = 0; pose < wanted.path.poses.size(); ++pose) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
