@@ -597,11 +597,11 @@ namespace {
 template <typename Mark>
 Field<Mark> brushPathField() {
     constexpr int parts = 6;
-    constexpr double farthest = 1e5, longestNormal = 1;
+    constexpr double longestNormal = 1;
     const QString path = QStringLiteral("path");
     Field<Mark> field{
         path,
-        {FieldKind::Number, parts, false, -farthest, farthest, {}, int(mostBrushPoints)},
+        {FieldKind::Number, parts, false, -farthestPlace, farthestPlace, {}, int(mostBrushPoints)},
         [](const Mark& mark) {
             QJsonArray rows;
             for (const BrushPoint& point : mark.path) {
@@ -639,7 +639,8 @@ Field<Mark> brushPathField() {
 template <typename Mark>
 Field<Mark> placeField() {
     return numbers<Mark>(
-        "place_mm", 3, -1e5, 1e5, [](auto& m, int part) -> auto& { return m.place[part]; });
+        "place_mm", 3, -farthestPlace, farthestPlace,
+        [](auto& m, int part) -> auto& { return m.place[part]; });
 }
 
 template <typename Mark>
@@ -741,7 +742,8 @@ const std::vector<Field<BuiltPlace>>& builtPlaceFields() {
         numbers<BuiltPlace>(
             "sheet_mm", 2, -5000, 5000, [](auto& p, int part) -> auto& { return p.sheet[part]; }),
         numbers<BuiltPlace>(
-            "model_mm", 3, -1e5, 1e5, [](auto& p, int part) -> auto& { return p.model[part]; }),
+            "model_mm", 3, -farthestPlace, farthestPlace,
+            [](auto& p, int part) -> auto& { return p.model[part]; }),
         numbers<BuiltPlace>(
             "off_mm", 2, -100, 100, [](auto& p, int part) -> auto& { return p.off[part]; })};
     return fields;
@@ -793,7 +795,8 @@ const std::vector<Field<ClickedPair>>& clickedPairFields() {
         numbers<ClickedPair>(
             "pixel", 2, 0, 1e5, [](auto& p, int part) -> auto& { return p.pixel[part]; }),
         numbers<ClickedPair>(
-            "place_mm", 3, -1e5, 1e5, [](auto& p, int part) -> auto& { return p.place[part]; })};
+            "place_mm", 3, -farthestPlace, farthestPlace,
+            [](auto& p, int part) -> auto& { return p.place[part]; })};
     return fields;
 }
 
@@ -840,7 +843,7 @@ const std::vector<Field<ArtworkLayer>>& artworkLayerFields() {
              QStringLiteral("-y"), QStringLiteral("-z")},
             [](auto& l) -> auto& { return l.axis; }),
         numbers<ArtworkLayer>(
-            "place_mm", 3, -farthestLayer, farthestLayer,
+            "place_mm", 3, -farthestPlace, farthestPlace,
             [](auto& l, int part) -> auto& { return l.place[part]; }),
         number<ArtworkLayer>(
             "turn_deg", -360, 360, [](auto& l) -> auto& { return l.turn; }),

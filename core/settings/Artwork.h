@@ -83,7 +83,6 @@ inline constexpr int longestLayerName = 100, longestLayerText = 500, mostSeed = 
 inline constexpr int longestSpotName = 60;
 inline constexpr std::size_t mostSpots = 8;                       // spot inks in one artwork
 inline constexpr double smallestLayer = 0.1, largestLayer = 5000; // mm
-inline constexpr double farthestLayer = 1e5;                      // mm, coordinate of a place
 
 struct Artwork {
     // The colour below all layers. None: the layers lie on the model's own appearance.

@@ -25,6 +25,10 @@ using BrushPath = std::vector<BrushPoint>;
 inline constexpr std::size_t mostBrushPoints = 5000;        // of one stroke
 inline constexpr std::size_t mostBrushPointsOfAll = 50'000; // of all strokes of one kind
 
+// Largest coordinate of a place in model coordinates, mm: import/trusted/ImportModel.cpp accepts
+// edges up to 1e5 mm, and models up to 1e4 of their longest edges from their origin.
+inline constexpr double farthestPlace = 1e9;
+
 inline constexpr int longestMaterialName = 200; // in the project file
 
 // How far a mark extends.

@@ -2,6 +2,7 @@
 
 #include "artwork/EditArtwork.h"
 #include "base/NumberText.h"
+#include "settings/SurfaceMark.h"
 #include "workbench/widgets/Icons.h"
 #include "workbench/widgets/NumberBox.h"
 
@@ -336,8 +337,10 @@ void ArtworkPage::makePlaceFields(QFormLayout& form) {
             addNumber(form, names[k], labels[k],
                       tr("The layer's centre in the model's coordinates. A decal is centred at the "
                          "nearest place on the surface."),
-                      -farthestLayer, farthestLayer, mm,
+                      -farthestPlace, farthestPlace, mm,
                       [k](ArtworkLayer& l, double value) { l.place[k] = Millimetres(value); });
+        // The farthest place would make the page too wide.
+        place_[k]->setMinimumWidth(size_[0]->minimumSizeHint().width());
     }
 }
 

@@ -129,7 +129,7 @@ private slots:
         row("visible", 1);
         row("size_mm", QJsonArray{0, 10});
         row("size_mm", QJsonArray{10});
-        row("place_mm", QJsonArray{1e7, 0, 0});
+        row("place_mm", QJsonArray{1e10, 0, 0});
     }
 
     void fromJson_layerValueOutOfRange_isRefusedByPath() {
@@ -166,6 +166,28 @@ private slots:
         project.artwork.layers[3].picture.image = {};
         saveProject(project, path);
         QVERIFY_EXCEPTION_THROWN(loadProject(path), Error);
+    }
+
+    // The import accepts models that lie farther away than 100 m.
+    void saveProject_placesFarFromTheOrigin_canBeOpened() {
+        Project project = decorated();
+        const std::array<Millimetres, 3> far{Millimetres(150'000), Millimetres(-9e8),
+                                             Millimetres(0)};
+        project.artwork.layers[0].place = far;
+        project.masks = {MaskMark()};
+        project.masks[0].path = {BrushPoint{far, {0, 0, 1}}};
+        project.tolerance.marks = {ZoneMark()};
+        project.tolerance.marks[0].place = far;
+        project.share.marks = {ShareMark()};
+        project.share.marks[0].place = far;
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("far.dipw"));
+        saveProject(project, path);
+        const Project opened = loadProject(path);
+        QVERIFY(opened.artwork.layers[0].place == far);
+        QVERIFY(opened.masks[0].path[0].place == far);
+        QVERIFY(opened.tolerance.marks[0].place == far);
+        QVERIFY(opened.share.marks[0].place == far);
     }
 
     void setByPath_layerValues_areSet() {
