@@ -5,6 +5,7 @@
 #include "base/ColourNote.h"
 #include "base/Error.h"
 #include "base/NumberText.h"
+#include "geometry/SurfacePieces.h"
 #include "geometry/SurfaceQuery.h"
 #include "model/NamedMaterials.h"
 
@@ -54,6 +55,44 @@ QString missingCharacters(const QString& text, const QFont& font) {
         }
     }
     return missing;
+}
+
+bool isDecal(const ArtworkLayer& layer) {
+    return layer.visible && layer.opacity > 0 && layer.placement == LayerPlacement::Decal;
+}
+
+std::size_t pieceCount(const TriangleMesh& mesh) {
+    const auto all = [](std::uint32_t) { return true; };
+    return surfacePieces(mesh, oppositeEdges(mesh), all, 0).size();
+}
+
+// Returns a warning if a layer around an axis is longer than a turn; otherwise an empty string.
+QString longerThanATurn(const ArtworkLayer& layer, const TriangleMesh& mesh) {
+    constexpr double hidden = 1.001; // rounding does not count
+    const double length = shownSize(layer)[0].value(), turn = lengthAround(layer, mesh);
+    if (layer.repeat.value() > 0 || length <= hidden * turn) {
+        return {};
+    }
+    return Text::tr("The layer “%1” is %2 mm long, but a turn around its axis is "
+                    "only %3 mm, so its sides are cut off; make it smaller")
+        .arg(layer.name, numberText(length, 1), numberText(turn, 1));
+}
+
+// Returns a warning if another body of the model covers a part of a decal; otherwise an empty
+// string.
+QString coveredByAnotherBody(const ArtworkLayer& layer, const TriangleMesh& mesh,
+                             const SurfaceQuery& query) {
+    constexpr double leastShare = 0.005;
+    const auto shown = shownSize(layer);
+    const Eigen::Vector2d size(shown[0].value(), shown[1].value());
+    const double lost = LayerPlane(layer, mesh, query, size).coveredShare(query, size);
+    if (lost < leastShare) {
+        return {};
+    }
+    return Text::tr("The layer “%1” ends where another body of the model covers the surface, so "
+                    "about %2 % of it is missing; join the bodies in a modelling program, or place "
+                    "the layer as a plane")
+        .arg(layer.name, numberText(100 * lost, 0));
 }
 
 } // namespace
@@ -180,20 +219,19 @@ QStringList fontWarnings(const Artwork& artwork) {
 }
 
 QStringList cutOffWarnings(const Artwork& artwork, const TriangleMesh& mesh) {
-    constexpr double hidden = 1.001; // rounding does not count
     QStringList warnings;
+    std::optional<SurfaceQuery> query; // made for the first decal
+    const bool isOnePiece = std::none_of(artwork.layers.begin(), artwork.layers.end(), isDecal) ||
+                            pieceCount(mesh) == 1;
     for (const ArtworkLayer& layer : artwork.layers) {
-        if (!layer.visible || layer.placement != LayerPlacement::Cylinder ||
-            layer.repeat.value() > 0) {
-            continue;
-        }
-        const double length = shownSize(layer)[0].value(), turn = lengthAround(layer, mesh);
-        if (length > hidden * turn) {
-            warnings.append(Text::tr("The layer “%1” is %2 mm long, but a turn around its axis is "
-                                     "only %3 mm, so its sides are cut off; make it smaller")
-                                .arg(layer.name, numberText(length, 1), numberText(turn, 1)));
+        if (layer.visible && layer.placement == LayerPlacement::Cylinder) {
+            warnings.append(longerThanATurn(layer, mesh));
+        } else if (isDecal(layer) && !isOnePiece) {
+            query = query ? std::move(query) : std::optional<SurfaceQuery>(mesh);
+            warnings.append(coveredByAnotherBody(layer, mesh, *query));
         }
     }
+    warnings.removeAll(QString());
     return warnings;
 }
 

@@ -41,8 +41,9 @@ std::array<Millimetres, 2> shownSize(const ArtworkLayer& layer);
 // Text needs a QGuiApplication.
 QStringList fontWarnings(const Artwork& artwork);
 // Returns a sentence for each visible layer around an axis of the model that is longer than a turn,
-// so that its sides are cut off. Repeats continue, so nothing of them is lost. Text needs a
-// QGuiApplication.
+// so that its sides are cut off. Repeats continue, so nothing of them is lost. Also returns a
+// sentence for each visible decal of which a part is lost, because another body of the model covers
+// the surface: a decal does not continue on another body. Text needs a QGuiApplication.
 QStringList cutOffWarnings(const Artwork& artwork, const TriangleMesh& mesh);
 // Returns the note on how a layer's picture was read (base/ColourNote.h), without the last full
 // stop; empty if there is none.

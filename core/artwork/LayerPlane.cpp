@@ -1,7 +1,11 @@
 #include "artwork/LayerPlane.h"
 
+#include "parallel/ParallelFor.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace dipwright {
 namespace {
@@ -137,6 +141,44 @@ std::optional<Eigen::Vector2d> LayerPlane::single(const SurfacePoint& point,
     }
     return outward.dot(axis_) > facing ? std::optional(projected(place, uprightFrame(axis_)))
                                        : std::nullopt;
+}
+
+double LayerPlane::coveredShare(const SurfaceQuery& query, const Eigen::Vector2d& size) const {
+    constexpr std::size_t directions = 90;
+    // A place so far above the surface is outside the layer's own body, in spite of rounding.
+    const double clear = std::max(0.01, 1e-6 * place_.norm()); // mm
+    if (!unfolded_) {
+        return 0;
+    }
+    std::vector<FlatPiece> pieces = unfolded_->pieces();
+    std::erase_if(pieces, [&](const FlatPiece& piece) {
+        const Eigen::Vector2d inPicture = turn_ * piece.flat;
+        return (inPicture.cwiseAbs() - size / 2).maxCoeff() > 0;
+    });
+    std::vector<std::uint8_t> inside(pieces.size());
+    parallelFor(std::size_t(0), pieces.size(), [&](std::size_t k) {
+        const SurfacePoint& place = pieces[k].place;
+        const Eigen::Vector3d above = position(mesh_, place).cast<double>() +
+                                      clear * triangleNormal(mesh_, place.triangle).cast<double>();
+        inside[k] = query.isInside(above.cast<float>());
+    });
+    std::array<double, directions> end{}; // where the decal ends in each direction, mm
+    end.fill(std::numeric_limits<double>::infinity());
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const Eigen::Vector2d& flat = pieces[k].flat;
+        const double turn = (std::atan2(flat.y(), flat.x()) + pi) / (2 * pi);
+        double& own = end[std::min(std::size_t(turn * double(directions)), directions - 1)];
+        own = inside[k] != 0 ? std::min(own, flat.norm()) : own;
+    }
+    double lost = 0, all = 0; // areas in the picture, relative to each other
+    for (std::size_t k = 0; k < directions; ++k) {
+        const double angle = (double(k) + 0.5) / double(directions) * 2 * pi - pi;
+        const Eigen::Vector2d way = turn_ * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        const double border = (size / 2).cwiseQuotient(way.cwiseAbs()).minCoeff();
+        all += border * border;
+        lost += std::max(border * border - end[k] * end[k], 0.0);
+    }
+    return lost / all;
 }
 
 } // namespace dipwright

@@ -243,4 +243,16 @@ std::optional<Eigen::Vector2d> UnfoldedSurface::at(const SurfacePoint& place) co
     return flat.allFinite() && flat.norm() <= radius_ ? std::optional(flat) : std::nullopt;
 }
 
+std::vector<FlatPiece> UnfoldedSurface::pieces() const {
+    std::vector<FlatPiece> pieces;
+    for (std::size_t triangle = 0; triangle < corners_.size(); ++triangle) {
+        const Corners& corners = corners_[triangle];
+        const Eigen::Vector2d middle = (corners[0] + corners[1] + corners[2]) / 3;
+        if (middle.allFinite() && middle.norm() <= radius_) {
+            pieces.push_back({fine_.middle(triangle), middle});
+        }
+    }
+    return pieces;
+}
+
 } // namespace dipwright

@@ -22,6 +22,12 @@ struct SurfaceFrame {
 // +Z.
 SurfaceFrame uprightFrame(const Eigen::Vector3d& outward);
 
+// A small piece of a surface that is laid flat.
+struct FlatPiece {
+    SurfacePoint place;                             // its middle, on the mesh
+    Eigen::Vector2d flat = Eigen::Vector2d::Zero(); // its middle in the plane, mm
+};
+
 // Uses discrete geodesic polar coordinates (Melvær & Reimers 2012, "Geodesic polar coordinates on
 // polygonal meshes"). Computes in double precision on the mesh refined around the place. Immutable,
 // any thread may read; the same answer in every run.
@@ -36,6 +42,8 @@ public:
     // nothing beyond the radius. If several paths lead around an obstacle to a place, the shortest
     // counts.
     std::optional<Eigen::Vector2d> at(const SurfacePoint& place) const;
+    // Returns the pieces of the surface within the radius, at most about 1/40 of the radius wide.
+    std::vector<FlatPiece> pieces() const;
 
 private:
     using Corners = std::array<Eigen::Vector2d, 3>;

@@ -20,7 +20,7 @@ QString thinPartNote(const Project& project, const TriangleMesh& mesh, const Sur
 QStringList missingMaterialNotes(const Project& project);
 
 // Returns warnings of zones, masks and marks for the seam that lie farther from the part than
-// their radius and 1 mm, and of layers that do not fit around it (cutOffWarnings()). Such marks
+// their radius and 1 mm, and of layers of which a part is lost (cutOffWarnings()). Such marks
 // were perhaps made for another model: they mark the nearest surface, or nothing. `query` belongs
 // to the project's mesh, moved by `modelToPose`.
 QStringList misplacedNotes(const Project& project, const SurfaceQuery& query,
