@@ -7,6 +7,7 @@
 #include "project/Project.h"
 #include "project/ProjectStore.h"
 #include "project/ProjectValues.h"
+#include "solver/SolverRegistry.h"
 
 #include <QStringList>
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace {
 
 const QString setOption = QStringLiteral("set");
 const QString threadsOption = QStringLiteral("threads");
+const QString solverOption = QStringLiteral("solver");
 const QString filmImageOption = QStringLiteral("film-image");
 constexpr int mostThreads = 1024;
 constexpr qint64 mostValueBytes = 32 << 20; // of a value in a file
@@ -142,6 +144,17 @@ void setByOption(Project& project, const QString& path, const QString& value,
     } catch (const Error& error) {
         throw UsageError(error.message(), option);
     }
+}
+
+QString solverNamed(const QCommandLineParser& parser, const SolverRegistry& registry) {
+    const QString id = parser.value(solverOption);
+    const auto& all = registry.described();
+    const bool isKnown = std::any_of(all.begin(), all.end(),
+                                     [&](const SolverInfo& solver) { return solver.id == id; });
+    if (!isKnown && parser.isSet(solverOption) && id != QLatin1String("auto")) {
+        asUsage(QStringLiteral("--solver"), [&] { return registry.info(id); });
+    }
+    return id;
 }
 
 QString wrote(const QString& path) {

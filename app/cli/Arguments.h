@@ -11,6 +11,7 @@
 namespace dipwright {
 
 struct Project;
+class SolverRegistry;
 
 } // namespace dipwright
 
@@ -56,6 +57,21 @@ QString pictureOption(const QCommandLineParser& parser, const QString& option,
 // option.
 void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option);
+
+// Returns work(), which reads the value of an option. If it throws an Error, throws a UsageError
+// that names the option.
+template <typename Work>
+auto asUsage(const QString& option, const Work& work) {
+    try {
+        return work();
+    } catch (const Error& error) {
+        throw UsageError(error.message(), option);
+    }
+}
+
+// Returns the value of --solver; empty without the option. Throws UsageError if the registry has no
+// such solver. Loads no solver.
+QString solverNamed(const QCommandLineParser& parser, const SolverRegistry& registry);
 
 // Returns the line that tells of a written file or folder.
 QString wrote(const QString& path);

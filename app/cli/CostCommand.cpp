@@ -99,7 +99,7 @@ private:
         }
         const SolverRegistry registry;
         JobOptions options;
-        options.solver = parser.value(solverOption);
+        options.solver = solverNamed(parser, registry);
         options.estimatesNumericalError = false;
         const auto kept =
             usableDips(project, registry, path, progress.silent(), console.warnings());

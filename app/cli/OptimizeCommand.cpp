@@ -278,9 +278,9 @@ public:
 private:
     static SolverChoice solverOf(const QCommandLineParser& parser, const Project& project,
                                  const SolverRegistry& registry, Console& console) {
-        return chooseSolver(parser.isSet(solverOption) ? parser.value(solverOption)
-                                                       : project.process.solver,
-                            registry, console.progress().cancelToken);
+        const QString named = solverNamed(parser, registry);
+        return chooseSolver(named.isEmpty() ? project.process.solver : named, registry,
+                            console.progress().cancelToken);
     }
 
     static void makePart(const QCommandLineParser& parser, Console& console) {

@@ -171,7 +171,7 @@ private:
                                          Console& console) {
         const SolverRegistry registry;
         JobOptions options;
-        options.solver = parser.value(solverOption);
+        options.solver = solverNamed(parser, registry);
         std::vector<JobResult> results;
         for (std::size_t i = 0; i < projects.size(); ++i) {
             const Project& project = read[i].project;

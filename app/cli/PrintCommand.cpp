@@ -97,6 +97,11 @@ void checkFileFirst(const QString& path, const Project& project, const PrintRequ
                                         "print with --printer"),
                          QStringLiteral("--copies"));
     }
+    if (isTiff(path) && request.tile) {
+        throw UsageError(QStringLiteral("A TIFF file has no tiles; write a PDF file, or leave out "
+                                        "--tile and --tile-paper"),
+                         path);
+    }
     checkWritable(path);
     fileRequest(request);
     const Sheet blank = blankSheet(project);
@@ -219,12 +224,11 @@ void listHistory(QTextStream& out) {
 }
 
 // Runs the job. Takes over the dips that are cached beside the project's file.
-JobResult resultOf(const Project& project, const QCommandLineParser& parser, Console& console,
-                   const Progress& progress) {
+JobResult resultOf(const Project& project, const QCommandLineParser& parser,
+                   const SolverRegistry& registry, Console& console, const Progress& progress) {
     JobOptions options;
     options.solver = parser.value(solverOption);
     applyFilmImage(options, parser);
-    const SolverRegistry registry;
     const auto cached =
         usableDips(project, registry, projectPath(parser), progress.silent(), console.warnings());
     return runJob(project, registry, options, cached.get(), progress);
@@ -290,6 +294,8 @@ public:
             return;
         }
         const ThreadLimit threads = threadLimit(parser);
+        const SolverRegistry registry;
+        solverNamed(parser, registry); // fails now instead of after reading the project
         Project project = projectArgument(parser);
         const Millimetres clearance = markClearance(project);
         useProfile(parser, project);
@@ -320,7 +326,7 @@ public:
             checkPrinterFirst(*system, project, request);
         }
         const Progress progress = console.progress();
-        JobResult result = resultOf(project, parser, console, progress.part(0, 0.8));
+        JobResult result = resultOf(project, parser, registry, console, progress.part(0, 0.8));
         for (ImmersionResult& immersion : result.immersions) {
             immersion.sheet.clearance = clearance; // as on traveller and cradle
         }

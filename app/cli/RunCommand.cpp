@@ -290,12 +290,20 @@ void applyRefinement(Project& project, const QCommandLineParser& parser) {
     project.film.wantedError.reset();
 }
 
+// Returns the outputs that --outputs names. If the command runs several projects, each may have its
+// own output sets, so a wrong name is then a failure of one project.
+std::vector<Output> wantedOutputs(const Project& project, const QCommandLineParser& parser) {
+    const QString name = parser.value(outputsOption);
+    const auto outputs = [&] { return outputsNamed(project, name); };
+    return projectPaths(parser).size() > 1 ? outputs()
+                                           : asUsage(QStringLiteral("--outputs"), outputs);
+}
+
 // Makes the outputs that --outputs names, in this folder. Throws Error if one of them fails.
 void writeOutputs(const JobResult& result, const QString& folder, const QString& project,
                   const QCommandLineParser& parser, const Progress& progress, QTextStream& out) {
-    const OutputRequest request{folder, outputsNamed(result.project, parser.value(outputsOption)),
-                                project, parser.isSet(overwriteOption),
-                                parser.isSet(clippingOption)};
+    const OutputRequest request{folder, wantedOutputs(result.project, parser), project,
+                                parser.isSet(overwriteOption), parser.isSet(clippingOption)};
     int failed = 0;
     QStringList earlier;
     for (const OutputStatus& status : makeOutputs(result, request, progress)) {
@@ -440,6 +448,7 @@ public:
         }
         const ThreadLimit threads = threadLimit(parser);
         const SolverRegistry registry;
+        solverNamed(parser, registry); // fails now instead of after reading the project
         Tasks waking; // wakes the GPU meanwhile, because this takes longer than reading a project
         waking.run([&, cancelToken = console.progress().cancelToken] {
             registry.module(solverToWake(parser, projects.front()), cancelToken);
@@ -517,7 +526,7 @@ private:
                                 const QCommandLineParser& parser, const Progress& progress,
                                 Console& console) {
         // throws Error before the job
-        checkOutputsFolder(folder, outputsNamed(project, parser.value(outputsOption)));
+        checkOutputsFolder(folder, wantedOutputs(project, parser));
         // Cached films may be refined, and are judged.
         const auto cached =
             options.estimatesNumericalError

@@ -92,7 +92,8 @@ public:
             throw UsageError(QStringLiteral("Name a Unix socket or a port with --listen ADDRESS"),
                              QStringLiteral("--listen"));
         }
-        const ServerAddress address = serverAddress(parser.value(listenOption));
+        const ServerAddress address = asUsage(
+            QStringLiteral("--listen"), [&] { return serverAddress(parser.value(listenOption)); });
         const QString folder = positionalArgument(parser, QStringLiteral("FOLDER"));
         const SpoolLimits limits = limitsOf(parser);
         const ThreadLimit threads = threadLimit(parser);

@@ -42,10 +42,10 @@ void validateThePhysics(const QCommandLineParser& parser, Console& console) {
     requireNoPositionalArgument(parser);
     const QString plot = pictureOption(parser, plotOption, {".png"});
     const SolverRegistry registry;
+    const QString named = solverNamed(parser, registry);
+    const QString solver = named.isEmpty() ? QStringLiteral("auto") : named;
     PhysicsOptions options;
     options.resolutions = resolutions(parser);
-    const QString solver =
-        parser.isSet(solverOption) ? parser.value(solverOption) : QStringLiteral("auto");
     const std::vector<PhysicsResult> results = validatePhysics(
         registry.module(solver, console.progress().cancelToken), options, console.progress());
     if (parser.isSet(jsonOption)) {
@@ -100,13 +100,13 @@ void printNumericalError(const std::vector<DipNumericalError>& numericalError, Q
 
 void validateTheSheet(const QCommandLineParser& parser, Console& console) {
     Project project = projectArgument(parser);
-    if (parser.isSet(solverOption)) {
-        project.process.solver = parser.value(solverOption);
+    const SolverRegistry registry;
+    if (const QString named = solverNamed(parser, registry); !named.isEmpty()) {
+        project.process.solver = named;
     }
     if (parser.isSet(mapsOption)) {
         checkMapFolder(parser.value(mapsOption)); // fails now instead of after the computation
     }
-    const SolverRegistry registry;
     const std::vector<DipNumericalError> numericalError =
         sheetNumericalError(project, registry, console.progress());
     if (parser.isSet(mapsOption)) {

@@ -169,7 +169,7 @@ public:
         const QString plot = pictureOption(parser, plotOption, {".png", ".svg"});
         const SolverRegistry registry;
         const Progress progress = console.progress();
-        const QString id = registry.info(parser.value(solverOption), progress.cancelToken).id;
+        const QString id = registry.info(solverNamed(parser, registry), progress.cancelToken).id;
         // Measured first, because this also wakes the device.
         const std::optional<solver::Ceiling> ceiling = ceilingOf(registry.module(id), id);
         BenchReport report = measured({registry, id, runs}, parts, rows, parser.isSet(quickOption),

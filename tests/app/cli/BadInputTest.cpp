@@ -104,6 +104,20 @@ private slots:
             << QStringList{"pack", job, "--out", path("out"), "--margin", "1"};
         QTest::newRow("pack with an unknown feed edge")
             << QStringList{"pack", job, "--out", path("out"), "--feed", "corner"};
+        for (const QStringList& command :
+             {QStringList{"run", job, "--out", path("out")},
+              QStringList{"optimize", job, "--immersions", "1"},
+              QStringList{"print", job, "--to", path("out.pdf")}, QStringList{"cost", job},
+              QStringList{"pack", job, "--out", path("out")}, QStringList{"bench"},
+              QStringList{"validate", "--physics"}, QStringList{"validate", "--sheet", job}}) {
+            QTest::addRow("no such solver for %s", qPrintable(command.join(' ')))
+                << command + QStringList{"--solver", "abacus"};
+        }
+        QTest::newRow("no such outputs")
+            << QStringList{"run", job, "--out", path("out"), "--outputs", "Nothing"};
+        QTest::newRow("no such port") << QStringList{"serve", path("spool"), "--listen", "70000"};
+        QTest::newRow("tiles in a TIFF")
+            << QStringList{"print", job, "--to", path("out.tif"), "--tile-paper", "A4"};
         QTest::newRow("no out") << QStringList{"run", job};
         QTest::newRow("option without value") << QStringList{"run", job, "--out"};
         QTest::newRow("set without value") << QStringList{"info", job, "--set", "film.points"};
@@ -168,8 +182,6 @@ private slots:
             "run", job, "--out", path("out"), "--set", "immersions[0].offset_mm=400;0"};
         QTest::newRow("the paper is too small") << QStringList{
             "run", job, "--out", path("out"), "--set", "sheet.paper=A4", "--set", "film.preset=A3"};
-        QTest::newRow("no such solver")
-            << QStringList{"run", job, "--out", path("out"), "--solver", "abacus"};
         QTest::newRow("out is a file") << QStringList{"run", job, "--out", path("file")};
         QTest::newRow("out is below a file") << QStringList{"run", job, "--out", path("file/out")};
     }
