@@ -502,15 +502,14 @@ PrintedFilm printedFilm(const ReverseTexture& texture, const RepeatingError* rep
         return correctedImage(picture, error, inputs.correction->strength);
     };
     const auto movedTints = [&](const QImage& tints) {
-        return moved(tints.convertToFormat(QImage::Format_RGBA8888))
-            .convertToFormat(QImage::Format_Grayscale8);
+        return correctedTints(tints, error, inputs.correction->strength);
     };
     film.colours = moved(film.colours);
     film.white = film.white.isNull() ? film.white : movedTints(film.white);
     std::transform(film.spots.begin(), film.spots.end(), film.spots.begin(), movedTints);
     if (!film.wanted.isNull()) {
+        film.stretch = stretchOfPicture(moved(pictureOfStretch(film.stretch, film.wanted)));
         film.wanted = moved(film.wanted);
-        film.stretch = stretchOfPicture(moved(pictureOfStretch(film.stretch)));
         film.inks = film.inks.each([&](const QImage& plane) {
             return correctedImage(plane, error, inputs.correction->strength, Resampling::Nearest);
         });

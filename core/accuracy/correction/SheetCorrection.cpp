@@ -35,46 +35,56 @@ class Between {
 public:
     explicit Between(const QImage& image) : image_(image), code_(image) {}
 
-    // Writes the pixel for a place given in pixels from the top left corner.
+    // Writes the pixel for a place given in pixels from the top left corner. It is painted if the
+    // nearest pixel is, with the mean of the painted pixels around the place. So edges stay hard,
+    // and the bleed at the cut contour continues full colour.
     void write(uchar* pixel, double x, double y) const {
-        const int column = int(std::floor(x - 0.5)), row = int(std::floor(y - 0.5));
-        const double u = x - 0.5 - column, v = y - 0.5 - row;
-        Eigen::Array4d sum =
-            Eigen::Array4d::Zero(); // three channels of light times alpha, then alpha
-        for (int corner = 0; corner < 4; ++corner) {
-            const bool right = corner % 2 != 0, down = corner / 2 != 0;
-            add(sum, column + int(right), row + int(down),
-                (right ? u : 1 - u) * (down ? v : 1 - v));
-        }
-        const int alpha = int(std::lround(sum[3]));
-        if (alpha <= 0) {
+        const uchar* const nearest = pixelAt(int(std::floor(x)), int(std::floor(y)));
+        if (!nearest || code_.alpha(nearest) == 0) {
             std::fill_n(pixel, code_.bytes(), uchar(0));
             return;
         }
-        const Eigen::Array3d light = sum.head<3>() / sum[3];
-        code_.write(pixel, light.cast<float>(), std::min(alpha, code_.opaque()));
+        const int column = int(std::floor(x - 0.5)), row = int(std::floor(y - 0.5));
+        const double u = x - 0.5 - column, v = y - 0.5 - row;
+        Sum sum;
+        for (int corner = 0; corner < 4; ++corner) {
+            const bool right = corner % 2 != 0, down = corner / 2 != 0;
+            add(sum, pixelAt(column + int(right), row + int(down)),
+                (right ? u : 1 - u) * (down ? v : 1 - v));
+        }
+        const Eigen::Array3d light = sum.light / sum.alpha;
+        const int alpha = int(std::lround(sum.alpha / sum.painted));
+        code_.write(pixel, light.cast<float>(), std::clamp(alpha, 1, code_.opaque()));
     }
     // Writes the nearest pixel, unchanged.
     void writeNearest(uchar* pixel, double x, double y) const {
-        const QPoint nearest(int(std::floor(x)), int(std::floor(y)));
-        if (image_.rect().contains(nearest)) {
-            std::copy_n(image_.constScanLine(nearest.y()) + nearest.x() * code_.bytes(),
-                        code_.bytes(), pixel);
+        if (const uchar* const nearest = pixelAt(int(std::floor(x)), int(std::floor(y)))) {
+            std::copy_n(nearest, code_.bytes(), pixel);
         } else {
             std::fill_n(pixel, code_.bytes(), uchar(0));
         }
     }
 
 private:
-    void add(Eigen::Array4d& sum, int column, int row, double share) const {
-        if (share == 0 || column < 0 || row < 0 || column >= image_.width() ||
-            row >= image_.height()) {
+    struct Sum {
+        Eigen::Array3d light = Eigen::Array3d::Zero(); // times alpha
+        double alpha = 0, painted = 0;
+    };
+
+    // Returns null beyond the image's edges.
+    const uchar* pixelAt(int column, int row) const {
+        return image_.rect().contains(column, row)
+                   ? image_.constScanLine(row) + column * code_.bytes()
+                   : nullptr;
+    }
+    void add(Sum& sum, const uchar* pixel, double share) const {
+        if (share == 0 || !pixel || code_.alpha(pixel) == 0) {
             return;
         }
-        const uchar* pixel = image_.constScanLine(row) + column * code_.bytes();
         const double weight = share * code_.alpha(pixel);
-        sum.head<3>() += weight * code_.light(pixel).cast<double>();
-        sum[3] += weight;
+        sum.light += weight * code_.light(pixel).cast<double>();
+        sum.alpha += weight;
+        sum.painted += share;
     }
 
     const QImage& image_;
@@ -240,6 +250,14 @@ QImage correctedImage(const QImage& filmImage, const DenseError& error, double s
         }
     });
     return to;
+}
+
+QImage correctedTints(const QImage& tints, const DenseError& error, double strength) {
+    QImage alpha = tints;
+    alpha.reinterpretAsFormat(QImage::Format_Alpha8);
+    QImage moved = correctedImage(alpha, error, strength).convertToFormat(QImage::Format_Alpha8);
+    moved.reinterpretAsFormat(QImage::Format_Grayscale8);
+    return moved;
 }
 
 Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& error,

@@ -61,11 +61,14 @@ QString unusualErrorNote(const RepeatingError& error);
 enum class Resampling { Linear, Nearest };
 
 // Returns the corrected film image of the sheet of `error`. Each pixel takes its colour from a
-// place that is displaced by `strength` times the error, interpolated in linear light. The result
-// is RGBA8888; a wide image keeps its format. Uses all cores; deterministic. Pictures whose pixels
-// are no colours, such as amounts of ink, take the nearest pixel instead.
+// place that is displaced by `strength` times the error, interpolated in linear light between
+// painted pixels. It is painted if the nearest pixel is, so edges stay hard. The result is
+// RGBA8888; a wide image keeps its format. Uses all cores; deterministic. Pictures whose pixels are
+// no colours, such as amounts of ink, take the nearest pixel instead.
 QImage correctedImage(const QImage& filmImage, const DenseError& error, double strength,
                       Resampling resampling = Resampling::Linear);
+// The same for the tints of a plate, Grayscale8; 0 is bare.
+QImage correctedTints(const QImage& tints, const DenseError& error, double strength);
 
 // Returns where a corrected sheet shows the place `place` of the uncorrected sheet, in mm.
 Eigen::Vector2d printedAt(const Eigen::Vector2d& place, const RepeatingError& error,

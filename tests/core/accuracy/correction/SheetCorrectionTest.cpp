@@ -247,6 +247,36 @@ private slots:
         }
     }
 
+    // A displacement of parts of a pixel. Paler pixels at the edge would make a pale bleed.
+    void correctedImage_edgeOfPaint_keepsFullInk() {
+        AsBuilt built = measuredIn(Eigen::Matrix2d::Identity());
+        for (BuiltPlace& place : built.places) {
+            place.off = {Millimetres(0.63), Millimetres(-0.37)};
+        }
+        const DenseError error(RepeatingError(built, 1), width, height);
+        QImage film(420, 594, QImage::Format_RGBA8888), white(film.size(), QImage::Format_Alpha8);
+        film.fill(Qt::transparent);
+        white.fill(0);
+        for (int y = 200; y < 400; ++y) {
+            for (int x = 150 + y % 7; x < 260; ++x) {
+                film.setPixelColor(x, y, QColor(200, 40, 10));
+                white.scanLine(y)[x] = 180;
+            }
+        }
+        white.reinterpretAsFormat(QImage::Format_Grayscale8);
+        const QImage moved = correctedImage(film, error, 1);
+        const QImage tints = correctedTints(white, error, 1);
+        QCOMPARE(tints.format(), QImage::Format_Grayscale8);
+        QVERIFY(moved != film);
+        for (int y = 0; y < film.height(); ++y) {
+            for (int x = 0; x < film.width(); ++x) {
+                const QRgb pixel = moved.pixel(x, y);
+                QVERIFY(pixel == qRgb(200, 40, 10) || pixel == 0);
+                QCOMPARE(int(tints.constScanLine(y)[x]), pixel == 0 ? 0 : 180);
+            }
+        }
+    }
+
     void correctionPicture_isDrawnAtTheWantedSize() {
         std::mt19937 random{7};
         AsBuilt built;
