@@ -303,15 +303,16 @@ namespace {
 
 const QString layerPictureField = QStringLiteral("picture");
 
-[[noreturn]] void throwUnknownLayerField(const QString& path) {
-    QStringList settable;
-    for (const auto& field : artworkLayerFields()) {
-        settable << field.path;
+// Tells which fields there are. `message` has a place for their names; `hidden` is not among them.
+template <typename Owner>
+[[noreturn]] void throwUnknownField(const QString& message, const std::vector<Field<Owner>>& fields,
+                                    const QString& path, const QString& hidden = {}) {
+    QStringList names;
+    for (const Field<Owner>& field : fields) {
+        names << field.path;
     }
-    settable.removeAll(layerPictureField);
-    throw Error(Text::tr("A layer has no such setting; its settings are %1")
-                    .arg(settable.join(QStringLiteral(", "))),
-                path);
+    names.removeAll(hidden);
+    throw Error(message.arg(names.join(QStringLiteral(", "))), path);
 }
 
 // Sets a value such as "artwork.base_colour" or "artwork.layers[0].turn_deg". A layer's picture
@@ -332,7 +333,8 @@ bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
         const QString field = match.captured(2);
         if (field == layerPictureField ||
             !setFieldAt(artwork.layers[index], artworkLayerFields(), field, path, value)) {
-            throwUnknownLayerField(path);
+            throwUnknownField(Text::tr("A layer has no such setting; its settings are %1"),
+                              artworkLayerFields(), path, layerPictureField);
         }
         return true;
     }
@@ -343,6 +345,18 @@ bool setArtworkAt(Artwork& artwork, const QString& path, const QString& value) {
 } // namespace
 
 namespace {
+
+// A project file keeps unknown keys, as of a newer version. A typed one is a mistake.
+template <typename Mark>
+void requireKnownKeys(const std::vector<Mark>& marks, const std::vector<Field<Mark>>& fields,
+                      const QString& list) {
+    for (std::size_t index = 0; index < marks.size(); ++index) {
+        if (const QStringList keys = marks[index].unknown.keys(); !keys.isEmpty()) {
+            throwUnknownField(Text::tr("An entry has no such key; its keys are %1"), fields,
+                              QStringLiteral("%1[%2].%3").arg(list).arg(index).arg(keys.first()));
+        }
+    }
+}
 
 // Sets a list of marks from its JSON text. Returns false if the path names no such list.
 bool setMarksAt(Project& project, const QString& path, const QString& value) {
@@ -356,7 +370,9 @@ bool setMarksAt(Project& project, const QString& path, const QString& value) {
         }
         QJsonObject json;
         insertAt(json, path, document.array());
-        marks = readMarks(json, fields, list, most, {});
+        auto read = readMarks(json, fields, list, most, {});
+        requireKnownKeys(read, fields, path);
+        marks = std::move(read);
         return true;
     };
     return set(masksPath, maskMarkFields(), mostMaskMarks, project.masks) ||

@@ -50,11 +50,10 @@ def test_value_ofEveryPath_canBeSetToItself(ball):
 
 
 def test_marks_listOfDicts_isSetAsAWhole(ball):
-    marks = [{"at_mm": [0, 0, 10], "radius_mm": 4, "masked": True}]
-    try:
-        ball["masks"] = marks
-    except dipwright.Error as error:  # names the key that is wrong, not the type
-        pytest.fail(str(error))
+    ball["masks"] = [{"extent": "face", "place_mm": [0, 0, 10]}]
+    assert ball["masks"][0]["place_mm"] == [0, 0, 10]
+    with pytest.raises(dipwright.Error, match=r"keys are extent, .* \(masks\[0\]\.foo\)"):
+        ball["masks"] = [{"foo": 1}]
     assert len(ball["masks"]) == 1
     ball["masks"] = []
     assert ball["masks"] == []

@@ -252,6 +252,13 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(setByPath(project, "masks", "face"), Error);
         QVERIFY_EXCEPTION_THROWN(setByPath(project, "masks", R"([{"extent":"spot"}])"), Error);
         QCOMPARE(project.masks.size(), std::size_t(1));
+        QCOMPARE(refusal("masks", R"([{"radius_mm":3},{"extent":"stroke","radius":12}])"),
+                 "An entry has no such key; its keys are extent, place_mm, radius_mm, erase, path, "
+                 "material (masks[1].radius)");
+        QVERIFY(refusal("tolerance.marks", R"([{"materiel":"Red"}])")
+                    .contains("tolerance.marks[0].materiel"));
+        QVERIFY(refusal("share.marks", R"([{"radius":3}])").contains("radius_mm"));
+        QCOMPARE(project.masks.size(), std::size_t(1));
         setByPath(project, "masks", "[]");
         QVERIFY(project.masks.empty());
     }
