@@ -106,6 +106,15 @@ void print(const ImportReport& report, const QString& whose, Console& console) {
     }
 }
 
+// Throws UsageError if the tolerance of a CAD model's triangles is set for another model.
+void requireCadFor(Millimetres tessellation, bool isCad) {
+    try {
+        requireCad(isCad || tessellation == Millimetres(0), {});
+    } catch (const Error& error) {
+        throw UsageError(error.message(), QStringLiteral("--set model.tessellation_mm"));
+    }
+}
+
 void importInto(Project& project, const QCommandLineParser& parser, Console& console) {
     const QString path = parser.value(modelOption);
     ImportOptions options;
@@ -116,6 +125,7 @@ void importInto(Project& project, const QCommandLineParser& parser, Console& con
     }
     options.tessellation = project.modelOrigin.tessellation;
     const ImportedModel imported = importModel(path, options, console.progress());
+    requireCadFor(options.tessellation, imported.report.cad.has_value());
     print(imported.report, {}, console);
     setModel(project, imported, path, options);
     if (const QString cad = cadText(project); !cad.isEmpty()) {
@@ -191,6 +201,7 @@ void importJig(Project& project, const std::vector<JigSpec>& specs,
                    [](const JigSpec& spec) { return spec.part; });
     numberEqualNames(parts);
     QStringList remarks, losses;
+    bool anyCad = false;
     for (std::size_t i = 0; i < specs.size(); ++i) {
         const JigSpec& spec = specs[i];
         const QString whose = parts[i].placed.name + QStringLiteral(": ");
@@ -198,6 +209,7 @@ void importJig(Project& project, const std::vector<JigSpec>& specs,
         options.allowOutside = parser.isSet(outsideOption);
         options.tessellation = project.modelOrigin.tessellation;
         const ImportedModel imported = importModel(spec.path, options, console.progress());
+        anyCad = anyCad || imported.report.cad;
         print(imported.report, whose, console);
         const auto keep = [&](const QString& sentences, QStringList& all) {
             if (!sentences.isEmpty()) {
@@ -208,6 +220,7 @@ void importJig(Project& project, const std::vector<JigSpec>& specs,
         keep(imported.report.losses.join(QStringLiteral("; ")), losses);
         parts[i].model = std::make_shared<const TexturedMesh>(imported.model);
     }
+    requireCadFor(project.modelOrigin.tessellation, anyCad);
     project.modelOrigin.tessellation = Millimetres(0); // the jig is no CAD model
     project.modelOrigin.remarks = remarks.join(QStringLiteral("; "));
     project.modelOrigin.losses = losses.join(QStringLiteral("; "));

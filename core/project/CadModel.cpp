@@ -48,13 +48,17 @@ QString cadText(const Project& project) {
         .arg(roundedText(origin.tessellation.value(), 3));
 }
 
-ImportedModel retessellated(const Project& project, Millimetres tolerance,
-                            const Progress& progress) {
-    if (project.cad.bytes.isEmpty()) {
+void requireCad(bool isCad, const QString& where) {
+    if (!isCad) {
         throw Error(Text::tr("Only a model from a CAD file (STEP, IGES) can be cut into other "
                              "triangles; import such a file"),
-                    project.name);
+                    where);
     }
+}
+
+ImportedModel retessellated(const Project& project, Millimetres tolerance,
+                            const Progress& progress) {
+    requireCad(!project.cad.bytes.isEmpty(), project.name);
     ImportOptions options;
     options.unitMillimetres = project.modelOrigin.unitMillimetres;
     options.tessellation = tolerance;

@@ -15,6 +15,10 @@ struct Project;
 // a CAD model, the file's content and unit, the scale, and the tolerance of the triangles.
 void takeModel(Project& project, ImportedModel imported, const QString& path);
 
+// Throws Error naming `where` unless a model comes from a CAD file, whose triangles can be made
+// again with another tolerance.
+void requireCad(bool isCad, const QString& where);
+
 // Returns the model's triangles made again from the project's CAD file with another tolerance; 0:
 // the usual one (usualTessellation()). The model keeps its size and place, so that marks and
 // artwork stay where they are. Throws Error if the project has no CAD file, or as importModel().

@@ -150,6 +150,11 @@ private slots:
         QTest::newRow("immersion rotation") << newWith({"--immersion", "rotation=1;2"});
         QTest::newRow("three immersions")
             << newWith({"--immersion", "name=A", "--immersion", "name=B", "--immersion", "name=C"});
+        QTest::newRow("triangles of a model that is not from CAD")
+            << newWith({"--set", "model.tessellation_mm=0.01"});
+        QTest::newRow("unknown key in a list of marks")
+            << QStringList{"info", job, "--set", R"(masks=[{"extent":"stroke","radius":12}])"};
+        QTest::newRow("artwork set without --set") << QStringList{"artwork", "set", job, "1"};
     }
     void cli_wrongUsage_exitCodeIsTwo() { refused(2); }
 
