@@ -173,7 +173,8 @@ QJsonValue parseItem(const FieldRule& rule, const QString& text) {
     for (const QString& part : text.split(separator)) {
         parts.append(parsePart(rule, part.trimmed()));
     }
-    return parts.size() == rule.parts ? QJsonValue(parts) : text; // a message shows it as written
+    // A message shows other texts as they were written.
+    return parts.size() == rule.parts && !parts.contains(QString()) ? QJsonValue(parts) : text;
 }
 
 QJsonValue parseList(const FieldRule& rule, const QString& text) {

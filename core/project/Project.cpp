@@ -248,14 +248,27 @@ QStringList siblingPaths(const QString& path) {
     return paths;
 }
 
+// Returns the words with which the paths that can be set begin.
+QStringList firstWords() {
+    QStringList words;
+    for (const Field<Project>& field : projectFields()) {
+        if (isSettable(field.path)) {
+            words << field.path.section(QLatin1Char('.'), 0, 0);
+        }
+    }
+    words << QStringLiteral("immersions[0]") << QString::fromLatin1(masksPath)
+          << QString::fromLatin1(artworkPath);
+    words.removeDuplicates();
+    return words;
+}
+
 [[noreturn]] void throwUnknownPath(const QString& path) {
     const QStringList siblings = siblingPaths(path);
-    const QString hint = siblings.isEmpty()
-                             ? Text::tr("the sections are artwork, film, process, body, "
-                                        "immersions[0], sheet, ink, share, cradle, tolerance, "
-                                        "pose_search, as_built, inspection and order")
-                             : Text::tr("the settings in this section are %1")
-                                   .arg(siblings.join(QStringLiteral(", ")));
+    const QString hint =
+        siblings.isEmpty()
+            ? Text::tr("a path begins with one of %1").arg(firstWords().join(QStringLiteral(", ")))
+            : Text::tr("the settings in this section are %1")
+                  .arg(siblings.join(QStringLiteral(", ")));
     throw Error(Text::tr("There is no such setting; %1").arg(hint), path);
 }
 
