@@ -195,7 +195,8 @@ void applySettings(Project& project, const QCommandLineParser& parser) {
 }
 
 void applySettings(Project& project, std::vector<Setting> settings) {
-    std::ranges::stable_partition(settings, isSetFirst, &Setting::path);
+    std::ranges::stable_sort(settings, {},
+                             [](const Setting& setting) { return settingOrder(setting.path); });
     for (const Setting& setting : settings) {
         setByOption(project, setting.path, setting.value, setting.where);
     }

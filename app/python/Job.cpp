@@ -25,12 +25,14 @@ void setIn(Project& project, const QString& path, const py::object& value) {
 }
 
 void setAll(Project& project, const Values& values, const QString& prefix = {}) {
-    for (const bool isFirst : {true, false}) {
-        for (const auto& [path, value] : values) {
-            if (isSetFirst(path) == isFirst) {
-                setIn(project, prefix + path, value);
-            }
-        }
+    using Setting = Values::value_type;
+    std::vector<const Setting*> settings;
+    for (const Setting& setting : values) {
+        settings.push_back(&setting);
+    }
+    std::ranges::stable_sort(settings, {}, [](const Setting* s) { return settingOrder(s->first); });
+    for (const Setting* setting : settings) {
+        setIn(project, prefix + setting->first, setting->second);
     }
 }
 

@@ -76,8 +76,8 @@ ProjectValue valueByPath(const Project& project, const QString& path) {
     return *found;
 }
 
-bool isSetFirst(const QString& path) {
-    return path == QLatin1String("film.preset") || path == QLatin1String("film.size_mm");
+int settingOrder(const QString& path) {
+    return path == QLatin1String("film.preset") ? 0 : path == QLatin1String("film.size_mm") ? 1 : 2;
 }
 
 } // namespace dipwright

@@ -24,8 +24,8 @@ std::vector<ProjectValue> projectValues(const Project& project);
 // Returns one of them. Throws the same Error as setByPath() if there is no such value.
 ProjectValue valueByPath(const Project& project, const QString& path);
 
-// Whether a value must be set before others, because setting it changes other values: the preset
-// and the size of the film.
-bool isSetFirst(const QString& path);
+// The order in which values must be set, because setting one changes others: lower numbers first.
+// The film's preset, then its size, then all other values.
+int settingOrder(const QString& path);
 
 } // namespace dipwright

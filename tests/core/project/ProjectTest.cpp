@@ -678,6 +678,20 @@ private slots:
         QVERIFY(project.film == FilmSettings());
     }
 
+    void setByPath_unknownPath_namesAllFirstWords() {
+        for (const char* word : {"name", "created", "model", "film", "verdict", "masks", "artwork",
+                                 "immersions[0]", "order"}) {
+            QVERIFY2(refusal("flim.swell", "1").contains(word), word);
+        }
+        QVERIFY(refusal("film.swell", "x").startsWith(QStringLiteral("“x” is not allowed")));
+    }
+
+    void settingOrder_presetThenSize_sizeWins() {
+        QVERIFY(settingOrder("film.preset") < settingOrder("film.size_mm"));
+        QVERIFY(settingOrder("film.size_mm") < settingOrder("film.points"));
+        QCOMPARE(settingOrder("film.points"), settingOrder("sheet.dpi"));
+    }
+
     void setByPath_filmSize_namesThePreset() {
         Project project;
         setByPath(project, "film.size_mm", "420x297");
