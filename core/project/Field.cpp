@@ -4,6 +4,7 @@
 #include "base/TypedNumber.h"
 
 #include <QCoreApplication>
+#include <QDate>
 #include <QJsonArray>
 #include <QRegularExpression>
 #include <algorithm>
@@ -203,6 +204,14 @@ void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& p
     }
     for (int item = 0; item < items.size(); ++item) {
         checkItem(rule, items.at(item), QStringLiteral("%1[%2]").arg(path).arg(item), file);
+    }
+}
+
+void requireDate(const QString& text, const QString& path) {
+    if (!text.isEmpty() && !QDate::fromString(text, Qt::ISODate).isValid()) {
+        throw Error(Text::tr("%1 is not a date; write year, month and day, for example 2027-03-31")
+                        .arg(text),
+                    path);
     }
 }
 

@@ -55,6 +55,9 @@ void setField(Owner& owner, const Field<Owner>& field, const QJsonValue& value) 
 void checkValue(const FieldRule& rule, const QJsonValue& value, const QString& path,
                 const QString& file);
 
+// Throws Error naming `path` if the text is neither empty nor an ISO date.
+void requireDate(const QString& text, const QString& path);
+
 // Parses a value from the command line: parts separated by x or ;, items of a list by /, "null",
 // "true" or "false". A number may be a calculation with units (base/TypedNumber.h), with a point as
 // decimal sign; in a list it has no quotients. The result satisfies the rule. Throws Error naming

@@ -188,6 +188,18 @@ Field<Owner> text(const char* path, int maximumLength, Access access) {
             }};
 }
 
+// An ISO date or an empty text.
+template <typename Owner = Project, typename Access>
+Field<Owner> dateField(const char* path, Access access) {
+    constexpr int length = 10;
+    Field<Owner> field = text<Owner>(path, length, access);
+    field.set = [access, path](Owner& owner, const QJsonValue& value) {
+        requireDate(value.toString(), QString::fromLatin1(path));
+        access(owner) = value.toString();
+    };
+    return field;
+}
+
 // A text of any characters, line breaks included. Not for texts that are shown within a line.
 template <typename Owner = Project, typename Access>
 Field<Owner> textOfLines(const char* path, int maximumLength, Access access) {

@@ -9,7 +9,6 @@
 #include "project/Project.h"
 
 #include <QCoreApplication>
-#include <QDate>
 #include <cmath>
 
 namespace dipwright {
@@ -150,29 +149,10 @@ const std::vector<Field<PrinterProfile>>& fieldsOf(const PrinterProfile*) {
     return fields;
 }
 
-// A field for an ISO date or an empty text.
-template <typename Access>
-Field<FilmProfile> dateField(const char* path, Access access) {
-    return {
-        QString::fromLatin1(path),
-        {FieldKind::Text, 1, false, 0, 10},
-        [access](const FilmProfile& p) { return QJsonValue(access(p)); },
-        [access, path](FilmProfile& p, const QJsonValue& value) {
-            const QString date = value.toString();
-            if (!date.isEmpty() && !QDate::fromString(date, Qt::ISODate).isValid()) {
-                throw Error(
-                    Text::tr("%1 is not a date; write year, month and day, for example 2027-03-31")
-                        .arg(date),
-                    QString::fromLatin1(path));
-            }
-            access(p) = date;
-        }};
-}
-
 void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
     using P = FilmProfile;
     constexpr int longestHashes = 4096;
-    fields.push_back(dateField(
+    fields.push_back(dateField<P>(
         "measured.date", [](auto& p) -> auto& { return p.measured.date; }));
     fields.push_back(numberOrNone<P>(
         "measured.water_temperature_c", 0, 100,
@@ -241,7 +221,7 @@ const std::vector<Field<FilmProfile>>& fieldsOf(const FilmProfile*) {
                 "drying_time_s", 0, 604'800, [](auto& p) -> auto& { return p.dryingTime; })),
             text<P>(
                 "lot", 100, [](auto& p) -> auto& { return p.lot; }),
-            dateField(
+            dateField<P>(
                 "expiry", [](auto& p) -> auto& { return p.expiry; })};
         addMaterial(all);
         addMeasurement(all);

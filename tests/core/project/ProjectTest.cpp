@@ -404,6 +404,8 @@ private slots:
         row("film", 5, "film");
         row("film.edges", QJsonArray(), "edges");
         row("film.edges.left", "nailed", "film.edges.left");
+        row("created", "banana", "created");
+        row("created", "2027-02-30", "created");
         row("film.preset", "B9", "film.preset");
         row("film.size_mm", QJsonArray{210}, "film.size_mm");
         row("film.size_mm", QJsonArray{210, 1e9}, "film.size_mm[1]");
