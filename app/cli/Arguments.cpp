@@ -99,6 +99,18 @@ void refuseOptions(const QCommandLineParser& parser, const QStringList& options,
     }
 }
 
+void refuseOptionsOfOthers(const QCommandLineParser& parser, const QMap<QString, QStringList>& uses,
+                           const QString& action) {
+    const QStringList used = uses.value(action);
+    if (!uses.contains(action)) {
+        return;
+    }
+    for (QStringList options : uses) {
+        options.removeIf([&](const QString& option) { return used.contains(option); });
+        refuseOptions(parser, options, QStringLiteral("with `%1`").arg(action));
+    }
+}
+
 double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,
                     double maximum) {
     bool isNumber = false;

@@ -41,6 +41,11 @@ private:
 void refuseOptions(const QCommandLineParser& parser, const QStringList& options,
                    const QString& when);
 
+// The same for the options that only other actions of a command use. `uses` has the options of each
+// action; for an unknown action, nothing is refused.
+void refuseOptionsOfOthers(const QCommandLineParser& parser, const QMap<QString, QStringList>& uses,
+                           const QString& action);
+
 // Returns the option's number. Throws UsageError, which names the option, if the number is out of
 // range.
 double numberOption(const QCommandLineParser& parser, const QString& option, double minimum,

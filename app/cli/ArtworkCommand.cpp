@@ -229,6 +229,14 @@ public:
     void run(const QCommandLineParser& parser, Console& console) const override {
         Words words(name(), parser.positionalArguments());
         const QString action = words.take(QStringLiteral("The action"));
+        refuseOptionsOfOthers(parser,
+                              {{QStringLiteral("list"), {jsonOption}},
+                               {QStringLiteral("add"), {setOption, onOption}},
+                               {QStringLiteral("set"), {setOption}},
+                               {QStringLiteral("move"), {}},
+                               {QStringLiteral("remove"), {}},
+                               {QStringLiteral("base"), {}}},
+                              action);
         const QString path = words.take(QStringLiteral("JOB.dipw"));
         if (action == QLatin1String("list")) {
             words.finish();
@@ -245,6 +253,10 @@ public:
         } else if (action == QLatin1String("set")) {
             const std::size_t layer = takeLayer(words, project.artwork);
             words.finish();
+            if (!parser.isSet(setOption)) {
+                throw UsageError(QStringLiteral("Name what to change with --set KEY=VALUE"),
+                                 QStringLiteral("--set"));
+            }
             change(project, layer, parser);
             out << QStringLiteral("Changed %1\n").arg(project.artwork.layers[layer].name);
         } else if (action == QLatin1String("move")) {

@@ -284,8 +284,8 @@ void writePage(const QCommandLineParser& parser, QTextStream& out) {
         pictureOption(parser, toOption, {QStringLiteral(".pdf"), QStringLiteral(".png")});
     const QString kind = parser.positionalArguments().value(0);
     const bool isWedge = kind == QLatin1String("wedge");
-    if (!isWedge) {
-        boardKind(kind);
+    if (!isWedge && boardKind(kind) == BoardKind::Card) {
+        refuseOptions(parser, {lotOption, dateOption}, QStringLiteral("on the card"));
     }
     if (path.isEmpty()) {
         throw UsageError(
@@ -315,10 +315,13 @@ public:
                                               "the rulers as PDF, other pages as PDF or PNG."));
         syntax.addOption({paperOption, QStringLiteral("A5, A4, A3, A2 or Letter."),
                           QStringLiteral("PAPER"), QStringLiteral("A4")});
-        syntax.addOption({lotOption, QStringLiteral("The film's lot, printed on the page."),
-                          QStringLiteral("TEXT")});
         syntax.addOption(
-            {dateOption, QStringLiteral("The date, printed on the page."), QStringLiteral("TEXT")});
+            {lotOption,
+             QStringLiteral("For `film` and `wedge`: the film's lot, printed on the page."),
+             QStringLiteral("TEXT")});
+        syntax.addOption({dateOption,
+                          QStringLiteral("For `film` and `wedge`: the date, printed on the page."),
+                          QStringLiteral("TEXT")});
         syntax.addOption(
             {verifyOption,
              QStringLiteral("Prints a second page that the profile has corrected. With --measured: "

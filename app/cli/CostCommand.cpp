@@ -63,6 +63,7 @@ public:
 
     void run(const QCommandLineParser& parser, Console& console) const override {
         const QStringList paths = projectPaths(parser);
+        refusePackingWithoutFilm(parser);
         if (parser.isSet(csvOption)) {
             // Fails now instead of after the dips.
             checkWritable(parser.value(csvOption));

@@ -277,6 +277,7 @@ public:
                 QStringLiteral("Name the action (film, part, fit or built) and the photos"),
                 QStringLiteral("film FILE… | part FILE… | fit FILE… | built FILE…"));
         }
+        refuseOptionsOfOthers(parser, optionsOfActions(), subject);
         if (parser.value(outOption).isEmpty()) {
             throw UsageError(QStringLiteral("Name the folder for the results with --out DIR"),
                              QStringLiteral("--out"));
@@ -295,6 +296,21 @@ public:
     }
 
 private:
+    // Returns the options of each action, except --out and --lens, which all of them use.
+    static QMap<QString, QStringList> optionsOfActions() {
+        const auto words = [](const char* text) { return QString::fromLatin1(text).split(u' '); };
+        return {{QStringLiteral("film"),
+                 words("time laid dip-at profile lot date water-temperature card-rulers "
+                       "film-rulers ruler-error card-above focal-35mm")},
+                {QStringLiteral("part"), words("pairs project film-image keep-camera")},
+                {QStringLiteral("fit"),
+                 words("pairs project film-image keep-camera places fit update-job profile lot "
+                       "date water-temperature")},
+                {QStringLiteral("built"),
+                 words("pairs project film-image keep-camera places update-job accepted-by "
+                       "correct date")}};
+    }
+
     static void inspectFilm(const QStringList& files, const QCommandLineParser& parser,
                             Console& console) {
         const FilmOnWater filmOptions = filmOnWater(parser);

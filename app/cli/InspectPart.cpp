@@ -189,6 +189,10 @@ void declarePart(CommandSyntax& syntax) {
 
 void inspectPart(const QStringList& files, const QCommandLineParser& parser,
                  const std::optional<Lens>& lens, Console& console) {
+    if (!parser.isSet(projectOption)) {
+        refuseOptions(parser, {QStringLiteral("film-image"), keepOption},
+                      QStringLiteral("without --project"));
+    }
     const Progress progress = console.progress();
     const std::vector<PartPhoto> photos = readPartPhotos(files, progress.part(0, 0.2));
     std::vector<PlacePair> pairs = partPairs(parser, photos);

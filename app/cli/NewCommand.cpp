@@ -68,6 +68,35 @@ void applyPart(Project& project, std::size_t index, const QString& part, const Q
                 part.mid(equals + 1).trimmed(), where);
 }
 
+// Tells whether a path of this kind uses the value of a key of --immersion.
+bool isUsed(const QString& key, const DipPath& path) {
+    const bool hasAngle = path.kind != PathKind::Straight && path.kind != PathKind::Poses;
+    const QMap<QString, bool> uses{
+        {QStringLiteral("angle"), hasAngle},
+        {QStringLiteral("heading"), hasAngle || path.waterSpeed != DipPath().waterSpeed},
+        {QStringLiteral("level"), path.kind == PathKind::Tilt},
+        {QStringLiteral("radius"), path.kind == PathKind::Roll},
+        {QStringLiteral("turn"), path.kind != PathKind::Poses},
+        {QStringLiteral("keys"), path.kind == PathKind::Poses}};
+    return uses.value(key, true);
+}
+
+// Throws UsageError for a key of --immersion that the path of its dip does not use.
+void requireUsedKeys(const Project& project, const QStringList& specs) {
+    for (qsizetype index = 0; index < specs.size(); ++index) {
+        for (const QString& part : specs[index].split(QLatin1Char(','))) {
+            const QString key = part.section(QLatin1Char('='), 0, 0).trimmed();
+            if (!isUsed(key, project.immersions[std::size_t(index)].path)) {
+                throw UsageError(
+                    QStringLiteral("“%1” has no effect on this path; leave it out, or choose a "
+                                   "path that uses it, for example path=tilt,angle=20")
+                        .arg(key),
+                    QStringLiteral("--immersion %1").arg(specs[index]));
+            }
+        }
+    }
+}
+
 void applyImmersions(Project& project, const QStringList& specs) {
     if (specs.size() > mostImmersions) {
         throw UsageError(
@@ -318,6 +347,7 @@ public:
         applyPresetOption(project, parser.value(presetOption));
         applyImmersions(project, parser.values(immersionOption));
         applySettings(project, parser);
+        requireUsedKeys(project, parser.values(immersionOption));
         checkSpots(project);
         if (jig.empty()) {
             importInto(project, parser, console);

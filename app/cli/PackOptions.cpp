@@ -70,6 +70,13 @@ PackSettings packSettings(const QCommandLineParser& parser) {
     return settings;
 }
 
+void refusePackingWithoutFilm(const QCommandLineParser& parser) {
+    if (!packs(parser)) {
+        refuseOptions(parser, {spacingOption, marginOption, wholeOption, feedOption, turnOption},
+                      QStringLiteral("without --film"));
+    }
+}
+
 bool packs(const QCommandLineParser& parser) {
     return parser.isSet(filmOption);
 }

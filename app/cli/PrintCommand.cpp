@@ -234,6 +234,24 @@ JobResult resultOf(const Project& project, const QCommandLineParser& parser,
     return runJob(project, registry, options, cached.get(), progress);
 }
 
+// Throws UsageError for arguments and options that have no effect with --printers or --history.
+void requireOnlyList(const QCommandLineParser& parser) {
+    requireNoPositionalArgument(parser);
+    const QString when =
+        QStringLiteral("with --%1, which prints nothing")
+            .arg(listsPrinters(parser) ? QStringLiteral("printers") : historyOption);
+    if (listsPrinters(parser)) {
+        refuseOptions(parser, {historyOption}, when);
+    }
+    refuseOptions(parser,
+                  {immersionOption, copiesOption, tileOption, tilePaperOption, greyOption,
+                   clippingOption, proofOption, platesOption, solverOption, QStringLiteral("set"),
+                   QStringLiteral("profile"), QStringLiteral("film-image"),
+                   QStringLiteral("threads")},
+                  when);
+    refuseTarget(parser, when);
+}
+
 class PrintCommand : public Command {
 public:
     QString name() const override { return QStringLiteral("print"); }
@@ -283,13 +301,14 @@ public:
     }
 
     void run(const QCommandLineParser& parser, Console& console) const override {
+        if (listsPrinters(parser) || parser.isSet(historyOption)) {
+            requireOnlyList(parser);
+        }
         if (listsPrinters(parser)) {
-            requireNoPositionalArgument(parser);
             listPrinters(console.out());
             return;
         }
         if (parser.isSet(historyOption)) {
-            requireNoPositionalArgument(parser);
             listHistory(console.out());
             return;
         }

@@ -287,6 +287,16 @@ public:
     void run(const QCommandLineParser& parser, Console& console) const override {
         Words words(name(), parser.positionalArguments());
         const QString action = words.take(QStringLiteral("The action"));
+        refuseOptionsOfOthers(parser,
+                              {{QStringLiteral("list"), {jsonOption}},
+                               {QStringLiteral("set"), {setOption, iccOption, linkOption}},
+                               {QStringLiteral("show"), {}},
+                               {QStringLiteral("import"), {}},
+                               {QStringLiteral("export"), {}},
+                               {QStringLiteral("remove"), {}},
+                               {QStringLiteral("wedge"), {}},
+                               {QStringLiteral("use"), {}}},
+                              action);
         QTextStream& out = console.out();
         if (action == QLatin1String("list")) {
             list(words, parser, out, console.warnings());

@@ -190,15 +190,16 @@ private:
             throw UsageError(QStringLiteral("Use either --physics or --sheet"),
                              QStringLiteral("--physics --sheet"));
         }
-        const std::pair<QString, bool> uses[] = {{cellsOption, physics},
-                                                 {plotOption, physics},
-                                                 {mapsOption, sheet},
-                                                 {solverOption, physics || sheet}};
-        for (const auto& [option, isUsed] : uses) {
-            if (parser.isSet(option) && !isUsed) {
-                throw UsageError(QStringLiteral("This option has no effect here; see --help"),
-                                 QStringLiteral("--") + option);
-            }
+        if (physics) {
+            refuseOptions(parser, {QStringLiteral("set")}, QStringLiteral("with --physics"));
+        } else {
+            refuseOptions(parser, {cellsOption, plotOption}, QStringLiteral("without --physics"));
+        }
+        if (!sheet) {
+            refuseOptions(parser, {mapsOption}, QStringLiteral("without --sheet"));
+        }
+        if (!physics && !sheet) {
+            refuseOptions(parser, {solverOption}, QStringLiteral("without --sheet or --physics"));
         }
     }
 };

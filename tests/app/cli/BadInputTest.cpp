@@ -158,6 +158,38 @@ private slots:
     }
     void cli_wrongUsage_exitCodeIsTwo() { refused(2); }
 
+    void cli_optionWithoutEffect_isRefused_data() {
+        QTest::addColumn<QStringList>("arguments");
+        const QString job = path("ball.dipw");
+        const auto row = [](const QStringList& arguments) {
+            QTest::newRow(qPrintable(arguments.mid(0, 2).join(' ') + ' ' + arguments.last()))
+                << arguments;
+        };
+        row({"profile", "use", "film", firstFilm(), job, "--set", "swell=1.5x1.5"});
+        row({"profile", "list", "--icc", path("file")});
+        row({"profile", "show", "film", firstFilm(), "--json"});
+        row({"artwork", "list", job, "--on", "Ball"});
+        row({"artwork", "remove", job, "1", "--set", "turn_deg=1"});
+        row({"validate", "--physics", "--set", "film.swell=1x1"});
+        row({"validate", job, "--maps", path("out")});
+        row({"cost", job, "--turn"});
+        row({"cost", job, "--spacing", "3"});
+        row({"print", "--history", "--copies", "3"});
+        row({"print", "--printers", "--history"});
+        row({"calibrate", "card", "--to", path("card.pdf"), "--lot", "7"});
+        row({"inspect", "film", path("ball.png"), "--out", path("out"), "--places", path("file")});
+        row({"inspect", "part", path("ball.png"), "--out", path("out"), "--time", "3"});
+        row({"inspect", "part", path("ball.png"), "--out", path("out"), "--correct", "1"});
+        row({"inspect", "part", path("ball.png"), "--out", path("out"), "--keep-camera"});
+        row(newWith({"--immersion", "angle=30"}));
+        row(newWith({"--immersion", "path=tilt,radius=10"}));
+    }
+    void cli_optionWithoutEffect_isRefused() {
+        refused(2);
+        QFETCH(QStringList, arguments);
+        QVERIFY2(cli(arguments).err.contains("has no effect"), qPrintable(arguments.join(' ')));
+    }
+
     void cli_failure_exitCodeIsOne_data() {
         QTest::addColumn<QStringList>("arguments");
         const QString job = path("ball.dipw");
