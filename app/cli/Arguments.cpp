@@ -119,7 +119,7 @@ double numberOption(const QCommandLineParser& parser, const QString& option, dou
         throw UsageError(QStringLiteral("“%1” is not valid; give a number from %2 to %3")
                              .arg(parser.value(option))
                              .arg(minimum)
-                             .arg(maximum),
+                             .arg(maximum, 0, 'g', 10),
                          QStringLiteral("--") + option);
     }
     return number;

@@ -89,8 +89,10 @@ void requireReadable(const QString& path) {
     } catch (const Error& error) {
         throw Error(Text::tr("A file of this name exists and is not a readable profile, so it is "
                              "not replaced; repair it, move it, or choose another name: %1")
-                        .arg(error.sentence()),
-                    path);
+                        .arg(error.message()),
+                    error.where().startsWith(path)
+                        ? error.where()
+                        : QStringLiteral("%1: %2").arg(path, error.where()));
     }
 }
 

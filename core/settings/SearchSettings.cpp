@@ -15,11 +15,13 @@ struct Text {
 
 void require(double value, double least, double most, const QString& where) {
     if (!(value >= least && value <= most)) {
-        throw Error(Text::tr("Choose a number from %1 to %2").arg(least).arg(most), where);
+        throw Error(Text::tr("Choose a number from %1 to %2").arg(least).arg(most, 0, 'g', 10),
+                    where);
     }
 }
 
-Measure measureOf(const QString& key) {
+// `others` are names that can be chosen, too, in a message.
+Measure measureOf(const QString& key, const QStringList& others = {}) {
     QStringList keys;
     for (const Measure measure : allMeasures()) {
         if (measureKey(measure) == key) {
@@ -28,7 +30,7 @@ Measure measureOf(const QString& key) {
         keys.append(measureKey(measure));
     }
     throw Error(Text::tr("There is no measure with this name; choose one of %1")
-                    .arg(keys.join(QStringLiteral(", "))),
+                    .arg((keys + others).join(QStringLiteral(", "))),
                 key);
 }
 
@@ -145,14 +147,16 @@ void requireValid(const SearchSettings& settings) {
 }
 
 void setWeight(PoseAims& aims, const QString& key, double value) {
+    QStringList zones;
     for (std::size_t zone = 0; zone < zoneCount; ++zone) {
+        zones << zoneKey(zone);
         if (key == zoneKey(zone)) {
             require(value, 0, mostZoneWeight, key);
             aims.zoneWeights[zone] = value;
             return;
         }
     }
-    const Measure measure = measureOf(key);
+    const Measure measure = measureOf(key, zones);
     require(value, 0, mostWeight, key);
     aims.weights[measure] = value;
 }

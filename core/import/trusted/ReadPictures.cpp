@@ -84,8 +84,7 @@ ReadPicture readPictureAndInks(const QString& path) {
     requireWithin(Budget::FileBytes, QFileInfo(path).size(), path);
     const auto bytes = readFile(path);
     if (!bytes) {
-        throw Error(Text::tr("The texture file cannot be read; check its name and permissions"),
-                    path);
+        throw Error(Text::tr("The picture cannot be read; check its name and permissions"), path);
     }
     return readWithInks({{*bytes, path}}).front();
 }

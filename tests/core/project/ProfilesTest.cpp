@@ -144,6 +144,16 @@ void ProfilesTest::profileLibrary_usersProfile_replacesTheShippedOne() {
 void ProfilesTest::exportProfile_importedAgain_isTheSame() {
     const QString path = folder_.filePath("out.json");
     exportProfile(printer(), path);
+    const QString broken = folder_.filePath("broken.json");
+    QFile file(broken);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{}") == 2);
+    file.close();
+    try {
+        exportProfile(printer(), broken);
+        QFAIL("the file was replaced, expected an Error");
+    } catch (const Error& error) {
+        QCOMPARE(error.sentence().count(broken), 1);
+    }
     library_.replace(importProfile(path));
     QVERIFY(library_.profile(ProfileKind::Printer, printer().name) == Profile(printer()));
     QVERIFY_EXCEPTION_THROWN(exportProfile(printer(), folder_.filePath("no/such/folder/x.json")),

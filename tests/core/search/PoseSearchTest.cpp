@@ -587,7 +587,22 @@ private slots:
     void poseAims_valuesOutOfRange_areRefused() {
         SearchSettings settings;
         QVERIFY_EXCEPTION_THROWN(setWeight(settings.aims, "coverage", -1), Error);
-        QVERIFY_EXCEPTION_THROWN(setWeight(settings.aims, "colour", 1), Error);
+        const auto messageOf = [&](const QString& key, double weight) {
+            try {
+                setWeight(settings.aims, key, weight);
+            } catch (const Error& error) {
+                return error.message();
+            }
+            return QString();
+        };
+        QVERIFY(messageOf("colour", 1).contains("zone_a"));
+        QVERIFY(messageOf("colour", 1).contains("coverage"));
+        try {
+            setLimit(settings.aims, "join", 1e7);
+            QFAIL("the limit was accepted, expected an Error");
+        } catch (const Error& error) {
+            QCOMPARE(error.message(), QStringLiteral("Choose a number from 0 to 1000000"));
+        }
         QVERIFY_EXCEPTION_THROWN(
             setLimit(settings.aims, "coverage", std::numeric_limits<double>::quiet_NaN()), Error);
         settings.aims.weights = {};
