@@ -255,10 +255,13 @@ private:
     const Rules& rules_;
 };
 
-// Returns the amount that the field's unit stands for.
+// Returns the amount that the field's unit stands for, such as mm or 1/s.
 Amount ownAmount(const QString& unit) {
+    const Rules plain{{}, {}, QLocale::c()};
     try {
-        return unit.isEmpty() ? Amount{} : Calculation(unit, {}).unitOnly();
+        return unit.isEmpty()           ? Amount{}
+               : unit.startsWith(u"1/") ? Calculation(unit, plain).whole()
+                                        : Calculation(unit, plain).unitOnly();
     } catch (const Unreadable&) {
         return {1, {0, 0, 0, 0, 1}};
     }

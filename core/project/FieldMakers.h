@@ -100,6 +100,13 @@ Field<Owner> numberOrNone(const char* path, double minimum, double maximum, Acce
             }};
 }
 
+// A field whose values have a unit that their type does not state.
+template <typename Owner>
+Field<Owner> inUnit(const char* unit, Field<Owner> field) {
+    field.rule.unit = QString::fromUtf8(unit);
+    return field;
+}
+
 template <typename Owner>
 Field<Owner> omittedIfDefault(Field<Owner> field) {
     field.omittedIfDefault = true;

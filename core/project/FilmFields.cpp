@@ -53,8 +53,9 @@ void addFloating(std::vector<MaterialField<Film>>& fields) {
           .absent = Text::tr("Elastic"),
           .isOfProductionFilm = true}});
     fields.push_back(
-        {notHashedIfDefault(number<Film>(
-             "growth_per_s", 0, mostGrowthRate, [](auto& f) -> auto& { return f.growthRate; })),
+        {notHashedIfDefault(inUnit("1/s", number<Film>(
+                                              "growth_per_s", 0, mostGrowthRate,
+                                              [](auto& f) -> auto& { return f.growthRate; }))),
          {.label = Text::tr("Growth rate"),
           .help = Text::tr("How fast the floating film grows at the start of the dip, per second. "
                            "Adhered film does not grow."),

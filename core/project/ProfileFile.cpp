@@ -154,9 +154,10 @@ void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
     constexpr int longestHashes = 4096;
     fields.push_back(dateField<P>(
         "measured.date", [](auto& p) -> auto& { return p.measured.date; }));
-    fields.push_back(numberOrNone<P>(
-        "measured.water_temperature_c", 0, 100,
-        [](auto& p) -> auto& { return p.measured.waterTemperature; }));
+    fields.push_back(inUnit("°C", numberOrNone<P>(
+                                      "measured.water_temperature_c", 0, 100, [](auto& p) -> auto& {
+                                          return p.measured.waterTemperature;
+                                      })));
     fields.push_back(text<P>(
         "measured.photos", longestHashes, [](auto& p) -> auto& { return p.measured.photos; }));
     fields.push_back(number<P>(
@@ -169,9 +170,9 @@ void addMeasurement(std::vector<Field<FilmProfile>>& fields) {
         "measured.swell_off", 2, 0, 2, [](auto& p, int part) -> auto& {
             return part == 0 ? p.measured.swellErrorX : p.measured.swellErrorY;
         }));
-    fields.push_back(numberOrNone<P>(
-        "measured.growth_per_s", 0, mostGrowthRate,
-        [](auto& p) -> auto& { return p.measured.growthRate; }));
+    fields.push_back(inUnit("1/s", numberOrNone<P>(
+                                       "measured.growth_per_s", 0, mostGrowthRate,
+                                       [](auto& p) -> auto& { return p.measured.growthRate; })));
     fields.push_back(numberOrNone<P>(
         "measured.growth_limit", 0, mostGrowth,
         [](auto& p) -> auto& { return p.measured.growthLimit; }));

@@ -392,10 +392,11 @@ void addPoseSearchFields(std::vector<Field<Project>>& fields) {
     }
     for (const Measure measure : allMeasures()) {
         add(QStringLiteral("limits.") + measureKey(measure), [measure](const char* path) {
-            return numberOrNone(
-                path, 0, mostLimit(measure), [measure](auto& p) -> auto& {
-                    return p.poseAims.limits[measure];
-                });
+            return inUnit(measure == Measure::Join ? "mm" : "",
+                          numberOrNone(
+                              path, 0, mostLimit(measure), [measure](auto& p) -> auto& {
+                                  return p.poseAims.limits[measure];
+                              }));
         });
     }
 }
@@ -425,9 +426,10 @@ void addFilmOnWaterFields(std::vector<Field<Project>>& fields) {
         [](auto& p) -> auto& { return p.filmOnWater.dipBegins; }));
     fields.push_back(text(
         "inspection.film.lot", 100, [](auto& p) -> auto& { return p.filmOnWater.lot; }));
-    fields.push_back(numberOrNone(
-        "inspection.film.water_temperature_c", 0, 100,
-        [](auto& p) -> auto& { return p.filmOnWater.waterTemperature; }));
+    fields.push_back(
+        inUnit("°C", numberOrNone(
+                         "inspection.film.water_temperature_c", 0, 100,
+                         [](auto& p) -> auto& { return p.filmOnWater.waterTemperature; })));
     fields.push_back(numbers(
         "inspection.film.card_rulers_mm", 2, leastRuler, mostRuler,
         [](auto& p, int part) -> auto& { return p.filmOnWater.cardRulers[part]; }));
