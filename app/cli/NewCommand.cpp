@@ -303,8 +303,12 @@ public:
             {immersionOption,
              QStringLiteral(
                  "One dip: name=Top,rotation=rx;ry;rz,offset=x;z. The rotation is in degrees about "
-                 "X, Y and Z in this order; the offset is in mm on the water. Give it once or "
-                 "twice. Without it the model is dipped once, without rotation."),
+                 "X, Y and Z in this order; the offset is in mm on the water. A path is "
+                 "path=slanted|tilt|roll|poses with heading, angle, level, radius, turn, water "
+                 "and keys, in degrees, mm and mm/s (path.heading_deg, .angle_deg, "
+                 ".level_depth_mm, .roll_radius_mm, .turn_deg, .water_speed_mm_s and .keys of the "
+                 "project). Give it once or twice. Without it the model is dipped once, without "
+                 "rotation."),
              QStringLiteral("SPEC")});
         syntax.addOption(
             {jigOption,
