@@ -24,9 +24,10 @@ struct TriangleCover {
     double painted = 0;               // mm²
     double bare = 0, bareAtTorn = 0;  // mm² that film might have reached, and of it at torn film
     double masked = 0, maskedAir = 0; // mm², masked in all, and masked in trapped air
+    double buried = 0;                // mm²
     MarkedArea marked;
     std::uint8_t marks = 0; // the marks that apply to at least half of the painted area
-    bool isCovered = false; // at least half of the triangle is painted or masked
+    bool isCovered = false; // at least half of what is not buried is painted or masked
 };
 
 TriangleCover triangleCover(const LaidFilm& laid, const TornFilm* torn, const SurfaceMask* mask,
@@ -35,10 +36,12 @@ TriangleCover triangleCover(const LaidFilm& laid, const TornFilm* torn, const Su
     const int pieces =
         int(std::clamp(std::ceil(std::sqrt(area / sampleArea)), 1.0, double(mostPieces)));
     const double pieceArea = area / (pieces * pieces);
-    int hits = 0, masked = 0, maskedAir = 0;
+    int hits = 0, masked = 0, maskedAir = 0, buried = 0;
     TriangleCover cover;
     forEachPiece(std::uint32_t(triangle), pieces, [&](const SurfacePoint& sample) {
-        if (mask && mask->covers(sample)) {
+        if (laid.body().isBuried(sample)) {
+            ++buried;
+        } else if (mask && mask->covers(sample)) {
             ++masked;
             maskedAir += laid.body().isDry(sample) ? 1 : 0;
         } else if (const auto place = laid.place(sample)) {
@@ -52,7 +55,9 @@ TriangleCover triangleCover(const LaidFilm& laid, const TornFilm* torn, const Su
     cover.painted = area * hits / (pieces * pieces);
     cover.masked = area * masked / (pieces * pieces);
     cover.maskedAir = area * maskedAir / (pieces * pieces);
-    cover.isCovered = 2 * (hits + masked) >= pieces * pieces;
+    cover.buried = area * buried / (pieces * pieces);
+    const int open = pieces * pieces - buried;
+    cover.isCovered = open > 0 && 2 * (hits + masked) >= open;
     for (std::size_t mark = 0; mark < filmMarks.size(); ++mark) {
         if (hits > 0 && 2 * cover.marked.each[mark] >= cover.painted) {
             cover.marks |= std::uint8_t(filmMarks[mark]);
@@ -97,17 +102,19 @@ Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask, std::optional<D
         covers[triangle] = triangleCover(laid, torn, mask, triangle, sampleArea);
     });
     Coverage result;
-    double masked = 0, maskedAir = 0; // mm²
+    double masked = 0, maskedAir = 0, buried = 0; // mm²
     for (const TriangleCover& cover : covers) {
         result.covered.push_back(cover.isCovered ? 1 : 0);
         result.marks.push_back(cover.marks);
         result.paintedArea += cover.painted;
         masked += cover.masked;
         maskedAir += cover.maskedAir;
+        buried += cover.buried;
         result.marked.add(cover.marked);
     }
     result.tornBare = torn ? tornBare(mesh, covers) : 0;
-    const double open = surfaceArea(mesh) - masked;
+    result.surface = surfaceArea(mesh) - buried;
+    const double open = result.surface - masked;
     result.share = open > 0 ? result.paintedArea / open : 0;
     result.trappedAir = trappedAir(laid.body());
     result.trappedAir.area = std::max(result.trappedAir.area - maskedAir, 0.0);
@@ -116,11 +123,12 @@ Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask, std::optional<D
 
 double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& films,
                         const Progress& progress, const SurfaceMask* mask) {
-    const TriangleMesh& mesh = films.front()->body().mesh;
-    std::vector<SurfacePoint> samples = evenSamples(mesh, surfaceArea(mesh) / samplesOfBody);
-    if (mask) {
-        std::erase_if(samples, [&](const SurfacePoint& place) { return mask->covers(place); });
-    }
+    const PosedBody& body = films.front()->body();
+    std::vector<SurfacePoint> samples =
+        evenSamples(body.mesh, surfaceArea(body.mesh) / samplesOfBody);
+    std::erase_if(samples, [&](const SurfacePoint& place) {
+        return (mask && mask->covers(place)) || body.isBuried(place);
+    });
     std::vector<std::uint8_t> painted(samples.size());
     parallelFor(std::size_t(0), samples.size(), [&](std::size_t sample) {
         progress.cancelToken.throwIfCancelled();

@@ -12,10 +12,12 @@
 namespace dipwright {
 
 struct Coverage {
-    std::vector<std::uint8_t> covered; // per body triangle: 1 if at least half is painted or masked
+    // Per body triangle: 1 if at least half of its surface that is not buried is painted or masked.
+    std::vector<std::uint8_t> covered;
     // Per body triangle: the solver::PointMark bits that apply to at least half of its painted
     // area.
     std::vector<std::uint8_t> marks;
+    double surface = 0;     // mm², without buried surface
     double paintedArea = 0; // mm²
     MarkedArea marked;      // the part of paintedArea that marked film paints
     double tornBare = 0;    // mm² of bare surface that would be painted if the film had not torn
@@ -27,14 +29,14 @@ struct Coverage {
 };
 
 // Computes the coverage of one dip from samples: about four per film cell area, at least one per
-// body triangle. Masked surface counts neither as painted nor as bare; `mask` may be null.
-// `overhang` is ProcessSettings::overhang; without it, tornBare is not measured. Uses all cores;
-// deterministic.
+// body triangle. Masked and buried surface counts neither as painted nor as bare; `mask` may be
+// null. `overhang` is ProcessSettings::overhang; without it, tornBare is not measured. Uses all
+// cores; deterministic.
 Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask = nullptr,
                   std::optional<Degrees> overhang = {});
 
 // Returns the share of the surface that at least one of the films paints, from evenly spread
-// samples, without masked surface. All films must be of the same body. Throws Cancelled.
+// samples, without masked and buried surface. All films must be of the same body. Throws Cancelled.
 double coverageTogether(const std::vector<std::shared_ptr<const LaidFilm>>& films,
                         const Progress& progress, const SurfaceMask* mask = nullptr);
 

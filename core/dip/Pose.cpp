@@ -73,6 +73,10 @@ bool PosedBody::isDry(const SurfacePoint& point) const {
     return air.isDry(position(mesh, point), triangleNormal(mesh, point.triangle), query);
 }
 
+bool PosedBody::isBuried(const SurfacePoint& point) const {
+    return buried.covers(point, mesh, query);
+}
+
 PosedBody posedBody(const TriangleMesh& model, const Immersion& immersion,
                     const ProcessSettings& process, int cells) {
     const Eigen::Isometry3d modelToPose = poseTransform(model, immersion);

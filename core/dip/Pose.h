@@ -10,6 +10,7 @@
 #include "base/Units.h"
 #include "dip/AirPockets.h"
 #include "dip/BodyPath.h"
+#include "geometry/BuriedSurface.h"
 #include "geometry/SurfaceQuery.h"
 #include "settings/Immersion.h"
 #include "settings/ProcessSettings.h"
@@ -44,8 +45,11 @@ struct PosedBody {
     SurfaceQuery query;    // searches `mesh`
     AirPockets air;        // air pockets of `mesh`
     solver::BodyPath path; // without the offset on the water; no poses if it goes straight down
+    BuriedSurface buried = {};
     // Whether an air pocket keeps film off a place on the body.
     bool isDry(const SurfacePoint& point) const;
+    // Whether a place is inside another part of the body, where there is nothing to paint.
+    bool isBuried(const SurfacePoint& point) const;
 };
 // Air pockets are searched for on a grid with `cells` cells along the body's longest edge. Uses all
 // cores; deterministic. Throws Error if the immersion's path cannot be travelled.

@@ -273,6 +273,15 @@ std::vector<float> SurfaceQuery::allHits(const Eigen::Vector3f& origin,
 }
 
 bool SurfaceQuery::isInside(const Eigen::Vector3f& position) const {
+    return holdsForMost(position, [](int winding) { return winding != 0; });
+}
+
+bool SurfaceQuery::isBehind(const Eigen::Vector3f& position) const {
+    return holdsForMost(position, [](int winding) { return winding > 0; });
+}
+
+bool SurfaceQuery::holdsForMost(const Eigen::Vector3f& position,
+                                bool (*counts)(int winding)) const {
     // Oblique directions, so that rays do not run along the axis-parallel faces and edges of
     // bodies.
     static const std::array<Eigen::Vector3f, 5> directions = {{{0.911f, 0.217f, 0.351f},
@@ -280,7 +289,8 @@ bool SurfaceQuery::isInside(const Eigen::Vector3f& position) const {
                                                                {0.137f, -0.941f, 0.309f},
                                                                {0.271f, 0.523f, -0.808f},
                                                                {-0.319f, -0.457f, 0.830f}}};
-    int inside = 0;
+    constexpr int most = int(directions.size()) / 2 + 1;
+    int yes = 0, no = 0;
     for (const auto& direction : directions) {
         CrossingCount crossings;
         rtcInitIntersectContext(&crossings.context);
@@ -288,9 +298,12 @@ bool SurfaceQuery::isInside(const Eigen::Vector3f& position) const {
         RTCRayHit query{makeRay(position, direction, std::numeric_limits<float>::infinity()), {}};
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(data_->scene, &crossings.context, &query);
-        inside += crossings.winding != 0;
+        ++(counts(crossings.winding) ? yes : no);
+        if (yes == most || no == most) {
+            break;
+        }
     }
-    return inside > int(directions.size()) / 2;
+    return yes == most;
 }
 
 } // namespace dipwright

@@ -52,8 +52,14 @@ public:
     // Whether `position` is inside: most of several rays from it have different numbers of exits
     // and entries. Overlapping parts count as one body, and small holes do not change the answer.
     bool isInside(const Eigen::Vector3f& position) const;
+    // Whether `position` is behind the surface: most of the same rays have more exits than entries.
+    // Unlike isInside(), this is false in front of an open surface, whose back no ray hits.
+    bool isBehind(const Eigen::Vector3f& position) const;
 
 private:
+    // Whether `counts` is true for the exits minus the entries of most of several rays.
+    bool holdsForMost(const Eigen::Vector3f& position, bool (*counts)(int winding)) const;
+
     struct Data;
     std::unique_ptr<Data> data_;
 };

@@ -54,9 +54,10 @@ void addBarePlaces(ReasonList& found, const JobResult& result, const ZonedBody* 
     }
     const TriangleMesh& mesh = result.project.model->mesh;
     std::vector<SurfacePoint> places = evenSamples(mesh, surfaceArea(mesh) / bareSamples);
-    if (result.mask) {
-        std::erase_if(places, [&](const auto& place) { return result.mask->covers(place); });
-    }
+    const PosedBody& body = *result.immersions.front().body;
+    std::erase_if(places, [&](const SurfacePoint& place) {
+        return (result.mask && result.mask->covers(place)) || body.isBuried(place);
+    });
     std::vector<std::uint8_t> isPainted(places.size());
     parallelFor(std::size_t(0), places.size(), [&](std::size_t i) {
         for (const ImmersionResult& dip : result.immersions) {
@@ -313,8 +314,9 @@ std::vector<UnpaintedPlace> unreachedPlaces(const JobResult& result) {
     if (!result.share) {
         return {};
     }
-    return result.mask ? unpaintedPlaces(*result.share, result.mask.get())
-                       : result.share->unpainted;
+    return result.mask
+               ? unpaintedPlaces(*result.share, *result.immersions.front().body, result.mask.get())
+               : result.share->unpainted;
 }
 
 Advice adviceOf(const JobResult& result) {

@@ -42,7 +42,8 @@ public:
     const TriangleMesh& model() const { return model_; }
     // The model with its large triangles divided.
     const TriangleMesh& mesh() const { return fine_.mesh(); }
-    const std::vector<float>& areas() const { return areas_; } // per triangle of mesh(), mm²
+    // Per triangle of mesh(), mm²; 0 if it is buried (BuriedSurface.h).
+    const std::vector<float>& areas() const { return areas_; }
     const std::vector<Eigen::Vector3f>& normals() const { return normals_; }
     // Centres of the triangles of mesh(), mm in the model's coordinates.
     const std::vector<Eigen::Vector3f>& middles() const { return middles_; }

@@ -3,6 +3,7 @@
 #include "accuracy/verdict/BareZones.h"
 #include "base/Error.h"
 #include "dip/TrappedAir.h"
+#include "geometry/BuriedSurface.h"
 #include "geometry/SurfaceSamples.h"
 #include "search/Objective.h"
 #include "search/PlaceWeights.h"
@@ -65,6 +66,14 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
       bodies_(separateBodies(*subject.model)), tolerance_(subject.tolerance), ink_(subject.ink),
       area_(surfaceArea(model_->mesh)), openArea_(area_) {
     samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
+    linkReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
+    const auto whole = double(samples_.size());
+    const SurfaceQuery query(model_->mesh);
+    const BuriedSurface buried;
+    std::erase_if(samples_,
+                  [&](const auto& place) { return buried.covers(place, model_->mesh, query); });
+    area_ *= double(samples_.size()) / whole; // times 1 if nothing is buried
+    openArea_ = area_;
     if (subject.mask) {
         const auto all = double(samples_.size());
         std::erase_if(samples_, [&](const auto& place) { return subject.mask->covers(place); });
@@ -77,7 +86,6 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
         openArea_ = area_ * double(samples_.size()) / all;
     }
     equator_ = std::sqrt(pi * area_);
-    linkReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
     const std::vector<LinearColour> colours = appearance.at(samples_);
     weights_ = placeWeights(subject, zoneWeights, samples_, colours);
     for (const SurfacePoint& place : samples_) {

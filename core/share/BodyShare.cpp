@@ -168,15 +168,18 @@ double ShareAreas::*areaOf(Painter painter) {
     return &ShareAreas::none;
 }
 
-void findPainters(BodyShare& share, const Suitabilities& dips) {
-    const TriangleMesh& mesh = share.fade.mesh->mesh();
+void findPainters(BodyShare& share, const Suitabilities& dips, const PosedBody& body) {
+    const RefinedMesh& fine = *share.fade.mesh;
+    const TriangleMesh& mesh = fine.mesh();
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
         const Painter painter =
             painterOf(meanOf(share.fade.values, mesh.triangles[triangle]),
                       dips[0].reached[triangle] != 0, dips[1].reached[triangle] != 0);
         const double area = triangleArea(mesh, triangle);
         share.painters.push_back(painter);
-        (share.areas.*areaOf(painter)) += area;
+        if (painter != Painter::None || !body.isBuried(fine.middle(std::uint32_t(triangle)))) {
+            (share.areas.*areaOf(painter)) += area;
+        }
     }
 }
 
@@ -306,7 +309,7 @@ BodyShare shareBody(const ShareStage& stage, const Films& films, const ShareSett
     share.fade = {stage.body, signedDistance(mesh, smoothBorder(mesh, cut.labels, width), farthest,
                                              band.measure())};
     keepInReach(share.fade.values, reaches);
-    findPainters(share, dips);
+    findPainters(share, dips, films[0]->body());
     share.misassigned = misassignedShare(mesh, cut.assigned, share.painters);
     share.narrow = band.tooNarrow(share.fade.values, share.painters);
     const std::vector<LinePiece> line = seamPieces(zeroLine(mesh, share.fade.values), dips);
@@ -320,7 +323,7 @@ BodyShare shareBody(const ShareStage& stage, const Films& films, const ShareSett
     for (const LinePiece& piece : line) {
         share.join.push_back(piece.ends);
     }
-    share.unpainted = unpaintedPlaces(share, nullptr);
+    share.unpainted = unpaintedPlaces(share, films[0]->body(), nullptr);
     reportProgress(1);
     return share;
 }

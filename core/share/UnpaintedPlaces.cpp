@@ -2,6 +2,7 @@
 
 #include "geometry/SurfacePieces.h"
 #include "marks/SurfaceMask.h"
+#include "parallel/ParallelFor.h"
 
 namespace dipwright {
 namespace {
@@ -10,12 +11,16 @@ constexpr double leastListedArea = 1; // mm²; smaller places are not listed
 
 } // namespace
 
-std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share, const SurfaceMask* mask) {
+std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share, const PosedBody& body,
+                                            const SurfaceMask* mask) {
     const RefinedMesh& fine = *share.fade.mesh;
-    const auto isUnpainted = [&](std::uint32_t triangle) {
-        return share.painters[triangle] == Painter::None &&
-               !(mask && mask->covers(fine.middle(triangle)));
-    };
+    std::vector<std::uint8_t> unpainted(share.painters.size());
+    parallelFor(std::size_t(0), unpainted.size(), [&](std::size_t triangle) {
+        const SurfacePoint middle = fine.middle(std::uint32_t(triangle));
+        unpainted[triangle] = share.painters[triangle] == Painter::None &&
+                              !(mask && mask->covers(middle)) && !body.isBuried(middle);
+    });
+    const auto isUnpainted = [&](std::uint32_t triangle) { return unpainted[triangle] != 0; };
     std::vector<UnpaintedPlace> places;
     for (const SurfacePiece& piece :
          surfacePieces(fine.mesh(), oppositeEdges(fine.mesh()), isUnpainted, leastListedArea)) {

@@ -7,8 +7,9 @@ namespace dipwright {
 
 class SurfaceMask;
 
-// Returns the pieces of at least 1 mm², without masked surface, largest first. `mask` belongs to
-// the same body and may be null.
-std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share, const SurfaceMask* mask);
+// Returns the pieces of at least 1 mm², without masked and buried surface, largest first. `body` is
+// the shared body in any pose. `mask` belongs to it and may be null.
+std::vector<UnpaintedPlace> unpaintedPlaces(const BodyShare& share, const PosedBody& body,
+                                            const SurfaceMask* mask);
 
 } // namespace dipwright

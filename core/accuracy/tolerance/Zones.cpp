@@ -1,6 +1,7 @@
 #include "accuracy/tolerance/Zones.h"
 
 #include "base/NumberText.h"
+#include "geometry/BuriedSurface.h"
 #include "geometry/SurfaceSpot.h"
 #include "marks/StrokeArea.h"
 #include "model/NamedMaterials.h"
@@ -140,11 +141,13 @@ std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
                                       const ToleranceSettings& settings, const SurfaceMask* mask) {
     const TriangleMesh& mesh = model->mesh;
     const std::vector<SurfacePoint> places = tolerancePlaces(*model);
+    const SurfaceQuery query(mesh);
+    const BuriedSurface buried;
     ZonedBody zones(model);
     zones.setMarks(settings.marks);
     std::array<ZoneSum, zoneCount> sums;
     for (std::size_t place = 0; place < places.size(); ++place) {
-        if (mask && mask->covers(places[place])) {
+        if ((mask && mask->covers(places[place])) || buried.covers(places[place], mesh, query)) {
             continue;
         }
         const auto zone = std::size_t(zones.at(places[place]));

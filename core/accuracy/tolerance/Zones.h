@@ -55,8 +55,8 @@ struct ZoneVerdict {
 
 // Returns the verdict on each existing zone, A first. `dips` are the tolerances of one body's dips;
 // where several dips paint a place, the worst dip counts. `numericalErrors` holds each dip's
-// numerical error at tolerancePlaces(), mm; empty for a dip whose error is not known. Places under
-// `mask`, which may be null, do not count.
+// numerical error at tolerancePlaces(), mm; empty for a dip whose error is not known. Buried
+// places, and places under `mask`, which may be null, do not count.
 std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
                                       const std::vector<const DipTolerances*>& dips,
                                       const std::vector<std::vector<float>>& numericalErrors,

@@ -74,6 +74,7 @@ private Q_SLOTS:
     void filmContact_trappedFilm_isNotPainted();
     void filmContact_acrossAHollow_isNotPainted();
     void coverage_box_isItsBottom();
+    void coverage_flushBoxes_isThatOfOneBox();
     void coverage_ball_isItsCap();
     void coverageTogether_twoFilms_isTheirUnion();
     void edgeIsOnBody_smallFilm_isTrue();
@@ -224,6 +225,33 @@ void FilmContactTest::coverage_box_isItsBottom() {
         const bool down = triangleNormal(box.body.mesh, triangle).y() < -0.5f;
         QCOMPARE(bool(cover.covered[triangle]), down);
     }
+}
+
+// The faces at which the two halves touch are no surface to paint.
+void FilmContactTest::coverage_flushBoxes_isThatOfOneBox() {
+    const solver::FilmGrid grid = test::a4Grid();
+    const Eigen::Vector3d size(33 * grid.spacingX(0), 30, 33 * grid.spacingZ(0));
+    const TriangleMesh whole = boxMesh(size);
+    TriangleMesh halves;
+    for (const float side : {-1.f, 1.f}) {
+        const TriangleMesh half = boxMesh({size.x() / 2, size.y(), size.z()});
+        const auto first = std::uint32_t(halves.positions.size());
+        for (const Eigen::Vector3f& position : half.positions) {
+            halves.positions.emplace_back(position.x() + side * float(size.x() / 4), position.y(),
+                                          position.z());
+        }
+        for (const auto& [a, b, c] : half.triangles) {
+            halves.triangles.push_back({first + a, first + b, first + c});
+        }
+    }
+    const DippedFilm film = test::flatUnderBox(grid, size + Eigen::Vector3d(0.1, 0, 0.1));
+    const Located box(halves, film);
+    const Coverage cover = coverage(*box.laid);
+    QVERIFY(surfaceArea(halves) > 1.1 * surfaceArea(whole));
+    QVERIFY(std::abs(cover.surface - surfaceArea(whole)) < 1);
+    const double share = size.x() * size.z() / surfaceArea(whole);
+    QVERIFY(std::abs(cover.share - share) < 0.005);
+    QVERIFY(std::abs(coverageTogether({box.laid, box.laid}, {}) - share) < 0.005);
 }
 
 void FilmContactTest::coverage_ball_isItsCap() {

@@ -1,6 +1,7 @@
 // Closest points, rays and inside tests on bodies with closed forms.
 #include "geometry/SurfaceQuery.h"
 #include "base/Units.h"
+#include "geometry/BuriedSurface.h"
 #include "geometry/Shapes.h"
 #include "parallel/ParallelFor.h"
 
@@ -35,6 +36,21 @@ bool isSame(const ClosestPoint& a, const ClosestPoint& b) {
            a.distance == b.distance;
 }
 
+TriangleMesh joined(TriangleMesh one, const TriangleMesh& other, const Eigen::Vector3f& moved) {
+    const auto first = std::uint32_t(one.positions.size());
+    for (const Eigen::Vector3f& position : other.positions) {
+        one.positions.push_back(position + moved);
+    }
+    for (const auto& [a, b, c] : other.triangles) {
+        one.triangles.push_back({first + a, first + b, first + c});
+    }
+    return one;
+}
+
+double buriedShareOf(const TriangleMesh& mesh) {
+    return BuriedSurface().share(mesh, SurfaceQuery(mesh));
+}
+
 } // namespace
 
 class SurfaceQueryTest : public QObject {
@@ -52,6 +68,10 @@ private Q_SLOTS:
     void isInside_overlappingParts_areOneBody();
     void isInside_hollow_isFalse();
     void isInside_smallHole_keepsTheAnswer();
+    void buriedSurface_overlappingSpheres_isTheirCaps();
+    void buriedSurface_touchingBoxes_isTheSharedFaces_data();
+    void buriedSurface_touchingBoxes_isTheSharedFaces();
+    void buriedSurface_ofOnePiece_isNone();
     void closest_manyThreads_giveTheSameAnswers();
     void surfaceQuery_emptyMesh_findsNothing();
 };
@@ -143,16 +163,7 @@ void SurfaceQueryTest::isInside_box_isExact() {
 }
 
 void SurfaceQueryTest::isInside_overlappingParts_areOneBody() {
-    TriangleMesh pair = boxMesh({10, 10, 10});
-    for (auto triangle : boxMesh({6, 6, 20}).triangles) {
-        for (auto& corner : triangle) {
-            corner += 8;
-        }
-        pair.triangles.push_back(triangle);
-    }
-    for (const auto& position : boxMesh({6, 6, 20}).positions) {
-        pair.positions.push_back(position);
-    }
+    const TriangleMesh pair = joined(boxMesh({10, 10, 10}), boxMesh({6, 6, 20}), {0, 0, 0});
     const SurfaceQuery query(pair);
     QVERIFY(query.isInside({0, 0, 0}));
     QVERIFY(query.isInside({0, 0, 8}));
@@ -182,6 +193,68 @@ void SurfaceQueryTest::isInside_smallHole_keepsTheAnswer() {
             QVERIFY(query.isInside(place));
         } else if (place.norm() > 36) {
             QVERIFY(!query.isInside(place));
+        }
+    }
+}
+
+// The cap of a sphere that lies inside the other has the share h / (2 R) of it; h: its height.
+void SurfaceQueryTest::buriedSurface_overlappingSpheres_isTheirCaps() {
+    const double radius = 10, apart = 12;
+    const TriangleMesh ball = sphereMesh(radius, 90, 180);
+    const TriangleMesh pair = joined(ball, ball, {float(apart), 0, 0});
+    const SurfaceQuery query(pair);
+    const BuriedSurface buried;
+    const double share = (radius - apart / 2) / (2 * radius);
+    QVERIFY(std::abs(buried.share(pair, query) - share) < 0.003);
+    for (std::uint32_t triangle = 0; triangle < pair.triangles.size(); ++triangle) {
+        const float x = position(pair, middleOf(triangle)).x();
+        const bool isFirst = triangle < ball.triangles.size();
+        const float depth = isFirst ? x - float(apart / 2) : float(apart / 2) - x;
+        if (std::abs(depth) > 0.1F) { // not on the line where the spheres meet
+            QCOMPARE(buried.covers(middleOf(triangle), pair, query), depth > 0);
+        }
+    }
+}
+
+void SurfaceQueryTest::buriedSurface_touchingBoxes_isTheSharedFaces_data() {
+    QTest::addColumn<float>("gap");
+    QTest::addColumn<bool>("touches");
+    QTest::newRow("flush") << 0.F << true;
+    QTest::newRow("gap narrower than the reach") << 0.5F * buriedReach << true;
+    QTest::newRow("overlap") << -0.5F * buriedReach << true;
+    QTest::newRow("gap wider than the reach") << 2 * buriedReach << false;
+}
+
+void SurfaceQueryTest::buriedSurface_touchingBoxes_isTheSharedFaces() {
+    QFETCH(float, gap);
+    QFETCH(bool, touches);
+    const Eigen::Vector3d size(10, 20, 30);
+    const TriangleMesh box = boxMesh(size), pair = joined(box, box, {10 + gap, 0, 0});
+    const double shared = size.y() * size.z() / surfaceArea(box);
+    QVERIFY(std::abs(buriedShareOf(pair) - (touches ? shared : 0)) < 0.002);
+}
+
+void SurfaceQueryTest::buriedSurface_ofOnePiece_isNone() {
+    QCOMPARE(buriedShareOf(sphereMesh(10, 60, 90)), 0.0);
+    QCOMPARE(buriedShareOf(torusMesh(20, 5, 60, 60)), 0.0);
+    TriangleMesh open = sphereMesh(10, 60, 90); // a bowl without thickness
+    std::erase_if(open.triangles,
+                  [&](const auto& corners) { return open.positions[corners[0]].y() > 1; });
+    QCOMPARE(buriedShareOf(open), 0.0);
+    for (auto& corners : open.triangles) { // its inner side
+        std::swap(corners[1], corners[2]);
+    }
+    QCOMPARE(buriedShareOf(open), 0.0);
+    const TriangleMesh box = boxMesh({20, 20, 20});
+    for (int axis = 0; axis < 3; ++axis) { // a sheet that faces each side
+        for (const float side : {-1.F, 1.F}) {
+            TriangleMesh sheet = box;
+            std::uint32_t number = 0;
+            std::erase_if(sheet.triangles, [&](const auto&) {
+                return triangleNormal(box, number++)[axis] * side < 0.5F;
+            });
+            QCOMPARE(sheet.triangles.size(), std::size_t(2));
+            QCOMPARE(buriedShareOf(sheet), 0.0);
         }
     }
 }

@@ -53,6 +53,16 @@ private slots:
         QVERIFY(std::abs(previewed(subject, turned(45, 35.26)) - 0.5) < 0.01); // on its corner
     }
 
+    void coveragePreview_boxInTheBody_doesNotCount() {
+        TriangleMesh pair = boxMesh({30, 30, 30});
+        for (const auto& [a, b, c] : boxMesh({10, 10, 10}).triangles) {
+            pair.triangles.push_back({8 + a, 8 + b, 8 + c});
+        }
+        const TriangleMesh inner = boxMesh({10, 10, 10});
+        pair.positions.insert(pair.positions.end(), inner.positions.begin(), inner.positions.end());
+        QVERIFY(std::abs(previewed(subjectOf(pair), turned(0, 0)) - 5.0 / 6) < 0.01);
+    }
+
     void coveragePreview_besideFilmOrAboveWater_staysBare() {
         SearchSubject subject = subjectOf(boxMesh({30, 30, 30}));
         Immersion beside;

@@ -371,7 +371,8 @@ void BodyShareTest::shareBody_unreachedPlaces_areListed() {
 // Tape on the middle of bare surface must not hide the bare surface around it.
 void BodyShareTest::unpaintedPlaces_maskInTheMiddle_leavesTheRest() {
     const TexturedMesh model = ball(QColor(120, 120, 120));
-    const BodyShare share = shared(model, {laidFrom(model, 0), laidFrom(model, 0)});
+    const auto film = laidFrom(model, 0);
+    const BodyShare share = shared(model, {film, film});
     BrushPoint top;
     top.place[1] = Millimetres(radius);
     top.outward = {0, 1, 0};
@@ -380,7 +381,7 @@ void BodyShareTest::unpaintedPlaces_maskInTheMiddle_leavesTheRest() {
     mark.radius = Millimetres(10);
     mark.path = {top};
     const auto mask = surfaceMask(std::make_shared<TexturedMesh>(model), {mark}, nullptr);
-    const std::vector<UnpaintedPlace> places = unpaintedPlaces(share, mask.get());
+    const std::vector<UnpaintedPlace> places = unpaintedPlaces(share, film->body(), mask.get());
     QCOMPARE(places.size(), std::size_t(1));
     // Surface within the chord c of a sphere's point has the area πc².
     const double rest = share.unpainted[0].area - pi * 10 * 10;
@@ -388,7 +389,7 @@ void BodyShareTest::unpaintedPlaces_maskInTheMiddle_leavesTheRest() {
              qPrintable(QString::number(places[0].area)));
     const auto closest = (places[0].place - Eigen::Vector3f(0, float(radius), 0)).norm();
     QVERIFY2(closest > 9, qPrintable(QString::number(closest)));
-    QCOMPARE(unpaintedPlaces(share, nullptr).size(), std::size_t(1));
+    QCOMPARE(unpaintedPlaces(share, film->body(), nullptr).size(), std::size_t(1));
 }
 
 void BodyShareTest::shareBody_marks_areObeyed() {
