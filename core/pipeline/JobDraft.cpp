@@ -120,7 +120,7 @@ std::optional<double> movesSince(const JobResult& coarser, const JobResult& resu
     for (std::size_t number = 0; number < result.immersions.size(); ++number) {
         const LaidFilm& laid = *result.immersions[number].laid;
         const SheetChange change = sheetChange(
-            sheetMoves(laid, *coarser.immersions[number].laid, comparedPlaces(laid.body().mesh)));
+            sheetMoves(laid, *coarser.immersions[number].laid, comparedPlaces(laid.body())));
         if (change.painted > 0) {
             most = std::max(most.value_or(0), change.distance.percentile95);
         }

@@ -70,7 +70,7 @@ DipNumericalError numericalError(const Project& project, const Immersion& immers
                                  const Progress& progress) {
     const auto body = std::make_shared<const PosedBody>(
         posedBody(project.model->mesh, immersion, project.process));
-    const std::vector<SurfacePoint> places = comparedPlaces(body->mesh);
+    const std::vector<SurfacePoint> places = comparedPlaces(*body);
     // Returns the change at all places and the change at the unmarked places.
     const auto changes = [&](const LaidFilm& own, const LaidFilm& finer) {
         const std::vector<float> moves = sheetMoves(own, finer, places);

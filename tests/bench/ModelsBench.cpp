@@ -170,8 +170,8 @@ void print(const Project& job, const ImmersionResult& said, const DipNumericalEr
         qPrintable(adviceKey(said.verdict.advice)), said.numericalError->offBy.percentile95,
         isRight(said, check) ? "right" : "WRONG");
     if (other) {
-        const SheetChange change = sheetChange(
-            sheetMoves(*said.laid, *other->laid, comparedPlaces(said.laid->body().mesh)));
+        const SheetChange change =
+            sheetChange(sheetMoves(*said.laid, *other->laid, comparedPlaces(said.laid->body())));
         std::printf(" %lld, %.2f %%, %.3f |", static_cast<long long>(other->laid->film().steps),
                     100 * differingPixels(said.texture->image, other->texture->image),
                     change.distance.percentile95);
@@ -214,7 +214,7 @@ std::shared_ptr<const LaidFilm> laidAlone(Project job, const Immersion& immersio
 double quarterMove(Project job, const ImmersionResult& said, const SolverRegistry& registry) {
     job.film.refinement = 4 * said.refinement;
     return sheetChange(sheetMoves(*said.laid, *laidAlone(job, said.immersion, registry),
-                                  comparedPlaces(said.laid->body().mesh)))
+                                  comparedPlaces(said.laid->body())))
         .distance.percentile95;
 }
 
@@ -224,7 +224,7 @@ void printShifted(const Project& job, double shift, const SolverRegistry& regist
         shifted.offset[0] = shifted.offset[0] + Millimetres(shift);
         const auto own = laidAlone(job, immersion, registry);
         const Distribution moved = sheetChange(sheetMoves(*own, *laidAlone(job, shifted, registry),
-                                                          comparedPlaces(own->body().mesh)))
+                                                          comparedPlaces(own->body())))
                                        .distance;
         std::printf("%s, %s: %.4f, %.4f, %.4f mm\n", qPrintable(job.name),
                     qPrintable(immersion.name), moved.mean, moved.percentile95, moved.maximum);

@@ -29,7 +29,7 @@ QString nameOf(const QString& setting) {
 
 void measureLaw(LawChange& change, const LaidFilm& own, const LaidFilm& less,
                 const LaidFilm& more) {
-    const std::vector<SurfacePoint> places = comparedPlaces(own.body().mesh);
+    const std::vector<SurfacePoint> places = comparedPlaces(own.body());
     const std::vector<float> down = sheetMoves(own, less, places);
     const std::vector<float> up = sheetMoves(own, more, places);
     std::vector<float> moves;

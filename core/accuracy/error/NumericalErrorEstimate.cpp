@@ -232,7 +232,7 @@ NumericalErrorEstimate estimateNumericalError(const LaidFilm& own, const Coarser
         });
         return errors;
     };
-    const Places places = comparedPlaces(own.body().mesh);
+    const Places places = comparedPlaces(own.body());
     const std::vector<float> spacing = spacingMoves(places), step = stepMoves(places);
     estimate.doubleSpacing = sheetChange(spacing);
     estimate.doubleStep = sheetChange(step);

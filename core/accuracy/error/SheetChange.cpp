@@ -25,8 +25,11 @@ bool isAccurateEnough(const SheetChange& change, double mostDistance) {
            change.paintedOnce <= mostPaintedOnce;
 }
 
-std::vector<SurfacePoint> comparedPlaces(const TriangleMesh& body) {
-    return evenSamples(body, surfaceArea(body) / wantedSamples);
+std::vector<SurfacePoint> comparedPlaces(const PosedBody& body) {
+    std::vector<SurfacePoint> places =
+        evenSamples(body.mesh, surfaceArea(body.mesh) / wantedSamples);
+    std::erase_if(places, [&](const SurfacePoint& place) { return body.isBuried(place); });
+    return places;
 }
 
 std::vector<float> sheetMoves(const LaidFilm& own, const LaidFilm& other,

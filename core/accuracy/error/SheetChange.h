@@ -23,8 +23,9 @@ inline constexpr double mostPaintedOnce = 0.05;       // share of the body's sur
 // Tells whether the change is within the limits; false if nothing is painted.
 bool isAccurateEnough(const SheetChange& change, double mostDistance);
 
-// Returns points spread evenly over the body, at which sheets are compared.
-std::vector<SurfacePoint> comparedPlaces(const TriangleMesh& body);
+// Returns points spread evenly over the body's surface, without buried surface, at which sheets are
+// compared.
+std::vector<SurfacePoint> comparedPlaces(const PosedBody& body);
 
 // Returns how far the film at each of `places` moves between two films of one body in one pose.
 // Values are in mm on the flat film, or one of the two constants. Invalid places count as painted

@@ -33,7 +33,7 @@ std::vector<float> pointMoves(const LaidFilm& own, const LaidFilm& other) {
 
 SheetDifference sheetDifference(const LaidFilm& first, const LaidFilm& second,
                                 const RefinedMesh& fine) {
-    const std::vector<SurfacePoint> places = comparedPlaces(second.body().mesh);
+    const std::vector<SurfacePoint> places = comparedPlaces(second.body());
     const std::vector<float> moves = sheetMoves(first, second, places);
     return {sheetMoves(first, second, middlesOf(fine)), pointMoves(second, first),
             sheetChange(moves), farthestOf(places, moves)};
