@@ -1,9 +1,11 @@
 #include "import/trusted/ImportModel.h"
 
 #include "base/Budgets.h"
+#include "base/NumberText.h"
 #include "base/ProcessorTime.h"
 #include "geometry/Solid.h"
 #include "import/trusted/ModelFolder.h"
+#include "import/trusted/OverlappingFaces.h"
 #include "import/trusted/ReadPictures.h"
 #include "import/trusted/ReaderProcess.h"
 #include "model/MeshRepair.h"
@@ -218,6 +220,13 @@ void describe(const TexturedMesh& model, ImportReport& report) {
         report.warnings.push_back(
             Text::tr("The mesh is not closed, so the program can only estimate which points lie "
                      "inside it; if the result looks wrong, close the mesh"));
+    }
+    if (const double area = overlappingArea(model); area > 0) {
+        report.warnings.push_back(
+            Text::tr("Faces of different colours or textures overlap in one plane, on about %1 "
+                     "mm², and either may be printed there; in a modelling program, delete the "
+                     "faces that should not show, or move one body by 0.1 mm")
+                .arg(numberText(area, 0)));
     }
     if (const float edge = report.box.sizes().maxCoeff(); edge < 1) {
         report.warnings.push_back(

@@ -10,6 +10,7 @@
 
 #include <QBuffer>
 #include <QColorSpace>
+#include <QRegularExpression>
 #include <QtTest>
 
 #include <cmath>
@@ -211,6 +212,7 @@ private Q_SLOTS:
     void guessedUnit_givesASizeThatCanBeDipped();
     void obj_materialFile_isRead();
     void obj_twoMaterials_areRead();
+    void obj_facesOverlapInOnePlane_isAWarning();
     void obj_missingMaterialFile_isAWarning();
     void ply_picture_isRead();
     void ply_binaryWithCoordinatesPerCorner_isRead();
@@ -335,6 +337,32 @@ void ImportModelTest::obj_twoMaterials_areRead() {
     QCOMPARE(model.materials[0].colour, QColor(Qt::red));
     QCOMPARE(model.materials[0].texture, -1);
     QCOMPARE(model.materials[1].texture, 0);
+}
+
+// The second box sticks out of the cube, and both end in the plane y = −5: on 5 mm × 8 mm.
+void ImportModelTest::obj_facesOverlapInOnePlane_isAWarning() {
+    write(QStringLiteral("plane.mtl"), "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 0 1\n");
+    const auto warned = [&](const QByteArray& material, float lowest) {
+        QByteArray text = cubeObj("mtllib plane.mtl\nusemtl a\n") + "usemtl " + material + '\n';
+        for (const float z : {-3.F, 8.F}) {
+            for (const float y : {lowest, 2.F}) {
+                for (const float x : {-2.F, 3.F}) {
+                    text += "v " + QByteArray::number(double(x)) + ' ' +
+                            QByteArray::number(double(y)) + ' ' + QByteArray::number(double(z)) +
+                            '\n';
+                }
+            }
+        }
+        text += "f 13 14 16 15\nf 14 10 12 16\nf 10 9 11 12\nf 9 13 15 11\nf 15 16 12 11\n"
+                "f 9 10 14 13\n";
+        return import(write(QStringLiteral("plane.obj"), text)).report.warnings.join('|');
+    };
+    const QString warning = warned("b", -5);
+    const QRegularExpression area(QStringLiteral("overlap in one plane, on about (\\d+) mm²"));
+    const double found = area.match(warning).captured(1).toDouble();
+    QVERIFY2(std::abs(found - 40) < 2, qPrintable(warning));
+    QVERIFY(!warned("a", -5).contains(QStringLiteral("plane")));
+    QVERIFY(!warned("b", -5.1F).contains(QStringLiteral("plane")));
 }
 
 void ImportModelTest::obj_missingMaterialFile_isAWarning() {
