@@ -2609,10 +2609,6 @@
         <translation>Diese Art Profil gibt es nicht; nehmen Sie printer, film oder tank</translation>
     </message>
     <message>
-        <source>%1 is not a date; write year, month and day, for example 2027-03-31</source>
-        <translation>%1 ist kein Datum; schreiben Sie Jahr, Monat und Tag, zum Beispiel 2027-03-31</translation>
-    </message>
-    <message>
         <source>This profile has no value of this name; choose one of: %1</source>
         <translation>Dieses Profil hat keinen Wert dieses Namens; wählen Sie einen von: %1</translation>
     </message>
@@ -2764,10 +2760,6 @@
         <translation>Die Pinselstriche in %1 haben %2 Punkte; höchstens %3 sind möglich</translation>
     </message>
     <message>
-        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built, inspection and order</source>
-        <translation>die Abschnitte sind artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built, inspection und order</translation>
-    </message>
-    <message>
         <source>The value must be a list in JSON, as in the project file</source>
         <translation>Der Wert muss eine Liste in JSON sein, wie in der Projektdatei</translation>
     </message>
@@ -2786,6 +2778,22 @@
     <message>
         <source>A layer has no such setting; its settings are %1</source>
         <translation>Eine Ebene hat keine solche Einstellung; ihre Einstellungen sind %1</translation>
+    </message>
+    <message>
+        <source>An empty value</source>
+        <translation>Ein leerer Wert</translation>
+    </message>
+    <message>
+        <source>%1 is not a date; write year, month and day, for example 2027-03-31</source>
+        <translation>%1 ist kein Datum; schreiben Sie Jahr, Monat und Tag, zum Beispiel 2027-03-31</translation>
+    </message>
+    <message>
+        <source>a path begins with one of %1</source>
+        <translation>ein Pfad beginnt mit einem dieser Wörter: %1</translation>
+    </message>
+    <message>
+        <source>An entry has no such key; its keys are %1</source>
+        <translation>Ein Eintrag hat keinen solchen Schlüssel; seine Schlüssel sind %1</translation>
     </message>
 </context>
 <context>
@@ -2915,6 +2923,10 @@
     <message>
         <source>Saving the project</source>
         <translation>Das Projekt wird gespeichert</translation>
+    </message>
+    <message>
+        <source>project.json holds the key %1 twice; remove one of them</source>
+        <translation>project.json enthält den Schlüssel %1 zweimal; entfernen Sie einen davon</translation>
     </message>
 </context>
 <context>
@@ -5647,6 +5659,10 @@
         <source>The layers “%1” and “%2” use the ink %3 with different colours or printing orders. It is printed with the colour and order of “%1”. Give both layers the same colour and order</source>
         <translation>Die Ebenen „%1“ und „%2“ verwenden die Farbe %3 mit verschiedenen Farbtönen oder Druckreihenfolgen. Gedruckt wird mit Farbton und Reihenfolge von „%1“. Geben Sie beiden Ebenen denselben Farbton und dieselbe Reihenfolge</translation>
     </message>
+    <message>
+        <source>The layer “%1” ends where another body of the model covers the surface, so about %2 % of it is missing; join the bodies in a modelling program, or place the layer as a plane</source>
+        <translation>Die Ebene „%1“ endet dort, wo ein anderer Körper des Modells die Oberfläche verdeckt, daher fehlen etwa %2 % von ihr; vereinigen Sie die Körper in einem Modellierprogramm, oder legen Sie die Ebene als ebene Fläche an</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ArtworkController</name>
@@ -7441,10 +7457,6 @@
         <translation>Vom Schachbrett des Films ist zu wenig zu sehen; fotografieren Sie es ganz, scharf und ohne Spiegelung</translation>
     </message>
     <message>
-        <source>Colour: growth relative to the mean swell %1 · arrows: displacement, enlarged %2 times</source>
-        <translation>Farbe: Wachstum gegenüber der mittleren Quellung %1 · Pfeile: Verschiebung, %2-fach vergrößert</translation>
-    </message>
-    <message>
         <source>Only %1 corners of the film&apos;s chessboard are visible, but %2 are needed; photograph all of it, without glare</source>
         <translation>Nur %1 Ecken vom Schachbrett des Films sind zu sehen, aber %2 werden gebraucht; fotografieren Sie es ganz und ohne Spiegelung</translation>
     </message>
@@ -7499,6 +7511,10 @@
     <message>
         <source>The photo is the same as %1; give each photo only once</source>
         <translation>Das Foto ist dasselbe wie %1; geben Sie jedes Foto nur einmal an</translation>
+    </message>
+    <message>
+        <source>Colour: growth relative to the mean swell %1 · arrows: displacement, scale %2:1</source>
+        <translation>Farbe: Wachstum gegenüber der mittleren Quellung %1 · Pfeile: Verschiebung, Maßstab %2:1</translation>
     </message>
 </context>
 <context>
@@ -7838,10 +7854,6 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>The model file cannot be read; check its permissions</source>
         <translation>Die Modelldatei kann nicht gelesen werden; prüfen Sie ihre Zugriffsrechte</translation>
-    </message>
-    <message>
-        <source>The texture file cannot be read; check its name and permissions</source>
-        <translation>Die Texturdatei kann nicht gelesen werden; prüfen Sie Namen und Zugriffsrechte</translation>
     </message>
     <message>
         <source>None of the model&apos;s triangles has an area; choose another model</source>
@@ -8270,6 +8282,18 @@ auf steifen, wasserfesten Karton gedruckt</translation>
     <message>
         <source>Triangles inside the body that were removed: %1</source>
         <translation>Entfernte Dreiecke im Inneren des Körpers: %1</translation>
+    </message>
+    <message>
+        <source>the number of polygons before line %1 differs from the declared count</source>
+        <translation>die Anzahl der Polygone vor Zeile %1 weicht von der angegebenen ab</translation>
+    </message>
+    <message>
+        <source>Faces of different colours or textures overlap in one plane, on about %1 mm², and either may be printed there; in a modelling program, delete the faces that should not show, or move one body by 0.1 mm</source>
+        <translation>Flächen mit verschiedenen Farben oder Texturen überlappen sich in einer Ebene, auf etwa %1 mm², und jede von beiden kann dort gedruckt werden; löschen Sie in einem Modellierprogramm die Flächen, die nicht zu sehen sein sollen, oder verschieben Sie einen Körper um 0,1 mm</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read; check its name and permissions</source>
+        <translation>Das Bild kann nicht gelesen werden; prüfen Sie Namen und Zugriffsrechte</translation>
     </message>
 </context>
 <context>
@@ -9443,10 +9467,6 @@ zuerst eintaucht</translation>
         <translation>Nach den dafür angegebenen Stellen zeigt Foto %1 nichts vom Druck; geben Sie die Stellen noch einmal an, oder fotografieren Sie die getauchte Seite</translation>
     </message>
     <message>
-        <source>Rings: expected places · lines: deviations of the seen places, enlarged %1 times</source>
-        <translation>Ringe: erwartete Stellen · Linien: Abweichungen der gesehenen Stellen, %1-fach vergrößert</translation>
-    </message>
-    <message>
         <source>The places marked in photo %1 are a mirror image of the places on the model; use the photo unflipped, and give the places in the model&apos;s own coordinates</source>
         <translation>Die im Foto %1 markierten Stellen sind ein Spiegelbild der Stellen auf dem Modell; verwenden Sie das Foto ungespiegelt, und geben Sie die Stellen in den Koordinaten des Modells an</translation>
     </message>
@@ -9457,6 +9477,10 @@ zuerst eintaucht</translation>
     <message>
         <source>The corners found are %1 of a square from their expected places (median). Above %2, a corner may be confused with the one a diagonal away, so check one corner on the part by hand, or use larger squares</source>
         <translation>Die gefundenen Ecken liegen %1 eines Quadrats neben ihren erwarteten Orten (Median). Über %2 kann eine Ecke mit der diagonal benachbarten verwechselt werden; prüfen Sie deshalb eine Ecke am Teil von Hand, oder nehmen Sie größere Quadrate</translation>
+    </message>
+    <message>
+        <source>Rings: expected places · lines: deviations of the seen places, scale %1:1</source>
+        <translation>Ringe: erwartete Stellen · Linien: Abweichungen der gesehenen Stellen, Maßstab %1:1</translation>
     </message>
 </context>
 <context>
@@ -9704,8 +9728,8 @@ zuerst eintaucht</translation>
 <context>
     <name>dipwright::PhotoView</name>
     <message>
-        <source>Lines: residuals, enlarged %1 times</source>
-        <translation>Linien: Abweichungen, %1-fach vergrößert</translation>
+        <source>Lines: residuals, scale %1:1</source>
+        <translation>Linien: Abweichungen, Maßstab %1:1</translation>
     </message>
 </context>
 <context>
@@ -12145,10 +12169,6 @@ mm je mm</translation>
         <translation>Tauchvorgang %1: %2 Stellen auf einem Teil gemessen, Fehler bis zu %3 mm. Messen Sie drei Teile oder mehr, um zu sehen, welche Fehler sich wiederholen.</translation>
     </message>
     <message>
-        <source>Red: mean measured error (parts: %1), enlarged %2 times</source>
-        <translation>Rot: mittlerer gemessener Fehler (Teile: %1), %2-fach vergrößert</translation>
-    </message>
-    <message>
         <source>Blue: correction of the next sheet, to the same scale</source>
         <translation>Blau: Korrektur des nächsten Blatts, im selben Maßstab</translation>
     </message>
@@ -12163,6 +12183,10 @@ mm je mm</translation>
     <message>
         <source>The measured parts move the picture by up to %1 mm and change lengths by %2 %. More than %3 mm or %4 % is unusual. Check the measured places, or turn the correction off.</source>
         <translation>Die gemessenen Teile verschieben das Bild um bis zu %1 mm und ändern Längen um %2 %. Mehr als %3 mm oder %4 % ist unüblich. Prüfen Sie die gemessenen Stellen, oder schalten Sie die Korrektur aus.</translation>
+    </message>
+    <message>
+        <source>Red: mean measured error (parts: %1), scale %2:1</source>
+        <translation>Rot: mittlerer gemessener Fehler (Teile: %1), Maßstab %2:1</translation>
     </message>
 </context>
 <context>

@@ -2609,10 +2609,6 @@
         <translation>Não há esse tipo de perfil; use printer, film ou tank</translation>
     </message>
     <message>
-        <source>%1 is not a date; write year, month and day, for example 2027-03-31</source>
-        <translation>%1 não é uma data; escreva ano, mês e dia, por exemplo 2027-03-31</translation>
-    </message>
-    <message>
         <source>This profile has no value of this name; choose one of: %1</source>
         <translation>Este perfil não tem valor com este nome; escolha um de: %1</translation>
     </message>
@@ -2764,10 +2760,6 @@
         <translation>As pinceladas em %1 têm %2 pontos; são possíveis no máximo %3</translation>
     </message>
     <message>
-        <source>the sections are artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built, inspection and order</source>
-        <translation>as seções são artwork, film, process, body, immersions[0], sheet, ink, share, cradle, tolerance, pose_search, as_built, inspection e order</translation>
-    </message>
-    <message>
         <source>The value must be a list in JSON, as in the project file</source>
         <translation>O valor deve ser uma lista em JSON, como no arquivo do projeto</translation>
     </message>
@@ -2786,6 +2778,22 @@
     <message>
         <source>A layer has no such setting; its settings are %1</source>
         <translation>Uma camada não tem essa configuração; suas configurações são %1</translation>
+    </message>
+    <message>
+        <source>An empty value</source>
+        <translation>Um valor vazio</translation>
+    </message>
+    <message>
+        <source>%1 is not a date; write year, month and day, for example 2027-03-31</source>
+        <translation>%1 não é uma data; escreva ano, mês e dia, por exemplo 2027-03-31</translation>
+    </message>
+    <message>
+        <source>a path begins with one of %1</source>
+        <translation>um caminho começa com uma destas palavras: %1</translation>
+    </message>
+    <message>
+        <source>An entry has no such key; its keys are %1</source>
+        <translation>Uma entrada não tem essa chave; as chaves são %1</translation>
     </message>
 </context>
 <context>
@@ -2915,6 +2923,10 @@
     <message>
         <source>Saving the project</source>
         <translation>Salvando o projeto</translation>
+    </message>
+    <message>
+        <source>project.json holds the key %1 twice; remove one of them</source>
+        <translation>project.json contém a chave %1 duas vezes; remova uma delas</translation>
     </message>
 </context>
 <context>
@@ -5647,6 +5659,10 @@
         <source>The layers “%1” and “%2” use the ink %3 with different colours or printing orders. It is printed with the colour and order of “%1”. Give both layers the same colour and order</source>
         <translation>As camadas “%1” e “%2” usam a tinta %3 com cores ou ordens de impressão diferentes. Ela é impressa com a cor e a ordem de “%1”. Dê às duas camadas a mesma cor e ordem</translation>
     </message>
+    <message>
+        <source>The layer “%1” ends where another body of the model covers the surface, so about %2 % of it is missing; join the bodies in a modelling program, or place the layer as a plane</source>
+        <translation>A camada “%1” termina onde outro corpo do modelo cobre a superfície, por isso faltam cerca de %2 % dela; una os corpos em um programa de modelagem ou posicione a camada como plano</translation>
+    </message>
 </context>
 <context>
     <name>dipwright::ArtworkController</name>
@@ -7441,10 +7457,6 @@
         <translation>Vê-se muito pouco do tabuleiro da película; fotografe-o inteiro, nítido e sem reflexos</translation>
     </message>
     <message>
-        <source>Colour: growth relative to the mean swell %1 · arrows: displacement, enlarged %2 times</source>
-        <translation>Cor: crescimento em relação ao inchamento médio %1 · setas: deslocamento, ampliado %2 vezes</translation>
-    </message>
-    <message>
         <source>Only %1 corners of the film&apos;s chessboard are visible, but %2 are needed; photograph all of it, without glare</source>
         <translation>Só se veem %1 cantos do tabuleiro da película, mas são precisos %2; fotografe-o inteiro, sem reflexos</translation>
     </message>
@@ -7499,6 +7511,10 @@
     <message>
         <source>The photo is the same as %1; give each photo only once</source>
         <translation>A foto é igual a %1; indique cada foto só uma vez</translation>
+    </message>
+    <message>
+        <source>Colour: growth relative to the mean swell %1 · arrows: displacement, scale %2:1</source>
+        <translation>Cor: crescimento em relação ao inchamento médio %1 · setas: deslocamento, escala %2:1</translation>
     </message>
 </context>
 <context>
@@ -7838,10 +7854,6 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>The model file cannot be read; check its permissions</source>
         <translation>O arquivo do modelo não pode ser lido; confira as permissões</translation>
-    </message>
-    <message>
-        <source>The texture file cannot be read; check its name and permissions</source>
-        <translation>O arquivo de textura não pode ser lido; confira o nome e as permissões</translation>
     </message>
     <message>
         <source>None of the model&apos;s triangles has an area; choose another model</source>
@@ -8270,6 +8282,18 @@ impresso em papel-cartão rígido e impermeável</translation>
     <message>
         <source>Triangles inside the body that were removed: %1</source>
         <translation>Triângulos no interior do corpo que foram removidos: %1</translation>
+    </message>
+    <message>
+        <source>the number of polygons before line %1 differs from the declared count</source>
+        <translation>o número de polígonos antes da linha %1 difere do declarado</translation>
+    </message>
+    <message>
+        <source>Faces of different colours or textures overlap in one plane, on about %1 mm², and either may be printed there; in a modelling program, delete the faces that should not show, or move one body by 0.1 mm</source>
+        <translation>Faces com cores ou texturas diferentes se sobrepõem em um plano, em cerca de %1 mm², e qualquer uma delas pode ser impressa ali; em um programa de modelagem, exclua as faces que não devem aparecer ou mova um corpo em 0,1 mm</translation>
+    </message>
+    <message>
+        <source>The picture cannot be read; check its name and permissions</source>
+        <translation>A imagem não pode ser lida; confira o nome e as permissões</translation>
     </message>
 </context>
 <context>
@@ -9443,10 +9467,6 @@ desce primeiro</translation>
         <translation>Pelos pontos indicados para ela, a foto %1 não mostra nada da impressão; indique os pontos de novo, ou fotografe o lado mergulhado</translation>
     </message>
     <message>
-        <source>Rings: expected places · lines: deviations of the seen places, enlarged %1 times</source>
-        <translation>Anéis: lugares esperados · linhas: desvios dos lugares vistos, ampliados %1 vezes</translation>
-    </message>
-    <message>
         <source>The places marked in photo %1 are a mirror image of the places on the model; use the photo unflipped, and give the places in the model&apos;s own coordinates</source>
         <translation>Os lugares marcados na foto %1 são uma imagem espelhada dos lugares no modelo; use a foto sem espelhá-la e dê os lugares nas coordenadas do próprio modelo</translation>
     </message>
@@ -9457,6 +9477,10 @@ desce primeiro</translation>
     <message>
         <source>The corners found are %1 of a square from their expected places (median). Above %2, a corner may be confused with the one a diagonal away, so check one corner on the part by hand, or use larger squares</source>
         <translation>Os cantos encontrados estão a %1 de um quadrado de seus lugares esperados (mediana). Acima de %2, um canto pode ser confundido com o vizinho na diagonal; por isso, verifique um canto na peça à mão ou use quadrados maiores</translation>
+    </message>
+    <message>
+        <source>Rings: expected places · lines: deviations of the seen places, scale %1:1</source>
+        <translation>Anéis: lugares esperados · linhas: desvios dos lugares vistos, escala %1:1</translation>
     </message>
 </context>
 <context>
@@ -9704,8 +9728,8 @@ desce primeiro</translation>
 <context>
     <name>dipwright::PhotoView</name>
     <message>
-        <source>Lines: residuals, enlarged %1 times</source>
-        <translation>Linhas: desvios, ampliados %1 vezes</translation>
+        <source>Lines: residuals, scale %1:1</source>
+        <translation>Linhas: desvios, escala %1:1</translation>
     </message>
 </context>
 <context>
@@ -12145,10 +12169,6 @@ mm por mm</translation>
         <translation>Imersão %1: %2 lugares medidos em uma peça, erros de até %3 mm. Meça três peças ou mais para ver quais erros se repetem.</translation>
     </message>
     <message>
-        <source>Red: mean measured error (parts: %1), enlarged %2 times</source>
-        <translation>Vermelho: erro médio medido (peças: %1), ampliado %2 vezes</translation>
-    </message>
-    <message>
         <source>Blue: correction of the next sheet, to the same scale</source>
         <translation>Azul: correção da próxima folha, na mesma escala</translation>
     </message>
@@ -12163,6 +12183,10 @@ mm por mm</translation>
     <message>
         <source>The measured parts move the picture by up to %1 mm and change lengths by %2 %. More than %3 mm or %4 % is unusual. Check the measured places, or turn the correction off.</source>
         <translation>As peças medidas deslocam a imagem em até %1 mm e alteram comprimentos em %2 %. Mais de %3 mm ou %4 % é incomum. Verifique os pontos medidos ou desative a correção.</translation>
+    </message>
+    <message>
+        <source>Red: mean measured error (parts: %1), scale %2:1</source>
+        <translation>Vermelho: erro médio medido (peças: %1), escala %2:1</translation>
     </message>
 </context>
 <context>
