@@ -413,6 +413,9 @@ bool setTessellationAt(Project& project, const QString& path, const QString& val
 } // namespace
 
 void setByPath(Project& project, const QString& path, const QString& value) {
+    if (path == QLatin1String("created")) { // older files may hold any text
+        requireDate(value, path);
+    }
     static const QRegularExpression immersionPath(
         QStringLiteral("^immersions\\[(0|[1-9]\\d{0,2})\\]\\.(.+)$"));
     if (const auto match = immersionPath.match(path); match.hasMatch()) {

@@ -458,8 +458,8 @@ const std::vector<Field<Project>>& projectFields() {
         std::vector<Field<Project>> all;
         all.push_back(text(
             "name", longestProjectName, [](auto& p) -> auto& { return p.name; }));
-        all.push_back(dateField(
-            "created", [](auto& p) -> auto& { return p.date; }));
+        all.push_back(text(
+            "created", 40, [](auto& p) -> auto& { return p.date; }));
         addModelFields(all);
         addFilmFields(all);
         addProcessFields(all);
