@@ -151,11 +151,7 @@ QString pictureOption(const QCommandLineParser& parser, const QString& option,
 
 void setByOption(Project& project, const QString& path, const QString& value,
                  const QString& option) {
-    try {
-        setByPath(project, path, value);
-    } catch (const Error& error) {
-        throw UsageError(error.message(), option);
-    }
+    asUsage(option, [&] { setByPath(project, path, value); });
 }
 
 QString solverNamed(const QCommandLineParser& parser, const SolverRegistry& registry) {

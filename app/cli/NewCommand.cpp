@@ -88,8 +88,8 @@ void requireUsedKeys(const Project& project, const QStringList& specs) {
             const QString key = part.section(QLatin1Char('='), 0, 0).trimmed();
             if (!isUsed(key, project.immersions[std::size_t(index)].path)) {
                 throw UsageError(
-                    QStringLiteral("“%1” has no effect on this path; leave it out, or choose a "
-                                   "path that uses it, for example path=tilt,angle=20")
+                    QStringLiteral("“%1” has no effect on this path; leave it out, or choose "
+                                   "another path")
                         .arg(key),
                     QStringLiteral("--immersion %1").arg(specs[index]));
             }
@@ -137,11 +137,8 @@ void print(const ImportReport& report, const QString& whose, Console& console) {
 
 // Throws UsageError if the tolerance of a CAD model's triangles is set for another model.
 void requireCadFor(Millimetres tessellation, bool isCad) {
-    try {
-        requireCad(isCad || tessellation == Millimetres(0), {});
-    } catch (const Error& error) {
-        throw UsageError(error.message(), QStringLiteral("--set model.tessellation_mm"));
-    }
+    asUsage(QStringLiteral("--set model.tessellation_mm"),
+            [&] { requireCad(isCad || tessellation == Millimetres(0), {}); });
 }
 
 void importInto(Project& project, const QCommandLineParser& parser, Console& console) {

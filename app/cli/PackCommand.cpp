@@ -85,8 +85,8 @@ public:
         if (!folder.isEmpty()) {
             checkFilmsFolder(folder);
         } else if (!target.file.isEmpty()) {
-            for (std::size_t film = 1; film <= mostPieces; ++film) {
-                requireReplaceableSheet(numbered(target.file, film));
+            for (int film = 1; film <= mostFilms; ++film) {
+                requireReplaceableSheet(numbered(target.file, std::size_t(film)));
             }
         }
         if (!target.printer.isEmpty() && settings.film.isRoll) {

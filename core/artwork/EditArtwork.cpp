@@ -85,7 +85,7 @@ QString coveredByAnotherBody(const ArtworkLayer& layer, const TriangleMesh& mesh
     constexpr double leastShare = 0.005;
     const auto shown = shownSize(layer);
     const Eigen::Vector2d size(shown[0].value(), shown[1].value());
-    const double lost = LayerPlane(layer, mesh, query, size).coveredShare(query, size);
+    const double lost = LayerPlane(layer, mesh, query, size).coveredShare(size);
     if (lost < leastShare) {
         return {};
     }
@@ -227,7 +227,9 @@ QStringList cutOffWarnings(const Artwork& artwork, const TriangleMesh& mesh) {
         if (layer.visible && layer.placement == LayerPlacement::Cylinder) {
             warnings.append(longerThanATurn(layer, mesh));
         } else if (isDecal(layer) && !isOnePiece) {
-            query = query ? std::move(query) : std::optional<SurfaceQuery>(mesh);
+            if (!query) {
+                query.emplace(mesh);
+            }
             warnings.append(coveredByAnotherBody(layer, mesh, *query));
         }
     }

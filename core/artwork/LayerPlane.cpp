@@ -1,6 +1,6 @@
 #include "artwork/LayerPlane.h"
 
-#include "parallel/ParallelFor.h"
+#include "geometry/BuriedSurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,10 +143,8 @@ std::optional<Eigen::Vector2d> LayerPlane::single(const SurfacePoint& point,
                                        : std::nullopt;
 }
 
-double LayerPlane::coveredShare(const SurfaceQuery& query, const Eigen::Vector2d& size) const {
+double LayerPlane::coveredShare(const Eigen::Vector2d& size) const {
     constexpr std::size_t directions = 90;
-    // A place so far above the surface is outside the layer's own body, in spite of rounding.
-    const double clear = std::max(0.01, 1e-6 * place_.norm()); // mm
     if (!unfolded_) {
         return 0;
     }
@@ -155,20 +153,18 @@ double LayerPlane::coveredShare(const SurfaceQuery& query, const Eigen::Vector2d
         const Eigen::Vector2d inPicture = turn_ * piece.flat;
         return (inPicture.cwiseAbs() - size / 2).maxCoeff() > 0;
     });
-    std::vector<std::uint8_t> inside(pieces.size());
-    parallelFor(std::size_t(0), pieces.size(), [&](std::size_t k) {
-        const SurfacePoint& place = pieces[k].place;
-        const Eigen::Vector3d above = position(mesh_, place).cast<double>() +
-                                      clear * triangleNormal(mesh_, place.triangle).cast<double>();
-        inside[k] = query.isInside(above.cast<float>());
-    });
+    std::vector<SurfacePoint> places;
+    for (const FlatPiece& piece : pieces) {
+        places.push_back(piece.place);
+    }
+    const std::vector<std::uint8_t> buried = buriedPlaces(mesh_, places);
     std::array<double, directions> end{}; // where the decal ends in each direction, mm
     end.fill(std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         const Eigen::Vector2d& flat = pieces[k].flat;
         const double turn = (std::atan2(flat.y(), flat.x()) + pi) / (2 * pi);
         double& own = end[std::min(std::size_t(turn * double(directions)), directions - 1)];
-        own = inside[k] != 0 ? std::min(own, flat.norm()) : own;
+        own = buried[k] != 0 ? std::min(own, flat.norm()) : own;
     }
     double lost = 0, all = 0; // areas in the picture, relative to each other
     for (std::size_t k = 0; k < directions; ++k) {

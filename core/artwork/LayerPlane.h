@@ -37,9 +37,8 @@ public:
     PlanePlaces at(const SurfacePoint& place, const Eigen::Vector3d& outward) const;
     // Returns the share of a decal that is lost because another body of the model covers the
     // surface: the decal ends where it enters that body, as seen from the decal's middle.
-    // 0 for other placements. `query` must have been built from the mesh; `size` is that of the
-    // decal, mm.
-    double coveredShare(const SurfaceQuery& query, const Eigen::Vector2d& size) const;
+    // 0 for other placements. `size` is that of the decal, mm.
+    double coveredShare(const Eigen::Vector2d& size) const;
     // Whether repeats continue past the layer's size.
     bool isEndless() const { return placement_ != LayerPlacement::Decal; }
 

@@ -29,11 +29,10 @@ struct TypedNumber {
 // `unit`: the field's unit, such as "mm" or "°/s"; empty if it has none.
 //
 // Numbers, such as 12.5 and 2e-3, + − * / and brackets. Units: mm, cm, m, µm, in, ft; ms, s, min,
-// h; °, deg, rad, turn;
-// %, ‰; dpi; rpm; quotients and powers of them, such as cm/min and mm/s². Other units, such as
-// "cells", are read only in fields of that unit. A number without a unit is in the field's unit:
-// alone, as the whole result, or as the term of a sum. In products and quotients it is a plain
-// factor. A fraction before a unit is one number: 1/2in is half an inch.
+// h; °, deg, rad, turn; %, ‰; dpi; rpm; quotients and powers of them, such as cm/min and mm/s².
+// Other units, such as "cells", are read only in fields of that unit. A number without a unit is in
+// the field's unit: alone, as the whole result, or as the term of a sum. In products and quotients
+// it is a plain factor. A fraction before a unit is one number: 1/2in is half an inch.
 TypedNumber typedNumber(const QString& text, const QString& unit, const QLocale& locale);
 
 } // namespace dipwright

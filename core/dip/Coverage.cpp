@@ -113,8 +113,8 @@ Coverage coverage(const LaidFilm& laid, const SurfaceMask* mask, std::optional<D
         result.marked.add(cover.marked);
     }
     result.tornBare = torn ? tornBare(mesh, covers) : 0;
-    result.surface = surfaceArea(mesh) - buried;
-    const double open = result.surface - masked;
+    result.unburied = surfaceArea(mesh) - buried;
+    const double open = result.unburied - masked;
     result.share = open > 0 ? result.paintedArea / open : 0;
     result.trappedAir = trappedAir(laid.body());
     result.trappedAir.area = std::max(result.trappedAir.area - maskedAir, 0.0);

@@ -17,7 +17,7 @@ struct Coverage {
     // Per body triangle: the solver::PointMark bits that apply to at least half of its painted
     // area.
     std::vector<std::uint8_t> marks;
-    double surface = 0;     // mm², without buried surface
+    double unburied = 0;    // mm² of the whole surface without buried surface
     double paintedArea = 0; // mm²
     MarkedArea marked;      // the part of paintedArea that marked film paints
     double tornBare = 0;    // mm² of bare surface that would be painted if the film had not torn

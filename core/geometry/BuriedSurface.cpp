@@ -1,5 +1,6 @@
 #include "geometry/BuriedSurface.h"
 
+#include "geometry/FieldGrid.h"
 #include "geometry/SurfaceSamples.h"
 #include "parallel/ParallelFor.h"
 #include "parallel/Tasks.h"
@@ -12,13 +13,6 @@ namespace dipwright {
 namespace {
 
 constexpr double wantedSamples = 20'000;
-
-bool isBuried(const SurfacePoint& place, const TriangleMesh& mesh, const SurfaceQuery& query) {
-    const Eigen::Vector3f outward = triangleNormal(mesh, place.triangle);
-    const Eigen::Vector3f inFront = position(mesh, place) + buriedReach * outward;
-    // Most places see the open, which one ray tells.
-    return query.isHit(inFront, outward) && query.isBehind(inFront);
-}
 
 double buriedShare(const TriangleMesh& mesh, const SurfaceQuery& query) {
     const std::vector<SurfacePoint> places = evenSamples(mesh, surfaceArea(mesh) / wantedSamples);
@@ -51,6 +45,25 @@ double BuriedSurface::share(const TriangleMesh& mesh, const SurfaceQuery& query)
 bool BuriedSurface::covers(const SurfacePoint& place, const TriangleMesh& mesh,
                            const SurfaceQuery& query) const {
     return share(mesh, query) > 0 && isBuried(place, mesh, query);
+}
+
+bool isBuried(const SurfacePoint& place, const TriangleMesh& mesh, const SurfaceQuery& query) {
+    const Eigen::Vector3f outward = triangleNormal(mesh, place.triangle);
+    const Eigen::Vector3f inFront = position(mesh, place) + buriedReach * outward;
+    // Most places see the open, which one ray tells.
+    return query.isHit(inFront, outward) && query.isBehind(inFront);
+}
+
+std::vector<std::uint8_t> buriedPlaces(const TriangleMesh& model,
+                                       const std::vector<SurfacePoint>& places) {
+    const TriangleMesh body = inBodyCoordinates(model); // floats near the origin are exact enough
+    const SurfaceQuery query(body);
+    std::vector<std::uint8_t> buried(places.size());
+    if (const BuriedSurface surface; surface.share(body, query) > 0) {
+        parallelFor(std::size_t(0), places.size(),
+                    [&](std::size_t i) { buried[i] = isBuried(places[i], body, query) ? 1 : 0; });
+    }
+    return buried;
 }
 
 } // namespace dipwright

@@ -1,11 +1,13 @@
 // Finds the surface of a body that lies inside the body, as where parts of a model overlap or
-// touch. No film reaches it, and nobody sees it, so it is no surface to paint
+// touch. No film reaches it, and nobody sees it, so it counts neither as painted nor as bare
 // (docs/film-validation.md, "The verdict").
 #pragma once
 
 #include "geometry/SurfaceQuery.h"
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace dipwright {
 
@@ -17,8 +19,8 @@ inline constexpr float buriedReach = 0.02f;
 inline constexpr double leastBuriedShare = 0.0005;
 
 // Tells which places of one body are buried. All functions need the body's mesh and its query, in
-// any pose. The first call samples the whole surface, on all cores. Any thread may use it.
-// Deterministic.
+// any pose. The first call samples the whole surface, on all cores; threads that call meanwhile
+// wait. Any thread may use it. Deterministic.
 class BuriedSurface {
 public:
     // Returns the buried share of the surface; 0 if it is too small to count.
@@ -31,5 +33,13 @@ private:
     std::shared_ptr<Share> share_ = makeShare();
     static std::shared_ptr<Share> makeShare();
 };
+
+// Whether a place is buried, however small the buried share is.
+bool isBuried(const SurfacePoint& place, const TriangleMesh& mesh, const SurfaceQuery& query);
+
+// Returns which places of a model are buried (1), computed on all cores. The model may lie far from
+// its origin.
+std::vector<std::uint8_t> buriedPlaces(const TriangleMesh& model,
+                                       const std::vector<SurfacePoint>& places);
 
 } // namespace dipwright

@@ -7,7 +7,6 @@
 #include "dip/FilmUnderBody.h"
 #include "disk/AtomicFile.h"
 #include "disk/ZipWriter.h"
-#include "geometry/FieldGrid.h"
 #include "model/ModelHash.h"
 #include "pipeline/CachedDip.h"
 #include "pipeline/SolverChoice.h"
@@ -29,7 +28,7 @@ struct Text {
 
 // Version of the cache. Raise it if the dips or their storage format change within one version of
 // the program.
-constexpr quint32 keptVersion = 12;
+constexpr quint32 keptVersion = 13;
 constexpr int mostDips = 1000;
 constexpr qint64 entryBytes = 256; // upper limit of the zip's overhead per entry
 
@@ -59,9 +58,6 @@ public:
                    {QStringLiteral("film"), values[QLatin1String("film")]},
                    {QStringLiteral("process"), process},
                    {QStringLiteral("field"), project.fieldResolution}};
-        if (!bodyOrigin(project.model->mesh).isZero(0)) {
-            common_[QStringLiteral("far_from_origin")] = true;
-        }
         if (isRefinable(project.film)) { // RefinementInputs
             const QJsonObject tolerance = values[QLatin1String("tolerance")].toObject();
             for (const char* key : {"limits_mm", "marks"}) {

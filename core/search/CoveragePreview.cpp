@@ -5,7 +5,6 @@
 #include "dip/Pose.h"
 #include "film/FilmGrid.h"
 #include "geometry/BuriedSurface.h"
-#include "parallel/ParallelFor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -212,18 +211,16 @@ CoveragePreview::CoveragePreview(const TriangleMesh& model)
     : model_(model), fine_(model, edgeForTriangles(model, fewestTriangles)),
       opposite_(oppositeEdges(fine_.mesh())),
       air_(std::make_shared<const AirInPoses>(fine_.mesh())) {
-    areas_.resize(mesh().triangles.size());
-    const SurfaceQuery query(mesh());
-    const BuriedSurface buried;
-    parallelFor(std::size_t(0), areas_.size(), [&](std::size_t triangle) {
-        areas_[triangle] = buried.covers(middleOf(std::uint32_t(triangle)), mesh(), query)
-                               ? 0
-                               : float(triangleArea(mesh(), triangle));
-    });
-    for (std::size_t triangle = 0; triangle < areas_.size(); ++triangle) {
+    std::vector<SurfacePoint> middles;
+    for (std::size_t triangle = 0; triangle < mesh().triangles.size(); ++triangle) {
+        middles.push_back(middleOf(std::uint32_t(triangle)));
+    }
+    const std::vector<std::uint8_t> buried = buriedPlaces(mesh(), middles);
+    for (std::size_t triangle = 0; triangle < middles.size(); ++triangle) {
+        areas_.push_back(buried[triangle] != 0 ? 0 : float(triangleArea(mesh(), triangle)));
         normals_.push_back(triangleNormal(mesh(), triangle));
-        middles_.push_back(position(mesh(), middleOf(std::uint32_t(triangle))));
-        area_ += double(areas_[triangle]);
+        middles_.push_back(position(mesh(), middles[triangle]));
+        area_ += double(areas_.back());
     }
     isClosed_ = std::find(opposite_.begin(), opposite_.end(), noEdge) == opposite_.end();
 }

@@ -65,17 +65,18 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
     : model_(subject.model), zoned_(markedZones(subject.model, subject.tolerance.marks)),
       bodies_(separateBodies(*subject.model)), tolerance_(subject.tolerance), ink_(subject.ink),
       area_(surfaceArea(model_->mesh)), openArea_(area_) {
-    samples_ = evenSamples(model_->mesh, area_ / samplesOfBody);
+    const std::vector<SurfacePoint> all = evenSamples(model_->mesh, area_ / samplesOfBody);
     linkReach_ = linkedSamples * std::sqrt(area_ / samplesOfBody);
-    const auto whole = double(samples_.size());
-    const SurfaceQuery query(model_->mesh);
-    const BuriedSurface buried;
-    std::erase_if(samples_,
-                  [&](const auto& place) { return buried.covers(place, model_->mesh, query); });
-    area_ *= double(samples_.size()) / whole; // times 1 if nothing is buried
+    const std::vector<std::uint8_t> buried = buriedPlaces(model_->mesh, all);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (buried[k] == 0) {
+            samples_.push_back(all[k]);
+        }
+    }
+    area_ *= double(samples_.size()) / double(all.size()); // times 1 if nothing is buried
     openArea_ = area_;
     if (subject.mask) {
-        const auto all = double(samples_.size());
+        const auto unburied = double(samples_.size());
         std::erase_if(samples_, [&](const auto& place) { return subject.mask->covers(place); });
         if (samples_.empty()) {
             throw Error(
@@ -83,7 +84,7 @@ JudgedBody::JudgedBody(const SearchSubject& subject,
                          "you search for a pose"),
                 subject.name);
         }
-        openArea_ = area_ * double(samples_.size()) / all;
+        openArea_ = area_ * double(samples_.size()) / unburied;
     }
     equator_ = std::sqrt(pi * area_);
     const std::vector<LinearColour> colours = appearance.at(samples_);

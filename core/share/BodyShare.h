@@ -16,7 +16,7 @@ namespace dipwright {
 struct ShareAreas {
     double first = 0, second = 0; // painted by one dip alone
     double both = 0;              // painted by both, in the overlap along the seam
-    double none = 0;              // painted by neither, as no film reaches it; not buried
+    double none = 0;              // painted by neither, without buried surface
     double total() const { return first + second + both + none; }
     bool operator==(const ShareAreas&) const = default;
 };

@@ -141,13 +141,12 @@ std::vector<ZoneVerdict> zoneVerdicts(std::shared_ptr<const TexturedMesh> model,
                                       const ToleranceSettings& settings, const SurfaceMask* mask) {
     const TriangleMesh& mesh = model->mesh;
     const std::vector<SurfacePoint> places = tolerancePlaces(*model);
-    const SurfaceQuery query(mesh);
-    const BuriedSurface buried;
+    const std::vector<std::uint8_t> buried = buriedPlaces(mesh, places);
     ZonedBody zones(model);
     zones.setMarks(settings.marks);
     std::array<ZoneSum, zoneCount> sums;
     for (std::size_t place = 0; place < places.size(); ++place) {
-        if ((mask && mask->covers(places[place])) || buried.covers(places[place], mesh, query)) {
+        if (buried[place] != 0 || (mask && mask->covers(places[place]))) {
             continue;
         }
         const auto zone = std::size_t(zones.at(places[place]));

@@ -173,7 +173,7 @@ void addPaintReasons(ReasonList& found, const JudgedDip& dip, const VerdictSetti
     }
     addSentence(found, Kind::LostPlates, dip.lostPlates);
     const MarkedArea& marked = dip.coverage.marked;
-    found.addShare(Kind::Air, dip.coverage.trappedAir.area / dip.coverage.surface, limits.air, {},
+    found.addShare(Kind::Air, dip.coverage.trappedAir.area / dip.coverage.unburied, limits.air, {},
                    seenVentCells * double(dip.laid.body().air.cell()));
     found.addShare(Kind::Pale, dip.paleArea / painted, limits.pale);
     found.addShare(Kind::Damaged,

@@ -107,11 +107,11 @@ void checkCollada(const ModelSource& source) {
     QXmlStreamReader xml(source.bytes);
     while (!xml.atEnd()) {
         const QXmlStreamReader::TokenType token = xml.readNext();
-        // assimp 5.2.5 ends on another number of polygons than the element declares.
+        // assimp 5.2.5 aborts if the number of polygons differs from the declared count.
         if (token == QXmlStreamReader::EndElement && xml.name() == u"polygons" &&
             missingPolygons != 0) {
             source.throwDamaged(
-                Text::tr("the polygons that end in line %1 are not as many as their count says")
+                Text::tr("the number of polygons before line %1 differs from the declared count")
                     .arg(xml.lineNumber()));
         }
         if (token != QXmlStreamReader::StartElement) {

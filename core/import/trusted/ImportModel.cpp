@@ -226,7 +226,7 @@ void describe(const TexturedMesh& model, ImportReport& report) {
             Text::tr("Faces of different colours or textures overlap in one plane, on about %1 "
                      "mm², and either may be printed there; in a modelling program, delete the "
                      "faces that should not show, or move one body by 0.1 mm")
-                .arg(numberText(area, 0)));
+                .arg(roundedText(area, 2)));
     }
     if (const float edge = report.box.sizes().maxCoeff(); edge < 1) {
         report.warnings.push_back(

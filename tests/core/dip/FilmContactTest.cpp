@@ -248,7 +248,7 @@ void FilmContactTest::coverage_flushBoxes_isThatOfOneBox() {
     const Located box(halves, film);
     const Coverage cover = coverage(*box.laid);
     QVERIFY(surfaceArea(halves) > 1.1 * surfaceArea(whole));
-    QVERIFY(std::abs(cover.surface - surfaceArea(whole)) < 1);
+    QVERIFY(std::abs(cover.unburied - surfaceArea(whole)) < 1);
     const double share = size.x() * size.z() / surfaceArea(whole);
     QVERIFY(std::abs(cover.share - share) < 0.005);
     QVERIFY(std::abs(coverageTogether({box.laid, box.laid}, {}) - share) < 0.005);

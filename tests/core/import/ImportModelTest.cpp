@@ -1170,7 +1170,7 @@ void ImportModelTest::collada_absurdCounts_areRefused_data() {
     QTest::newRow("too many triangles") << QByteArray("polylist count=\"4\"")
                                         << QByteArray("polylist count=\"2000000000\"") << more;
     QTest::newRow("another number of polygons")
-        << QByteArray("polylist") << QByteArray("polygons") << QStringLiteral("as many as");
+        << QByteArray("polylist") << QByteArray("polygons") << QStringLiteral("declared count");
     QTest::newRow("an index that is no number")
         << QByteArray("<p>0 1") << QByteArray("<p>0 n") << QStringLiteral("no number");
 }
