@@ -232,11 +232,13 @@ private slots:
 private:
     QString path(const QString& name) const { return folder_.filePath(name); }
     QStringList words(const QString& subject, const QStringList& more) const {
-        return QStringList{"inspect",          subject,           path("1.png"),
-                           path("2.png"),      "--project",       path("job.dipw"),
-                           "--pairs",          path("pairs.csv"), "--places",
-                           path("places.csv"), "--out",           path("out")} +
-               more;
+        const QStringList places = subject == QLatin1String("part")
+                                       ? QStringList()
+                                       : QStringList{"--places", path("places.csv")};
+        return QStringList{"inspect",   subject,          path("1.png"), path("2.png"),
+                           "--project", path("job.dipw"), "--pairs",     path("pairs.csv"),
+                           "--out",     path("out")} +
+               places + more;
     }
     template <typename Change>
     void usePlaces(QStringList& words, const Change& change) const {
