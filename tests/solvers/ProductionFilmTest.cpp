@@ -1,6 +1,7 @@
 // Tests the production film on the CPU: finer grids, shorter steps, other numbers of threads, and
 // the behaviour at edges, tips and overhangs.
 
+#include "JoinedMeshes.h"
 #include "ProductionDips.h"
 #include "geometry/Shapes.h"
 #include "production/formulas/Adhesion.h"
@@ -18,16 +19,8 @@ namespace {
 // Returns two balls of 15 mm radius, with a gap of 2 mm as seen from above. The second ball is 18
 // mm higher.
 TriangleMesh twoBalls() {
-    TriangleMesh both = sphereMesh(15, 96, 192);
-    const TriangleMesh one = both;
-    const auto first = std::uint32_t(both.positions.size());
-    for (const Eigen::Vector3f& position : one.positions) {
-        both.positions.push_back(position + Eigen::Vector3f(30, 18, 11));
-    }
-    for (const auto& [a, b, c] : one.triangles) {
-        both.triangles.push_back({first + a, first + b, first + c});
-    }
-    return both;
+    const TriangleMesh one = sphereMesh(15, 96, 192);
+    return joined(one, one, {30, 18, 11});
 }
 
 // Returns a dip of a film of 240 × 80 mm that grows before the body touches it. Its left side, or

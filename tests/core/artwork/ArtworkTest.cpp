@@ -1,4 +1,5 @@
 // Tests pictures, text and patterns on bodies: charts, lengths, order and colours.
+#include "JoinedMeshes.h"
 #include "artwork/EditArtwork.h"
 #include "artwork/LayerPicture.h"
 #include "artwork/LayerPlane.h"
@@ -417,28 +418,20 @@ void ArtworkTest::cutOffWarnings_longerThanATurn_nameIt() {
 
 // The decal lies on the left body and should continue on the right one.
 void ArtworkTest::cutOffWarnings_decalThatReachesAnotherBody_tellHowMuchIsLost() {
-    const auto joined = [](TriangleMesh one, const TriangleMesh& other) {
-        const auto first = std::uint32_t(one.positions.size());
-        one.positions.insert(one.positions.end(), other.positions.begin(), other.positions.end());
-        for (const auto& [a, b, c] : other.triangles) {
-            one.triangles.push_back({first + a, first + b, first + c});
-        }
-        return one;
-    };
     const auto boxAt = [](double x, double length) {
         const Eigen::Isometry3d shift(Eigen::Translation3d(x, 0, 0));
         return transformed(boxMesh({length, 30, 30}), shift);
     };
     Artwork artwork;
     artwork.layers = {pictureLayer(grid(100), {-10, 0, 15}, 16)};
-    const TriangleMesh apart = joined(boxAt(-16, 28), boxAt(20, 28));
+    const TriangleMesh apart = test::joined(boxAt(-16, 28), boxAt(20, 28));
     QVERIFY(cutOffWarnings(artwork, apart).isEmpty()); // ends before the edge
     artwork.layers[0].size = {Millimetres(20), Millimetres(20)};
     QVERIFY(cutOffWarnings(artwork, boxAt(-16, 32)).isEmpty()); // one body: goes round its edge
-    const TriangleMesh flush = joined(boxAt(-14, 28), boxAt(14, 28));
+    const TriangleMesh flush = test::joined(boxAt(-14, 28), boxAt(14, 28));
     QVERIFY(cutOffWarnings(artwork, flush).isEmpty()); // ends at the edge
     artwork.layers[0].place = {Millimetres(-4), Millimetres(0), Millimetres(15)};
-    for (const TriangleMesh& bodies : {flush, joined(boxAt(-14, 28), boxAt(13, 28))}) {
+    for (const TriangleMesh& bodies : {flush, test::joined(boxAt(-14, 28), boxAt(13, 28))}) {
         const QStringList warnings = cutOffWarnings(artwork, bodies);
         QCOMPARE(warnings.size(), 1); // 6 of 20 mm
         static const QRegularExpression share(QStringLiteral("about (\\d+) %"));

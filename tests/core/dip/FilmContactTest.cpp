@@ -1,5 +1,6 @@
 // Tests which film adheres to the body, and how much of the body it paints.
 #include "DippedByHand.h"
+#include "JoinedMeshes.h"
 #include "dip/Coverage.h"
 #include "geometry/Shapes.h"
 
@@ -232,18 +233,10 @@ void FilmContactTest::coverage_flushBoxes_isThatOfOneBox() {
     const solver::FilmGrid grid = test::a4Grid();
     const Eigen::Vector3d size(33 * grid.spacingX(0), 30, 33 * grid.spacingZ(0));
     const TriangleMesh whole = boxMesh(size);
-    TriangleMesh halves;
-    for (const float side : {-1.f, 1.f}) {
-        const TriangleMesh half = boxMesh({size.x() / 2, size.y(), size.z()});
-        const auto first = std::uint32_t(halves.positions.size());
-        for (const Eigen::Vector3f& position : half.positions) {
-            halves.positions.emplace_back(position.x() + side * float(size.x() / 4), position.y(),
-                                          position.z());
-        }
-        for (const auto& [a, b, c] : half.triangles) {
-            halves.triangles.push_back({first + a, first + b, first + c});
-        }
-    }
+    const TriangleMesh half = boxMesh({size.x() / 2, size.y(), size.z()});
+    const auto shift = float(size.x() / 4);
+    const TriangleMesh halves =
+        test::joined(test::joined({}, half, {-shift, 0, 0}), half, {shift, 0, 0});
     const DippedFilm film = test::flatUnderBox(grid, size + Eigen::Vector3d(0.1, 0, 0.1));
     const Located box(halves, film);
     const Coverage cover = coverage(*box.laid);

@@ -1,6 +1,7 @@
 // Tests trapped air: how much of the body's surface the water never reaches.
 #include "dip/TrappedAir.h"
 #include "HollowBodies.h"
+#include "JoinedMeshes.h"
 #include "base/Units.h"
 #include "geometry/Shapes.h"
 
@@ -13,16 +14,6 @@ using namespace dipwright;
 using namespace dipwright::test;
 
 namespace {
-
-void append(TriangleMesh& mesh, const TriangleMesh& other, const Eigen::Vector3f& shift) {
-    const auto first = std::uint32_t(mesh.positions.size());
-    for (const Eigen::Vector3f& position : other.positions) {
-        mesh.positions.push_back(position + shift);
-    }
-    for (const auto& [a, b, c] : other.triangles) {
-        mesh.triangles.push_back({first + a, first + b, first + c});
-    }
-}
 
 constexpr double pitArea = pi * 27 * 27 + 2 * pi * 27 * 37;
 
@@ -82,8 +73,7 @@ void TrappedAirTest::trappedAir_cupMouthDown_startsAtTheMouthsHeight() {
         qPrintable(
             QStringLiteral("water level %1 mm, expected < 2 mm").arg(upsideDown.value_or(-1))));
     // The same cup, upside down on a stand 20 mm high, has its mouth 20 mm higher.
-    TriangleMesh raised = cup();
-    append(raised, boxMesh({4, 60, 4}), {0, 30, 0});
+    const TriangleMesh raised = joined(cup(), boxMesh({4, 60, 4}), {0, 30, 0});
     const std::optional<double> height = airIn(raised, {180, 0, 0}).travelled;
     QVERIFY2(
         height && std::abs(*height - startHeight - 20) < 2,
@@ -111,7 +101,7 @@ void TrappedAirTest::trappedAir_wallThinnerThanACell_holdsAir() {
 void TrappedAirTest::trappedAir_arch_isNone() {
     TriangleMesh table = boxMesh({60, 5, 40});
     for (const float x : {-27.0f, 27.0f}) {
-        append(table, boxMesh({6, 30, 40}), {x, -17.5f, 0});
+        table = joined(table, boxMesh({6, 30, 40}), {x, -17.5f, 0});
     }
     QCOMPARE(trapped(table), 0.0);
 }
@@ -238,7 +228,7 @@ void TrappedAirTest::trappedAir_boresOfAJig_areAllFound() {
     const TriangleMesh block = turned({{0, 15}, {3, 15}, {3, 0}, {13, 0}, {13, 30}, {0, 30}}, 48);
     TriangleMesh row;
     for (int number = 0; number < 5; ++number) {
-        append(row, block, {55.0f * float(number), 0, 0});
+        row = joined(row, block, {55.0f * float(number), 0, 0});
     }
     const double dry = 5 * (pi * 3 * 3 + 2 * pi * 3 * 15), area = trapped(row);
     QVERIFY2(std::abs(area - dry) < 0.05 * dry,

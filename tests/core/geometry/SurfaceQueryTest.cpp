@@ -1,5 +1,6 @@
 // Closest points, rays and inside tests on bodies with closed forms.
 #include "geometry/SurfaceQuery.h"
+#include "JoinedMeshes.h"
 #include "base/Units.h"
 #include "geometry/BuriedSurface.h"
 #include "geometry/Shapes.h"
@@ -34,17 +35,6 @@ float boxDistance(const Eigen::Vector3f& place, const Eigen::Vector3f& size) {
 bool isSame(const ClosestPoint& a, const ClosestPoint& b) {
     return a.point.triangle == b.point.triangle && a.point.weights == b.point.weights &&
            a.distance == b.distance;
-}
-
-TriangleMesh joined(TriangleMesh one, const TriangleMesh& other, const Eigen::Vector3f& moved) {
-    const auto first = std::uint32_t(one.positions.size());
-    for (const Eigen::Vector3f& position : other.positions) {
-        one.positions.push_back(position + moved);
-    }
-    for (const auto& [a, b, c] : other.triangles) {
-        one.triangles.push_back({first + a, first + b, first + c});
-    }
-    return one;
 }
 
 double buriedShareOf(const TriangleMesh& mesh) {
@@ -163,7 +153,7 @@ void SurfaceQueryTest::isInside_box_isExact() {
 }
 
 void SurfaceQueryTest::isInside_overlappingParts_areOneBody() {
-    const TriangleMesh pair = joined(boxMesh({10, 10, 10}), boxMesh({6, 6, 20}), {0, 0, 0});
+    const TriangleMesh pair = test::joined(boxMesh({10, 10, 10}), boxMesh({6, 6, 20}));
     const SurfaceQuery query(pair);
     QVERIFY(query.isInside({0, 0, 0}));
     QVERIFY(query.isInside({0, 0, 8}));
@@ -201,7 +191,7 @@ void SurfaceQueryTest::isInside_smallHole_keepsTheAnswer() {
 void SurfaceQueryTest::buriedSurface_overlappingSpheres_isTheirCaps() {
     const double radius = 10, apart = 12;
     const TriangleMesh ball = sphereMesh(radius, 90, 180);
-    const TriangleMesh pair = joined(ball, ball, {float(apart), 0, 0});
+    const TriangleMesh pair = test::joined(ball, ball, {float(apart), 0, 0});
     const SurfaceQuery query(pair);
     const BuriedSurface buried;
     const double share = (radius - apart / 2) / (2 * radius);
@@ -229,7 +219,7 @@ void SurfaceQueryTest::buriedSurface_touchingBoxes_isTheSharedFaces() {
     QFETCH(float, gap);
     QFETCH(bool, touches);
     const Eigen::Vector3d size(10, 20, 30);
-    const TriangleMesh box = boxMesh(size), pair = joined(box, box, {10 + gap, 0, 0});
+    const TriangleMesh box = boxMesh(size), pair = test::joined(box, box, {10 + gap, 0, 0});
     const double shared = size.y() * size.z() / surfaceArea(box);
     QVERIFY(std::abs(buriedShareOf(pair) - (touches ? shared : 0)) < 0.002);
 }

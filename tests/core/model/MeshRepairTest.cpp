@@ -2,6 +2,7 @@
 // long.
 #include "model/MeshRepair.h"
 
+#include "JoinedMeshes.h"
 #include "base/Progress.h"
 #include "geometry/Shapes.h"
 
@@ -21,12 +22,7 @@ TexturedMesh textured(const std::vector<TriangleMesh>& parts) {
     TexturedMesh model;
     model.materials.resize(1);
     for (const TriangleMesh& part : parts) {
-        const auto first = std::uint32_t(model.mesh.positions.size());
-        model.mesh.positions.insert(model.mesh.positions.end(), part.positions.begin(),
-                                    part.positions.end());
-        for (const auto& [a, b, c] : part.triangles) {
-            model.mesh.triangles.push_back({first + a, first + b, first + c});
-        }
+        model.mesh = test::joined(std::move(model.mesh), part);
     }
     model.textureCoordinates.resize(model.mesh.triangles.size());
     model.material.resize(model.mesh.triangles.size());

@@ -1,6 +1,7 @@
 // Finds the separate bodies of models.
 #include "model/SeparateBodies.h"
 
+#include "JoinedMeshes.h"
 #include "geometry/Shapes.h"
 
 #include <QtTest>
@@ -13,15 +14,8 @@ namespace {
 TexturedMesh boxes(const std::vector<std::tuple<double, float, QString>>& parts) {
     TexturedMesh model;
     for (const auto& [width, middle, material] : parts) {
-        const TriangleMesh box = boxMesh({width, 10, 10});
-        const auto first = std::uint32_t(model.mesh.positions.size());
-        for (const Eigen::Vector3f& position : box.positions) {
-            model.mesh.positions.push_back(position + Eigen::Vector3f(middle, 0, 0));
-        }
-        for (const auto& [a, b, c] : box.triangles) {
-            model.mesh.triangles.push_back({first + a, first + b, first + c});
-            model.material.push_back(std::uint16_t(model.materials.size()));
-        }
+        model.mesh = test::joined(model.mesh, boxMesh({width, 10, 10}), {middle, 0, 0});
+        model.material.resize(model.mesh.triangles.size(), std::uint16_t(model.materials.size()));
         model.materials.push_back({material});
     }
     return model;

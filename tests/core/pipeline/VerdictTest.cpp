@@ -1,5 +1,6 @@
 // Tests the verdicts of a run, with one body for each verdict. Verdicts on the numerical error are
 // compared with the full check.
+#include "JoinedMeshes.h"
 #include "TestFolders.h"
 #include "WholeSample.h"
 #include "pipeline/JobVerdict.h"
@@ -27,20 +28,6 @@ std::shared_ptr<const TexturedMesh> modelOf(const TriangleMesh& mesh) {
     return model;
 }
 
-TriangleMesh joined(std::initializer_list<std::pair<TriangleMesh, Eigen::Vector3f>> parts) {
-    TriangleMesh whole;
-    for (const auto& [part, place] : parts) {
-        const auto first = std::uint32_t(whole.positions.size());
-        for (const Eigen::Vector3f& position : part.positions) {
-            whole.positions.push_back(position + place);
-        }
-        for (const auto& [a, b, c] : part.triangles) {
-            whole.triangles.push_back({first + a, first + b, first + c});
-        }
-    }
-    return whole;
-}
-
 Project jobOf(const TriangleMesh& mesh, int points) {
     Project project;
     project.model = modelOf(mesh);
@@ -57,18 +44,15 @@ Project ball(int points) {
 
 // Returns a project with a ball and a thumb at its side; the thumb touches the film first.
 Project thumb() {
-    return jobOf(joined({{sphereMesh(20, 60, 120), {0, 0, 0}},
-                         {ellipsoidMesh({8, 14, 8}, 60, 60), {15, -12, 0}}}),
-                 73);
+    return jobOf(
+        test::joined(sphereMesh(20, 60, 120), ellipsoidMesh({8, 14, 8}, 60, 60), {15, -12, 0}), 73);
 }
 
 // Returns a project with a body on two round feet that are six film cells apart.
 Project onTwoFeet() {
     const TriangleMesh foot = ellipsoidMesh({7, 20, 7}, 60, 60);
-    return jobOf(joined({{foot, {-12, 0, 0}},
-                         {foot, {12, 0, 0}},
-                         {ellipsoidMesh({24, 14, 12}, 60, 60), {0, 18, 0}}}),
-                 81);
+    const TriangleMesh feet = test::joined(test::joined({}, foot, {-12, 0, 0}), foot, {12, 0, 0});
+    return jobOf(test::joined(feet, ellipsoidMesh({24, 14, 12}, 60, 60), {0, 18, 0}), 81);
 }
 
 } // namespace

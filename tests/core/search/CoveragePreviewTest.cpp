@@ -1,6 +1,7 @@
 // Tests coverage previewed from the body's shape alone, compared with closed forms and with dips.
 #include "search/CoveragePreview.h"
 #include "HollowBodies.h"
+#include "JoinedMeshes.h"
 #include "SearchSubjects.h"
 #include "TestFolders.h"
 #include "WholeSample.h"
@@ -54,12 +55,7 @@ private slots:
     }
 
     void coveragePreview_boxInTheBody_doesNotCount() {
-        TriangleMesh pair = boxMesh({30, 30, 30});
-        for (const auto& [a, b, c] : boxMesh({10, 10, 10}).triangles) {
-            pair.triangles.push_back({8 + a, 8 + b, 8 + c});
-        }
-        const TriangleMesh inner = boxMesh({10, 10, 10});
-        pair.positions.insert(pair.positions.end(), inner.positions.begin(), inner.positions.end());
+        const TriangleMesh pair = test::joined(boxMesh({30, 30, 30}), boxMesh({10, 10, 10}));
         QVERIFY(std::abs(previewed(subjectOf(pair), turned(0, 0)) - 5.0 / 6) < 0.01);
     }
 
@@ -75,16 +71,8 @@ private slots:
     void coveragePreview_hiddenFromBelow_staysBare() {
         // Two plates, one above the other. Film does not reach the underside and the walls of the
         // upper plate.
-        TriangleMesh plates = boxMesh({30, 4, 30});
-        TriangleMesh upper = boxMesh({20, 4, 20});
-        const auto first = std::uint32_t(plates.positions.size());
-        for (const Eigen::Vector3f& place : upper.positions) {
-            plates.positions.emplace_back(place + Eigen::Vector3f(0, 20, 0));
-        }
-        for (const auto& corners : upper.triangles) {
-            plates.triangles.push_back(
-                {corners[0] + first, corners[1] + first, corners[2] + first});
-        }
+        const TriangleMesh plates =
+            test::joined(boxMesh({30, 4, 30}), boxMesh({20, 4, 20}), {0, 20, 0});
         const double lower = 30 * 30 + 4 * 30 * 4;
         const double share = previewed(subjectOf(plates), turned(0, 0));
         QVERIFY(std::abs(share - lower / surfaceArea(plates)) < 0.01);

@@ -1,6 +1,7 @@
 // Tests the pose search on bodies whose best poses are obvious.
 #include "search/PoseSearch.h"
 #include "HollowBodies.h"
+#include "JoinedMeshes.h"
 #include "SearchSubjects.h"
 #include "TestFolders.h"
 #include "WholeSample.h"
@@ -51,19 +52,12 @@ SearchSubject bowlThatMustVent() {
 
 // Returns a cube with sides of 40 mm and a thin spike on top.
 TriangleMesh cubeWithSpike() {
-    TriangleMesh mesh = boxMesh({40, 40, 40});
+    const TriangleMesh cube = boxMesh({40, 40, 40});
     Eigen::Isometry3d onTop = Eigen::Isometry3d::Identity();
     onTop.rotate(Eigen::AngleAxisd(pi, Eigen::Vector3d::UnitX())); // the tip of a cone points down
-    TriangleMesh spike = transformed(coneMesh(0.045, 22, 24), onTop);
-    const float rise = boundingBox(mesh).max().y() - boundingBox(spike).min().y();
-    const auto first = std::uint32_t(mesh.positions.size());
-    for (const Eigen::Vector3f& place : spike.positions) {
-        mesh.positions.push_back(place + Eigen::Vector3f(0, rise, 0));
-    }
-    for (const auto& [a, b, c] : spike.triangles) {
-        mesh.triangles.push_back({first + a, first + b, first + c});
-    }
-    return mesh;
+    const TriangleMesh spike = transformed(coneMesh(0.045, 22, 24), onTop);
+    const float rise = boundingBox(cube).max().y() - boundingBox(spike).min().y();
+    return test::joined(cube, spike, {0, rise, 0});
 }
 
 void compare(const SearchResult& one, const SearchResult& other) {

@@ -4,6 +4,7 @@
 #include "accuracy/verdict/FinerFilm.h"
 
 #include "DippedByHand.h"
+#include "JoinedMeshes.h"
 #include "geometry/Shapes.h"
 #include "marks/SurfaceMask.h"
 
@@ -317,14 +318,7 @@ private slots:
     // The small box is 1 % of the painted area. Its error is unknown.
     void verdict_smallBodyBesideLargeOne_isJudgedByItself() {
         TexturedMesh model = test::plainModel(boxMesh(boxSize), Qt::white);
-        const TriangleMesh small = boxMesh({4, boxSize.y(), 4});
-        const auto first = std::uint32_t(model.mesh.positions.size());
-        for (const Eigen::Vector3f& position : small.positions) {
-            model.mesh.positions.push_back(position + Eigen::Vector3f(25, 0, 0));
-        }
-        for (const auto& [a, b, c] : small.triangles) {
-            model.mesh.triangles.push_back({first + a, first + b, first + c});
-        }
+        model.mesh = test::joined(model.mesh, boxMesh({4, boxSize.y(), 4}), {25, 0, 0});
         model.materials.push_back({QStringLiteral("Knob: brass"), Qt::white});
         model.material.resize(model.mesh.triangles.size(), 1);
         const auto bodies = separateBodies(model);
