@@ -1,5 +1,8 @@
-// Tests which dips of a search remain when it ends early, and the verdict on what they leave bare.
+// Tests which dips of a search remain when it ends early, the verdict on what they leave bare, and
+// the surface that counts.
 #include "search/PoseDips.h"
+#include "DippedByHand.h"
+#include "JoinedMeshes.h"
 #include "SearchSubjects.h"
 #include "TestFolders.h"
 #include "base/Error.h"
@@ -23,6 +26,20 @@ std::vector<Immersion> turned(std::size_t count) {
         immersions[index].rotation[1] = Degrees(double(index));
     }
     return immersions;
+}
+
+struct Judged {
+    double area = 0, coverage = 0; // mm², share
+};
+
+// Judges the body with film under the whole bottom of a box of this size.
+Judged judgedOn(const TriangleMesh& mesh, const Eigen::Vector3d& size) {
+    const SearchSubject subject = subjectOf(mesh);
+    const JudgedBody body(subject, {1, 1, 1}, SurfaceColours(*subject.model));
+    const DippedFilm film =
+        test::flatUnderBox({61, 61, 60, 60}, size + Eigen::Vector3d(0.1, 0, 0.1));
+    const JudgedPose pose = body.judged(*test::laid(mesh, film), {});
+    return {body.equator() * body.equator() / pi, body.measures({&pose})[Measure::Coverage]};
 }
 
 std::size_t doneOf(const std::vector<std::shared_ptr<const JudgedPose>>& judged) {
@@ -55,6 +72,26 @@ private slots:
         QCOMPARE(adviceOn({&half, &half}, 0.6), Advice::Print);
         QCOMPARE(adviceOn({&half, &half}, 0.4), Advice::CheckFirst);
         QCOMPARE(adviceOn({&half, &half}, 0.05), Advice::DoNotPrint);
+    }
+
+    void judged_flushBoxes_isThatOfOneBox_data() {
+        QTest::addColumn<float>("away");
+        QTest::newRow("at the origin") << 0.F;
+        QTest::newRow("1 km away") << 1e6F;
+    }
+
+    // The faces at which the boxes touch are no surface to paint.
+    void judged_flushBoxes_isThatOfOneBox() {
+        QFETCH(float, away);
+        const Eigen::Vector3d size(40, 20, 40);
+        const TriangleMesh whole = boxMesh(size), half = boxMesh({20, 20, 40});
+        const TriangleMesh left = test::joined({}, half, {away - 10, 0, 0});
+        const Judged one = judgedOn(whole, size);
+        const Judged two = judgedOn(test::joined(left, half, {away + 10, 0, 0}), size);
+        QVERIFY(std::abs(one.area / surfaceArea(whole) - 1) < 1e-6);
+        QVERIFY(std::abs(two.area / one.area - 1) < 0.002);
+        QVERIFY(std::abs(one.coverage - 0.25) < 0.01);
+        QVERIFY(std::abs(two.coverage - one.coverage) < 0.005);
     }
 
     // When the second batch is told of, it is simulated, but not judged.

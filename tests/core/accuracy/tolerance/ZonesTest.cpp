@@ -1,6 +1,7 @@
 // Tests which zone a place of a body belongs to, and the verdict on each zone.
 #include "accuracy/tolerance/Zones.h"
 #include "DippedByHand.h"
+#include "JoinedMeshes.h"
 #include "geometry/Shapes.h"
 
 #include <QtTest>
@@ -126,6 +127,39 @@ private slots:
         for (std::size_t place = 0; place < places.size(); ++place) {
             const bool isBelow = triangleNormal(box->mesh, places[place].triangle).y() < -0.9f;
             QCOMPARE(zones[place], isBelow ? Zone::B : Zone::C);
+        }
+    }
+
+    void zoneVerdicts_flushBoxes_haveTheAreaOfOneBox_data() {
+        QTest::addColumn<float>("away");
+        QTest::newRow("at the origin") << 0.F;
+        QTest::newRow("1 km away") << 1e6F;
+    }
+
+    // Every second place is painted. The faces at which the boxes touch are no surface to judge,
+    // not even if a mark makes a zone of them.
+    void zoneVerdicts_flushBoxes_haveTheAreaOfOneBox() {
+        QFETCH(float, away);
+        const TriangleMesh half = boxMesh({20, 20, 60});
+        const TriangleMesh left = test::joined({}, half, {away - 10, 0, 0});
+        const auto pair = std::make_shared<const TexturedMesh>(
+            test::plainModel(test::joined(left, half, {away + 10, 0, 0}), Qt::white));
+        DipTolerances dip = evenTolerances(tolerancePlaces(*pair).size(), 0.5f, Contributor::TurnX);
+        for (std::size_t place = 0; place < dip.places.size(); place += 2) {
+            dip.places[place] = unpaintedPlace;
+        }
+        ToleranceSettings settings;
+        settings.marks = {markAt(Zone::A, MarkExtent::Face, {away, 0, 0}),
+                          markAt(Zone::B, MarkExtent::Face, {away - 10, -10, 0})};
+        const auto verdicts = zoneVerdicts(pair, {&dip}, {{}}, settings);
+        const std::array<Zone, 2> zones{Zone::B, Zone::C};
+        const double under = 20 * 60, whole = surfaceArea(boxMesh({40, 20, 60}));
+        const std::array<double, 2> areas{under, whole - under};
+        QCOMPARE(verdicts.size(), zones.size());
+        for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+            QCOMPARE(verdicts[zone].zone, zones[zone]);
+            QVERIFY(std::abs(verdicts[zone].area / areas[zone] - 0.5) < 0.01);
+            QVERIFY(std::abs(verdicts[zone].unpainted / areas[zone] - 0.5) < 0.01);
         }
     }
 
