@@ -2,9 +2,9 @@
 
 #include "cli/Arguments.h"
 
+#include "disk/PlainFile.h"
 #include "project/Project.h"
 
-#include <QFile>
 #include <algorithm>
 
 namespace dipwright::cli {
@@ -47,7 +47,7 @@ bool isOwnSheet(const QString& path, const QByteArray& begin) {
     }
     QFile file(path);
     const uchar* bytes =
-        isTiff(path) && file.open(QIODevice::ReadOnly) ? file.map(0, file.size()) : nullptr;
+        isTiff(path) && openToRead(file).isEmpty() ? file.map(0, file.size()) : nullptr;
     return bytes && QByteArray::fromRawData(reinterpret_cast<const char*>(bytes), file.size())
                         .contains("Dipwright ");
 }
