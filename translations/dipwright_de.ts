@@ -5660,8 +5660,8 @@
         <translation>Die Ebenen „%1“ und „%2“ verwenden die Farbe %3 mit verschiedenen Farbtönen oder Druckreihenfolgen. Gedruckt wird mit Farbton und Reihenfolge von „%1“. Geben Sie beiden Ebenen denselben Farbton und dieselbe Reihenfolge</translation>
     </message>
     <message>
-        <source>The layer “%1” ends where another body of the model covers the surface, so about %2 % of it is missing; join the bodies in a modelling program, or place the layer as a plane</source>
-        <translation>Die Ebene „%1“ endet dort, wo ein anderer Körper des Modells die Oberfläche verdeckt, daher fehlen etwa %2 % von ihr; vereinigen Sie die Körper in einem Modellierprogramm, oder legen Sie die Ebene als ebene Fläche an</translation>
+        <source>The layer “%1” ends where another body of the model covers the surface, so about %2 % of it is missing; join the bodies in a modelling program, or place the layer along an axis</source>
+        <translation>Die Ebene „%1“ endet dort, wo ein anderer Körper des Modells die Oberfläche verdeckt, daher fehlen etwa %2 % von ihr; vereinigen Sie die Körper in einem Modellierprogramm, oder platzieren Sie die Ebene längs einer Achse</translation>
     </message>
 </context>
 <context>

@@ -5660,8 +5660,8 @@
         <translation>As camadas “%1” e “%2” usam a tinta %3 com cores ou ordens de impressão diferentes. Ela é impressa com a cor e a ordem de “%1”. Dê às duas camadas a mesma cor e ordem</translation>
     </message>
     <message>
-        <source>The layer “%1” ends where another body of the model covers the surface, so about %2 % of it is missing; join the bodies in a modelling program, or place the layer as a plane</source>
-        <translation>A camada “%1” termina onde outro corpo do modelo cobre a superfície, por isso faltam cerca de %2 % dela; una os corpos em um programa de modelagem ou posicione a camada como plano</translation>
+        <source>The layer “%1” ends where another body of the model covers the surface, so about %2 % of it is missing; join the bodies in a modelling program, or place the layer along an axis</source>
+        <translation>A camada “%1” termina onde outro corpo do modelo cobre a superfície, por isso faltam cerca de %2 % dela; una os corpos em um programa de modelagem ou posicione a camada ao longo de um eixo</translation>
     </message>
 </context>
 <context>

@@ -91,7 +91,7 @@ QString coveredByAnotherBody(const ArtworkLayer& layer, const TriangleMesh& mesh
     }
     return Text::tr("The layer “%1” ends where another body of the model covers the surface, so "
                     "about %2 % of it is missing; join the bodies in a modelling program, or place "
-                    "the layer as a plane")
+                    "the layer along an axis")
         .arg(layer.name, numberText(100 * lost, 0));
 }
 
